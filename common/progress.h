@@ -1,0 +1,28 @@
+/* One live line on a terminal, plain lines otherwise, silence with --quiet; and Ctrl-C. */
+#pragma once
+#include <stdbool.h>
+#include <stddef.h>
+
+struct progress;
+
+enum progress_mode { PROGRESS_AUTO, PROGRESS_QUIET };
+
+struct progress *progress_create(enum progress_mode mode);
+void progress_destroy(struct progress *p);
+
+/* Starts a stretch of work called `name` that ends at physical time `end` (s). */
+void progress_begin(struct progress *p, const char *name, double end, double time_scale);
+
+/* Cheap enough for every step: prints at most a few times a second. `time`, `dt` in s; `units_of_work`
+ * so far (particle or node updates), `unit` their name; `energy_drift` relative, NaN if unknown. */
+void progress_step(struct progress *p, size_t step, double time, double dt, double units_of_work,
+                   const char *unit, double energy_drift);
+void progress_end(struct progress *p, const char *outcome);
+
+/* A line of talk (stderr) that does not break the live line. */
+void progress_say(struct progress *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* SIGINT and SIGTERM set a flag; a second one ends the program at once. */
+void progress_catch_signals(void);
+bool progress_stop_requested(void);
+double progress_wall_clock(void); /* s, monotonic */

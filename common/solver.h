@@ -1,0 +1,41 @@
+/* What a solver is to the rest of the program: a name, a parameter table, a check and a run. The
+ * list of solvers is in cli/registry.c; adding one touches its own folder and that list only. */
+#pragma once
+#include <stddef.h>
+
+#include "common/params.h"
+#include "common/status.h"
+
+struct case_file;
+struct case_run;
+struct problems;
+struct progress;
+struct result;
+
+struct solver {
+  const char *name, *help;
+  const struct param *params; /* the keys a run of this solver may have, [n_params] */
+  size_t n_params;
+  size_t options_size; /* bytes of the struct that the table fills (zeroed first) */
+
+  /* Adds to `problems` whatever this solver cannot do with a case that is valid as such
+   * (tank not rectangular, resolution too coarse for the tank ...). May be NULL. */
+  void (*check)(const struct case_file *c, const struct case_run *r, struct problems *problems);
+
+  /* Runs to the end of the case, writing every output into `out` (already created, not yet
+   * finished) and reporting to `progress`. INTERRUPTED when progress_stop_requested(). */
+  enum status (*run)(const struct case_file *c, const struct case_run *r, struct result *out,
+                     struct progress *progress);
+};
+
+/* What a case file may name; handed to case_load by whoever knows the solvers and the comparator. */
+struct measure {
+  const char *name, *units, *help; /* units: "H", "sqrt(H/g)", "1", ... : what `max` is counted in */
+};
+
+struct registry {
+  const struct solver *const *solvers;
+  size_t n_solvers;
+  const struct measure *measures; /* what compare.tolerances may name */
+  size_t n_measures;
+};
