@@ -1,0 +1,51 @@
+/* Cost of finding the free surface of a released column (2 H wide, H high) in its tank. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "common/progress.h"
+#include "sph/surface.h"
+
+static enum status measure(int k) {
+  enum status status = OK;
+  struct sph_surface *s = NULL;
+  struct geo_lines walls = {0}, out = {0};
+  double dx = 1.0 / k, best = 1e9;
+  size_t n = 0, room = 2 * (size_t)k * (size_t)k;
+  double *x = malloc(room * sizeof *x), *y = malloc(room * sizeof *y);
+  if (!x || !y) {
+    status = status_raise(ERR_MEMORY, "no memory for %zu particles", room);
+    goto done;
+  }
+  for (int i = 0; i < 2 * k; i++)
+    for (int j = 0; j < k; j++) {
+      x[n] = (i + 0.5) * dx;
+      y[n++] = (j + 0.5) * dx;
+    }
+  ATTEMPT(geo_lines_begin(&walls, false));
+  for (int i = 0; i < 4; i++) ATTEMPT(geo_lines_add(&walls, i < 2 ? 0 : 5.366, i % 3 ? 0 : 3));
+  ATTEMPT(sph_surface_create(&s));
+  for (int run = 0; run < 10; run++) {
+    double start = progress_wall_clock();
+    ATTEMPT(sph_surface_extract(s, n, x, y, NULL, dx, &walls, &out));
+    double took = progress_wall_clock() - start;
+    if (took < best) best = took;
+  }
+  printf("%6d %8zu %10.3f %10.1f\n", k, n, best * 1e3, best * 1e9 / (double)n);
+done:
+  sph_surface_destroy(s);
+  geo_lines_destroy(&walls);
+  geo_lines_destroy(&out);
+  free(x);
+  free(y);
+  return status;
+}
+
+int main(void) {
+  printf("%6s %8s %10s %10s\n", "H/dx", "n", "ms", "ns/particle");
+  for (int k = 25; k <= 400; k *= 2)
+    if (measure(k) != OK) {
+      fprintf(stderr, "bench_surface: %s\n", status_message());
+      return 1;
+    }
+  return 0;
+}
