@@ -90,11 +90,14 @@ struct case_file {
   } compare;
 };
 
-/* One problem a line: "dam.yaml:12: runs.antuono.alpha is -1; allowed: 0 to 1 ...". */
+/* One problem a line: "dam.yaml:12: runs.antuono.alpha: found '-1'; allowed: a number from 0 to 1".
+ * problems_add takes the part after the place; case_load puts "FILE:LINE: " before it and sorts. */
 struct problems {
   size_t n, room;
-  char **text; /* sorted by line when case_load returns */
-  int *line;
+  size_t unlisted; /* further ones, beyond the first hundred */
+  bool out_of_memory;
+  char **text; /* [n], owned */
+  int *line;   /* [n], from 1; 0: the file as a whole; -k: the k-th --set */
 };
 void problems_add(struct problems *p, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

@@ -1,15 +1,22 @@
 /* The parameter table: one row per key gives its type, unit, range, default and help, and from it
  * the case reader checks, fills, and prints (`plunge list`, README) everything. */
 #pragma once
+#include <float.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 enum param_type {
   PARAM_REAL,   /* double; a number, or a number with a unit that matches `quantity` */
   PARAM_INT,    /* int */
   PARAM_BOOL,   /* bool */
   PARAM_CHOICE, /* int: index into `choices` */
+  PARAM_TEXT,   /* char *, owned by the struct (params_release); one line of at most `max` bytes */
+  PARAM_NODE,   /* int: handle of a nested list or mapping, read by the caller; 0: absent; help says what is
+                   allowed there */
 };
+
+#define PARAM_ABOVE_0 DBL_MIN
 
 /* The dimension of a PARAM_REAL; a value may be given with a unit: "0.266 H", "6 sqrt(H/g)",
  * "20 mm", "12 sqrt(gH)". A bare number is in SI. */
@@ -20,8 +27,35 @@ struct param {
   enum param_type type;
   enum quantity quantity;
   size_t offset;     /* of the member in the struct that is filled */
-  double min, max;   /* allowed range, ends included (PARAM_REAL and PARAM_INT), in SI */
-  const char *value; /* default, written as in a case file; NULL: the key is required */
+  double min, max;   /* allowed range, ends included (PARAM_REAL and PARAM_INT), in SI; PARAM_ABOVE_0
+                        as min: greater than zero; min = max: any finite number */
+  const char *value; /* default, written as in a case file; NULL: the key is required; "": optional,
+                        the member keeps what it held */
   const char *const *choices; /* PARAM_CHOICE: NULL-terminated names */
   const char *help;           /* one sentence: what it is, its source (paper and equation) */
 };
+
+/* What "H" and "g" in a unit stand for; NaN while not known. */
+struct param_scales {
+  double H, g; /* m, m s^-2 */
+};
+
+/* Fills the member of `into` that row `p` describes from `text`. False when that is not allowed:
+ * nothing is filled and `todo` says what to do about it ("" when param_allowed says it all). */
+bool param_fill(const struct param *p, const char *text, const struct param_scales *scales,
+                void *into, char todo[160]);
+
+/* What row `p` allows, in words: "a number from 0 to 1", "one of rk4, tvd-rk3". */
+void param_allowed(const struct param *p, char *out, size_t size);
+
+/* Appends the members that row by row describe the struct, as "key=value\n" with all digits. */
+void params_write(FILE *out, const struct param *params, size_t n, const void *from);
+
+/* One readable paragraph a key: name, what is allowed, default, help. */
+void params_print(FILE *out, const struct param *params, size_t n);
+
+/* Frees what PARAM_TEXT rows own in `from`. */
+void params_release(const struct param *params, size_t n, void *from);
+
+/* The name nearest in spelling to `key`, or NULL when none is near. */
+const char *param_nearest(const char *key, size_t n, const char *const *names);

@@ -1,0 +1,198 @@
+/* From a file on disk to a checked case. */
+#include "common/case.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "common/case_draft.h"
+
+enum { MOST_BYTES = 10 * 1024 * 1024 };
+
+/* The line of the first byte that is not UTF-8, or 0. */
+static int find_bad_utf8(const unsigned char *s, size_t n) {
+  int line = 1;
+  for (size_t i = 0; i < n;) {
+    size_t more = s[i] < 0x80       ? 0
+                  : s[i] >> 5 == 6  ? 1
+                  : s[i] >> 4 == 14 ? 2
+                  : s[i] >> 3 == 30 ? 3
+                                    : 9;
+    if (more == 9 || i + more >= n) return line;
+    for (size_t k = 1; k <= more; k++)
+      if ((s[i + k] & 0xc0) != 0x80) return line;
+    if (s[i] == '\n') line++;
+    i += more + 1;
+  }
+  return 0;
+}
+
+static bool text_is_fit(struct problems *problems, const char *text, size_t n) {
+  const char *allowed = "a case file in YAML, UTF-8 text";
+  if (!text[strspn(text, " \t\r\n")] && strlen(text) == n) {
+    problems_add(problems, 0, "found an empty file; allowed: %s", allowed);
+    return false;
+  }
+  if (memchr(text, 0, n)) {
+    problems_add(problems, 0, "found a binary file; allowed: %s", allowed);
+    return false;
+  }
+  int line = find_bad_utf8((const unsigned char *)text, n);
+  if (line) {
+    problems_add(problems, line, "found a byte that is not UTF-8; allowed: %s; save it as UTF-8",
+                 allowed);
+    return false;
+  }
+  return true;
+}
+
+/* The whole file with a NUL behind it, or NULL with a problem added. */
+static char *read_file(const char *path, struct problems *problems, size_t *n) {
+  struct stat info;
+  FILE *file = fopen(path, "rb");
+  if (!file) {
+    problems_add(problems, 0, "cannot be read (%s); give the path of a case file", strerror(errno));
+    return NULL;
+  }
+  char *text = NULL;
+  if (fstat(fileno(file), &info) || S_ISDIR(info.st_mode)) {
+    problems_add(problems, 0, "found a directory; give the path of a case file");
+  } else if (!(text = malloc(MOST_BYTES + 1))) {
+    problems->out_of_memory = true;
+  } else {
+    *n = fread(text, 1, MOST_BYTES + 1, file); /* not st_size: it may be a pipe */
+    const char *trouble = ferror(file) ? "cannot be read to its end; check the disk"
+                          : *n > MOST_BYTES
+                              ? "found more than 10 MB; allowed: a case file of at most 10 MB"
+                              : NULL;
+    if (trouble) {
+      problems_add(problems, 0, "%s", trouble);
+      free(text);
+      text = NULL;
+    } else {
+      text[*n] = 0;
+    }
+  }
+  fclose(file);
+  return text;
+}
+
+/* "dam-break" of "cases/dam-break.yaml": the title of a case without one. */
+static char *title_from_path(const char *path) {
+  const char *slash = strrchr(path, '/');
+  const char *name = slash ? slash + 1 : path;
+  const char *dot = strrchr(name, '.');
+  return strndup(name, dot && dot > name ? (size_t)(dot - name) : strlen(name));
+}
+
+static enum status build(struct case_draft *d, const char *path, const char *text, size_t n_set) {
+  struct case_file *c = d->c;
+  c->path = strdup(path);
+  CHECK(c->path, ERR_MEMORY, "no memory for the case");
+  TRY(case_read_sections(d));
+  TRY(case_read_runs(d));
+  TRY(case_read_compare(d));
+  if (!c->title) c->title = title_from_path(path);
+  CHECK(c->title, ERR_MEMORY, "no memory for the case");
+  case_check(d);
+  if (d->doc.problems->n) return OK;
+  for (size_t i = 0; i < c->n_runs; i++) {
+    const struct case_run *r = &c->runs[i];
+    if (r->solver->check) r->solver->check(c, r, d->doc.problems);
+  }
+  if (d->doc.problems->n) return OK;
+  if (n_set) return case_doc_emit(&d->doc, &c->text);
+  c->text = strdup(text);
+  CHECK(c->text, ERR_MEMORY, "no memory for the case");
+  return OK;
+}
+
+static enum status parse(const char *name, const char *text, size_t n, size_t n_set,
+                         const char *const *set, const struct registry *registry, bool read_data,
+                         struct problems *problems, struct case_file **out) {
+  struct case_draft d = {.registry = registry, .read_data = read_data};
+  enum status status = OK;
+  d.c = calloc(1, sizeof *d.c);
+  CHECK(d.c, ERR_MEMORY, "no memory for the case");
+  if (text_is_fit(problems, text, n) && case_doc_load(&d.doc, text, n, problems)) {
+    for (size_t k = 0; k < n_set; k++) case_doc_set(&d.doc, k, set[k]);
+    /* a path that led nowhere changed nothing, so the rest can be judged all the same */
+    status = build(&d, name, text, n_set);
+  }
+  case_doc_destroy(&d.doc);
+  if (status == OK && !problems->n && !problems->out_of_memory)
+    *out = d.c;
+  else
+    case_destroy(d.c);
+  return status;
+}
+
+static enum status conclude(enum status status, const char *name, size_t n_set,
+                            const char *const *set, struct problems *problems) {
+  size_t n = problems->n + problems->unlisted;
+  case_problems_finish(problems, name, n_set, set);
+  TRY(status);
+  CHECK(!problems->out_of_memory, ERR_MEMORY, "no memory to read %s", name);
+  CHECK(!n, ERR_INPUT, "%s has %zu problem%s", name, n, n == 1 ? "" : "s");
+  return OK;
+}
+
+enum status case_load(const char *path, size_t n_set, const char *const *set,
+                      const struct registry *registry, struct problems *problems,
+                      struct case_file **c) {
+  size_t n = 0;
+  enum status status = OK;
+  *c = NULL;
+  *problems = (struct problems){0};
+  char *text = read_file(path, problems, &n);
+  if (text) status = parse(path, text, n, n_set, set, registry, true, problems, c);
+  free(text);
+  return conclude(status, path, n_set, set, problems);
+}
+
+enum status case_parse(const char *name, const char *text, const struct registry *registry,
+                       struct problems *problems, struct case_file **c) {
+  *c = NULL;
+  *problems = (struct problems){0};
+  enum status status = parse(name, text, strlen(text), 0, NULL, registry, false, problems, c);
+  return conclude(status, name, 0, NULL, problems);
+}
+
+void case_destroy(struct case_file *c) {
+  if (!c) return;
+  free(c->path);
+  free(c->text);
+  free(c->title);
+  geo_lines_destroy(&c->walls);
+  geo_lines_destroy(&c->water);
+  for (size_t i = 0; i < c->n_probes; i++) free(c->probes[i].name);
+  for (size_t i = 0; i < c->n_gauges; i++) free(c->gauges[i].name);
+  for (size_t i = 0; i < c->n_runs; i++) {
+    struct case_run *r = &c->runs[i];
+    if (r->solver) params_release(r->solver->params, r->solver->n_params, r->options);
+    free(r->name);
+    free(r->options);
+  }
+  for (size_t i = 0; i < c->compare.n_tolerances; i++) {
+    free(c->compare.tolerances[i].measure);
+    free(c->compare.tolerances[i].runs);
+  }
+  for (size_t i = 0; i < c->compare.n_experiments; i++) {
+    struct case_experiment *e = &c->compare.experiments[i];
+    free(e->label);
+    free(e->source);
+    free(e->target);
+    free(e->t);
+    free(e->value);
+  }
+  free(c->probes);
+  free(c->gauges);
+  free(c->runs);
+  free(c->compare.times);
+  free(c->compare.tolerances);
+  free(c->compare.experiments);
+  free(c);
+}

@@ -1,0 +1,59 @@
+/* A case while it is being read: what the reader, the checks and the overrides share. Internal. */
+#pragma once
+#include <stddef.h>
+
+#include "common/case_doc.h"
+
+struct case_draft {
+  struct case_doc doc;
+  struct case_file *c;
+  const struct registry *registry;
+  bool read_data; /* experiments are read from their files */
+  struct {        /* the nodes of the sections, 0 when absent */
+    int fluid, scales, tank, water, time, probes, gauges, runs, compare;
+  } at;
+  struct { /* sections read without a fault: what the checks may rely on */
+    bool scales, tank, water, time, probes, gauges, runs;
+  } good;
+};
+
+enum { CASE_MOST_ITEMS = 1000 }; /* runs, probes, times ... in one list */
+
+/* Table rows for a member of a struct that has the key's name. */
+#define ROWS(table) sizeof(table) / sizeof *(table)
+#define REAL(struct_, member, qty, lo, hi, def, text)                                              \
+  {                                                                                                \
+    .key = #member, .type = PARAM_REAL, .quantity = qty, .offset = offsetof(struct_, member),      \
+    .min = lo, .max = hi, .value = def, .help = text                                               \
+  }
+#define NODE(struct_, member, def, text)                                                           \
+  {                                                                                                \
+    .key = #member, .type = PARAM_NODE, .offset = offsetof(struct_, member), .value = def,         \
+    .help = text                                                                                   \
+  }
+#define TEXT(struct_, member, longest, def, text)                                                  \
+  {                                                                                                \
+    .key = #member, .type = PARAM_TEXT, .offset = offsetof(struct_, member), .max = longest,       \
+    .value = def, .help = text                                                                     \
+  }
+
+/* case_sections.c: every section but runs and compare. */
+enum status case_read_sections(struct case_draft *d);
+bool case_read_section(struct case_draft *d, int node, const char *path, const struct param *rows,
+                       size_t n, void *into);
+bool case_read_pair(struct case_doc *doc, int node, const char *path, const struct param *row,
+                    const char *what, double out[2]);
+bool case_read_point(struct case_doc *doc, int node, const char *path, double out[2]);
+enum status case_allocate(void **out, size_t n, size_t size); /* zeroed */
+
+/* case_runs.c: runs, then compare, which names them. */
+enum status case_read_runs(struct case_draft *d);
+enum status case_read_compare(struct case_draft *d);
+
+/* case_check.c: whether what was read makes sense together. */
+void case_check(struct case_draft *d);
+
+/* case_experiment.c: reads the data file of e, a path relative to the case file, into SI units.
+ * Adds problems; `line` and `path` are those of the key `file`. */
+enum status case_read_experiment(struct case_draft *d, struct case_experiment *e, const char *file,
+                                 int line, const char *path);

@@ -1,0 +1,33 @@
+/* Questions about polylines that need robust predicates: answered by GEOS. */
+#pragma once
+#include "common/geometry.h"
+
+/* Distance of (x, y) from the nearest point of the lines, m, and that point; the piece it is on.
+ * INFINITY when there are no lines. */
+double geo_lines_distance(const struct geo_lines *l, double x, double y, double nearest[2],
+                          size_t *piece);
+
+/* Whether a piece neither crosses nor touches itself; `at` says where it does. ERR_MEMORY. */
+enum status geo_piece_simple(const struct geo_lines *l, size_t piece, bool *simple, double at[2]);
+
+/* Whether two pieces, as lines, cross or run along each other (touching at ends is neither). */
+enum status geo_pieces_cross(const struct geo_lines *l, size_t a, size_t b, bool *cross);
+
+/* Area that two closed pieces have in common, m^2. */
+enum status geo_pieces_overlap(const struct geo_lines *l, size_t a, size_t b, double *area);
+
+/* Closed piece `piece` of `l` against the polygon of `tank` (closed pieces; an open piece is closed
+ * by the straight line between its ends): the area of the piece that lies outside, m^2, and a point
+ * of it. */
+enum status geo_piece_outside(const struct geo_lines *l, size_t piece, const struct geo_lines *tank,
+                              double *area, double at[2]);
+
+/* Length of `walls` that runs through the inside of a closed piece of `l`, m, and a point of it. */
+enum status geo_piece_crossed(const struct geo_lines *l, size_t piece,
+                              const struct geo_lines *walls, double *length, double at[2]);
+
+/* The part of the polygon of `tank` below the horizontal y = level: its area (m^2) and centroid. */
+enum status geo_area_below(const struct geo_lines *tank, double level, double *area,
+                           double centroid[2]);
+
+void geo_piece_reverse(struct geo_lines *l, size_t piece);

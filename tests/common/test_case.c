@@ -1,0 +1,141 @@
+/* Good case files: what the reader makes of them. Bad ones: test_case_bad.c. */
+#include "common/case.h"
+
+#include <stdlib.h>
+
+#include "tests/common/case_registry.h"
+#include "tests/test.h"
+
+static struct case_file *parse(const char *text) {
+  struct problems problems;
+  struct case_file *c = NULL;
+  if (case_parse("case.yaml", text, &fake_registry, &problems, &c) != OK) {
+    TEST_FAIL("%s", status_message());
+    for (size_t i = 0; i < problems.n; i++) fprintf(stderr, "  %s\n", problems.text[i]);
+  }
+  problems_destroy(&problems);
+  return c;
+}
+
+#define TANK  "tank: {walls: [[[0, 3], [0, 0], [4, 0], [4, 3]]]}\n"
+#define WATER "water: {regions: [[[0, 0], [1.5, 0], [1.5, 0.75], [0, 0.75]]]}\n"
+#define TIME  "time: {end: 2}\n"
+#define RUNS  "runs: [{solver: sph, resolution: 10}]\n"
+
+static void test_minimal_case_has_the_documented_defaults(void) {
+  struct case_file *c = parse(TANK WATER TIME RUNS);
+  if (!c) return;
+  EXPECT(c->density == 1000 && c->gravity == 9.81);
+  EXPECT(c->H == 0.75); /* the water's height above the bed */
+  EXPECT(c->rectangular && c->pressure == CASE_PRESSURE_HYDROSTATIC && !c->wave.kind);
+  EXPECT_NEAR(c->every, 0.02, 1e-15);
+  EXPECT_NEAR(c->sample, 0.002, 1e-15);
+  EXPECT_STR(c->title, "case");
+  EXPECT(c->n_runs == 1 && c->compare.reference == 1); /* nothing to compare */
+  EXPECT_STR(c->runs[0].name, "sph");
+  const struct fake_sph *o = c->runs[0].options;
+  EXPECT(o->diffusion == 3 && o->order == 4 && o->delta == 0.2 && o->alpha == 0.01 && o->smooth);
+  EXPECT(o->note == NULL);
+  EXPECT_NEAR(o->c0, 20 * sqrt(9.81 * 0.75), 1e-12);
+  case_destroy(c);
+}
+
+static void test_units_convert_with_the_scales(void) {
+  struct case_file *c = parse("fluid: {gravity: 2.5}\nscales: {H: 40 cm}\n" TANK
+                              "water: {regions: [[[0, 0], [2 H, 0], ['2H', H], [0, 1.0 H]]], "
+                              "velocity: [1 sqrt(gH), -0.5 m/s]}\n"
+                              "time: {end: 6 sqrt(H/g), every: 3 sqrt( H / g ), sample: 5 ms}\n"
+                              "probes: [{name: P, at: [0, 2.5e1 mm], size: 20 mm}]\n" RUNS);
+  if (!c) return;
+  EXPECT_NEAR(c->H, 0.4, 1e-16);
+  EXPECT_NEAR(c->water.p[2][0], 0.8, 1e-15);
+  EXPECT_NEAR(c->end, 2.4, 1e-15); /* sqrt(0.4/2.5) = 0.4 */
+  EXPECT_NEAR(c->every, 1.2, 1e-15);
+  EXPECT_NEAR(c->sample, 0.005, 1e-18);
+  EXPECT_NEAR(c->velocity[0], 1, 1e-15);
+  EXPECT(c->velocity[1] == -0.5);
+  EXPECT_NEAR(c->probes[0].y, 0.025, 1e-17);
+  EXPECT_NEAR(c->probes[0].size, 0.02, 1e-17);
+  case_destroy(c);
+}
+
+static void test_clockwise_water_is_turned_round(void) {
+  struct case_file *c =
+      parse(TANK "water: {regions: [[[0, 0], [0, 1], [2, 1], [2, 0]]]}\n" TIME RUNS);
+  if (!c) return;
+  EXPECT_NEAR(geo_piece_area(&c->water, 0), 2, 1e-15);
+  case_destroy(c);
+}
+
+static void test_rectangular_tanks_are_recognised(void) {
+  static const struct {
+    const char *walls;
+    bool rectangular;
+  } tanks[] = {
+      {"[[[0, 3], [0, 0], [4, 0], [4, 3]]]", true},
+      {"[[[0, 3], [0, 1.5], [0, 0], [1, 0], [4, 0], [4, 1], [4, 2]]]", true},
+      {"[[[0, 3], [0, 0], [4, 0], [5, 3]]]", false},
+      {"[[[0, 3], [0, 0], [2, 0.1], [4, 0], [4, 3]]]", false},
+      {"[[[0, 3], [0, 0], [4, 0]]]", false},
+      {"[[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]", false},
+  };
+  for (size_t i = 0; i < sizeof tanks / sizeof *tanks; i++) {
+    char text[512];
+    snprintf(text, sizeof text,
+             "tank: {walls: %s}\nwater: {regions: [[[1, 0.5], [2, 0.5], [2, 1], [1, 1]]]}\n%s",
+             tanks[i].walls, TIME RUNS);
+    struct case_file *c = parse(text);
+    if (c && c->rectangular != tanks[i].rectangular) TEST_FAIL("%s", tanks[i].walls);
+    case_destroy(c);
+  }
+}
+
+static void test_rest_potential_of_box_and_polygon_agree(void) {
+  /* the same tank, once recognised as a rectangle and once, with a lid's corner, as a polygon */
+  struct case_file *a = parse(TANK WATER TIME RUNS);
+  struct case_file *b =
+      parse("tank: {walls: [[[0, 3], [0, 0], [4, 0], [4, 3], [3.9, 3]]]}\n" WATER TIME RUNS);
+  if (a && b) {
+    double level = 1.5 * 0.75 / 4; /* area over width */
+    EXPECT(!b->rectangular);
+    EXPECT_NEAR(case_water_area(a), 1.125, 1e-15);
+    EXPECT_NEAR(case_rest_potential(a), 9810 * 4 * level * level / 2, 1e-9);
+    EXPECT_NEAR(case_rest_potential(b), case_rest_potential(a), 1e-9); /* bisected to rounding */
+  }
+  case_destroy(a);
+  case_destroy(b);
+}
+
+static void test_fingerprint_ignores_what_a_result_does_not_depend_on(void) {
+  struct case_file *a = parse("title: one\n" TANK WATER TIME RUNS);
+  struct case_file *b =
+      parse("# the same water\ntime: {end: 2.0}\nruns:\n- {solver: bem, resolution: 5}\n"
+            "- {name: other, alpha: 0.010, resolution: 1e1, solver: sph}\n" WATER TANK
+            "compare: {reference: bem, times: [1]}\n");
+  struct case_file *c = parse(TANK WATER TIME "runs: [{solver: sph, resolution: 10, alpha: 0.02}]");
+  struct case_file *d = parse(TANK WATER "time: {end: 2.000000001}\n" RUNS);
+  if (a && b && c && d) {
+    char of_a[33], of_b[33], of_c[33], of_d[33];
+    case_fingerprint(a, &a->runs[0], of_a);
+    case_fingerprint(b, &b->runs[1], of_b);
+    case_fingerprint(c, &c->runs[0], of_c);
+    case_fingerprint(d, &d->runs[0], of_d);
+    EXPECT(strlen(of_a) == 32);
+    EXPECT_STR(of_b, of_a);
+    EXPECT(strcmp(of_c, of_a) && strcmp(of_d, of_a) && strcmp(of_c, of_d));
+  }
+  case_destroy(a);
+  case_destroy(b);
+  case_destroy(c);
+  case_destroy(d);
+}
+
+int main(void) {
+  RUN(test_minimal_case_has_the_documented_defaults);
+  RUN(test_units_convert_with_the_scales);
+  RUN(test_clockwise_water_is_turned_round);
+  RUN(test_rectangular_tanks_are_recognised);
+  RUN(test_rest_potential_of_box_and_polygon_agree);
+  RUN(test_fingerprint_ignores_what_a_result_does_not_depend_on);
+  return TEST_RESULT;
+}
