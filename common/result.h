@@ -31,7 +31,7 @@ struct result_energy {
 #undef X
 };
 
-struct result_step { /* one row of /series/run */
+struct result_step {     /* one row of /series/run */
   double time, dt;       /* s */
   double evaluations;    /* of the right-hand side so far */
   double wall_time;      /* s, of the clock on the wall, so far */
@@ -52,14 +52,15 @@ enum status result_create(const char *path, const struct case_file *c, const str
                           struct result **out);
 
 /* Append one output. result_flush ends an output time: what came before it survives a kill. Each of
- * these refuses beforehand, with ERR_IO, when the disk has no room, and leaves earlier outputs readable. */
+ * these refuses beforehand, with ERR_IO, when the disk has no room, and leaves earlier outputs
+ * readable. */
 enum status result_points(struct result *w, double time, size_t n, const double *x, const double *y,
                           enum result_cells cells, size_t n_fields,
                           const struct result_field *fields); /* same fields at every output */
 enum status result_surface(struct result *w, double time, const struct geo_lines *surface);
 enum status result_energy(struct result *w, const struct result_energy *row);
 enum status result_step(struct result *w, const struct result_step *row);
-enum status result_probe(struct result *w, size_t probe, double time, double pressure); /* Pa */
+enum status result_probe(struct result *w, size_t probe, double time, double pressure);  /* Pa */
 enum status result_gauge(struct result *w, size_t gauge, double time, double elevation); /* m */
 enum status result_event(struct result *w, const char *name, double time, double x, double y);
 enum status result_statistic(struct result *w, const char *name, double value, const char *help);
@@ -82,6 +83,11 @@ struct result_event_read {
   double time, x, y;
 };
 
+struct result_statistic_read {
+  char *name, *help;
+  double value;
+};
+
 struct result_file { /* everything but the particles, in memory */
   char *path, *solver, *run, *title, *version, *revision, *case_text, *fingerprint;
   bool complete;
@@ -102,10 +108,7 @@ struct result_file { /* everything but the particles, in memory */
   struct result_series *probes, *gauges;
   struct result_event_read *events;
   struct case_experiment *experiments;
-  struct {
-    char *name, *help;
-    double value;
-  } *statistics;
+  struct result_statistic_read *statistics;
   size_t n_outputs; /* of points */
   double *output_time;
 };

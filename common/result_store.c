@@ -1,0 +1,396 @@
+#include "common/result_store.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <libgen.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include "common/result_hdf.h"
+
+#define PAGE 4096 /* bytes that are checksummed, kept in memory and written together */
+
+struct result_store {
+  char *path, *twin; /* owned */
+  int fd[2];         /* the two files, -1 until opened */
+  int front;         /* which of them is at `path`; -1 before the first commit */
+  haddr_t eoa;       /* end of what HDF5 has allocated */
+  haddr_t committed; /* the same at the last commit */
+
+  size_t n_pages; /* room in the arrays below */
+  unsigned char *
+      *page;     /* [n_pages]: contents of pages that at least one file lacks, or NULL; owned */
+  uint64_t *sum; /* [n_pages]: checksums of all pages of the last commit, owned */
+};
+
+/* ---- the seal ---- */
+
+struct seal {
+  char magic[8];
+  uint64_t size; /* bytes of HDF5 data before the seal */
+  uint64_t sum;  /* of the page checksums */
+  uint64_t self; /* of the three above */
+};
+static const char seal_magic[8] = "plunge\r\n";
+
+/* Every step is a bijection of the state, so a change within one word of the input always shows. */
+static uint64_t checksum(const unsigned char *bytes, size_t n, uint64_t seed) {
+  uint64_t h = (seed + 1) * 0x9e3779b97f4a7c15u;
+  for (size_t i = 0; i < n; i += 8) {
+    uint64_t word = 0;
+    memcpy(&word, bytes + i, n - i < 8 ? n - i : 8);
+    h = (h ^ word) * 0xff51afd7ed558ccdu;
+    h ^= h >> 32;
+  }
+  return h;
+}
+
+static struct seal seal_make(uint64_t size, uint64_t sum) {
+  struct seal seal = {.size = size, .sum = sum};
+  memcpy(seal.magic, seal_magic, sizeof seal.magic);
+  seal.self = checksum((const unsigned char *)&seal, offsetof(struct seal, self), 0);
+  return seal;
+}
+
+enum status result_store_check(const char *path, enum result_seal *out) {
+  FILE *f = fopen(path, "rb");
+  CHECK(f, ERR_INPUT, "cannot read %s: %s", path, strerror(errno));
+  struct seal seal;
+  *out = RESULT_SEAL_NONE;
+  if (!fseeko(f, -(off_t)sizeof seal, SEEK_END) && fread(&seal, sizeof seal, 1, f) == 1 &&
+      !memcmp(seal.magic, seal_magic, sizeof seal_magic)) {
+    uint64_t size = (uint64_t)ftello(f) - sizeof seal, sum = 0, left = size, number = 0;
+    rewind(f);
+    unsigned char page[PAGE];
+    while (left) {
+      size_t n = left < PAGE ? left : PAGE;
+      if (fread(page, 1, n, f) != n) break;
+      sum += checksum(page, n, number++);
+      left -= n;
+    }
+    struct seal right = seal_make(size, sum);
+    *out = !left && !memcmp(&right, &seal, sizeof seal) ? RESULT_SEAL_GOOD : RESULT_SEAL_BROKEN;
+  }
+  fclose(f);
+  return OK;
+}
+
+/* ---- memory ---- */
+
+static enum status reserve_pages(struct result_store *s, haddr_t end) {
+  size_t n = (size_t)(end / PAGE + 1);
+  if (n <= s->n_pages) return OK;
+  n += n / 2 + 64;
+  unsigned char **page = realloc(s->page, n * sizeof *page);
+  if (page) s->page = page;
+  uint64_t *sum = realloc(s->sum, n * sizeof *sum);
+  if (sum) s->sum = sum;
+  CHECK(page && sum, ERR_MEMORY, "no memory for %zu pages of %s", n, s->path);
+  memset(page + s->n_pages, 0, (n - s->n_pages) * sizeof *page);
+  memset(sum + s->n_pages, 0, (n - s->n_pages) * sizeof *sum);
+  s->n_pages = n;
+  return OK;
+}
+
+/* The committed bytes from `at`; zeros beyond their end. */
+static enum status read_committed(const struct result_store *s, haddr_t at, size_t n,
+                                  unsigned char *to) {
+  size_t there = at >= s->committed ? 0 : s->committed - at < n ? (size_t)(s->committed - at) : n;
+  memset(to + there, 0, n - there);
+  for (size_t done = 0; done < there;) {
+    ssize_t got = pread(s->fd[s->front], to + done, there - done, (off_t)(at + done));
+    if (got < 0 && errno == EINTR) continue;
+    CHECK(got > 0, ERR_IO, "cannot read back %s: %s", s->path,
+          got ? strerror(errno) : "it has become shorter");
+    done += (size_t)got;
+  }
+  return OK;
+}
+
+/* Brings page k into memory, from where the next commit writes it. */
+static enum status page_need(struct result_store *s, size_t k) {
+  if (s->page[k]) return OK;
+  unsigned char *page = malloc(PAGE);
+  CHECK(page, ERR_MEMORY, "no memory for a page of %s", s->path);
+  enum status status = read_committed(s, (haddr_t)k * PAGE, PAGE, page);
+  if (status == OK)
+    s->page[k] = page;
+  else
+    free(page);
+  return status;
+}
+
+static enum status store_write(struct result_store *s, haddr_t at, size_t n,
+                               const unsigned char *from) {
+  TRY(reserve_pages(s, at + n));
+  for (size_t done = 0; done < n;) {
+    size_t k = (size_t)((at + done) / PAGE), offset = (size_t)((at + done) % PAGE);
+    size_t part = PAGE - offset < n - done ? PAGE - offset : n - done;
+    TRY(page_need(s, k));
+    memcpy(s->page[k] + offset, from + done, part);
+    done += part;
+  }
+  return OK;
+}
+
+static enum status store_read(struct result_store *s, haddr_t at, size_t n, unsigned char *to) {
+  for (size_t done = 0; done < n;) {
+    size_t k = (size_t)((at + done) / PAGE), offset = (size_t)((at + done) % PAGE);
+    size_t part = PAGE - offset < n - done ? PAGE - offset : n - done;
+    if (k < s->n_pages && s->page[k])
+      memcpy(to + done, s->page[k] + offset, part);
+    else
+      TRY(read_committed(s, at + done, part, to + done));
+    done += part;
+  }
+  return OK;
+}
+
+/* ---- the HDF5 file driver ---- */
+
+struct handle {
+  H5FD_t pub; /* HDF5's part, first */
+  struct result_store *store;
+};
+
+static H5FD_t *driver_open(const char *name, unsigned flags, hid_t fapl, haddr_t maxaddr) {
+  (void)name, (void)flags, (void)maxaddr;
+  struct result_store *const *store = H5Pget_driver_info(fapl);
+  struct handle *h = calloc(1, sizeof *h);
+  if (!store || !h) {
+    free(h);
+    return NULL;
+  }
+  h->store = *store;
+  return &h->pub;
+}
+
+static herr_t driver_close(H5FD_t *file) {
+  free(file);
+  return 0;
+}
+
+static herr_t driver_query(const H5FD_t *file, unsigned long *flags) {
+  (void)file;
+  *flags = H5FD_FEAT_DATA_SIEVE;
+  return 0;
+}
+
+static haddr_t driver_get_eoa(const H5FD_t *file, H5FD_mem_t type) {
+  (void)type;
+  return ((const struct handle *)file)->store->eoa;
+}
+
+static herr_t driver_set_eoa(H5FD_t *file, H5FD_mem_t type, haddr_t addr) {
+  (void)type;
+  ((struct handle *)file)->store->eoa = addr;
+  return 0;
+}
+
+static herr_t driver_read(H5FD_t *file, H5FD_mem_t type, hid_t dxpl, haddr_t addr, size_t size,
+                          void *buffer) {
+  (void)type, (void)dxpl;
+  return store_read(((struct handle *)file)->store, addr, size, buffer) == OK ? 0 : -1;
+}
+
+static herr_t driver_write(H5FD_t *file, H5FD_mem_t type, hid_t dxpl, haddr_t addr, size_t size,
+                           const void *buffer) {
+  (void)type, (void)dxpl;
+  return store_write(((struct handle *)file)->store, addr, size, buffer) == OK ? 0 : -1;
+}
+
+static const H5FD_class_t driver = {
+#if H5_VERSION_GE(1, 14, 0)
+    .version = H5FD_CLASS_VERSION,
+    .value = H5_VFD_RESERVED,
+#endif
+    .name = "plunge store",
+    .maxaddr = (haddr_t)INT64_MAX,
+    .fc_degree = H5F_CLOSE_STRONG,
+    .fapl_size = sizeof(struct result_store *),
+    .open = driver_open,
+    .close = driver_close,
+    .query = driver_query,
+    .get_eoa = driver_get_eoa,
+    .set_eoa = driver_set_eoa,
+    .get_eof = driver_get_eoa, /* what was never written reads as zeros */
+    .read = driver_read,
+    .write = driver_write,
+    .fl_map = H5FD_FLMAP_DICHOTOMY,
+};
+
+enum status result_store_open(struct result_store *s, hid_t *file) {
+  hid_t id = H5FDregister(&driver);
+  hid_t fapl = H5Pcreate(H5P_FILE_ACCESS);
+  *file = -1;
+  /* the format of 2008: checksummed headers, and every HDF5 program since can read it */
+  if (id >= 0 && H5Pset_driver(fapl, id, &s) >= 0 &&
+      H5Pset_libver_bounds(fapl, H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0)
+    *file = H5Fcreate(s->path, H5F_ACC_TRUNC, H5P_DEFAULT, fapl);
+  H5Pclose(fapl);
+  if (id >= 0) H5FDunregister(id);
+  return *file >= 0 ? OK : hdf_raise(ERR_IO, "cannot create %s", s->path);
+}
+
+/* ---- committing ---- */
+
+enum status result_store_room(const char *path, unsigned long long bytes, unsigned long long size) {
+  struct rlimit limit;
+  CHECK(getrlimit(RLIMIT_FSIZE, &limit) || limit.rlim_cur == RLIM_INFINITY ||
+            size <= limit.rlim_cur,
+        ERR_IO,
+        "cannot write %s: it needs %.4g MB and files may have %.4g MB here; raise the limit "
+        "(ulimit -f)",
+        path, 1e-6 * (double)size, 1e-6 * (double)limit.rlim_cur);
+  char *copy = strdup(path);
+  struct statvfs disk;
+  bool known = copy && !statvfs(dirname(copy), &disk);
+  free(copy);
+  if (!known) return OK; /* the write itself will tell */
+  unsigned long long free_bytes = (unsigned long long)disk.f_bavail * disk.f_frsize;
+  CHECK(bytes <= free_bytes, ERR_IO,
+        "no room on the disk for %s: it needs %.4g MB more and %.4g MB "
+        "are free; make room or write elsewhere (--out)",
+        path, 1e-6 * (double)bytes, 1e-6 * (double)free_bytes);
+  return OK;
+}
+
+static enum status write_at(const struct result_store *s, int fd, haddr_t at, size_t n,
+                            const void *from) {
+  for (size_t done = 0; done < n;) {
+    ssize_t put = pwrite(fd, (const char *)from + done, n - done, (off_t)(at + done));
+    if (put < 0 && errno == EINTR) continue;
+    CHECK(put > 0, ERR_IO, "cannot write %s: %s", s->path, strerror(put ? errno : ENOSPC));
+    done += (size_t)put;
+  }
+  return OK;
+}
+
+/* Makes file `i` equal to the present state. */
+static enum status write_file(struct result_store *s, int i, const struct seal *seal) {
+  for (size_t k = 0; k * PAGE < s->eoa; k++) {
+    if (!s->page[k]) continue;
+    size_t n = s->eoa - k * PAGE < PAGE ? (size_t)(s->eoa - k * PAGE) : PAGE;
+    TRY(write_at(s, s->fd[i], (haddr_t)k * PAGE, n, s->page[k]));
+  }
+  TRY(write_at(s, s->fd[i], s->eoa, sizeof *seal, seal));
+  CHECK(!ftruncate(s->fd[i], (off_t)(s->eoa + sizeof *seal)), ERR_IO, "cannot write %s: %s",
+        s->path, strerror(errno));
+  return OK;
+}
+
+static enum status open_twin(struct result_store *s, int i) {
+  if (s->fd[i] >= 0) return OK;
+  s->fd[i] = open(s->twin, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  CHECK(s->fd[i] >= 0, ERR_IO, "cannot write beside %s: %s%s", s->path, strerror(errno),
+        errno == ENOENT ? " (create the directory first)" : "");
+  return OK;
+}
+
+/* Claims the disk space of one file, so that running out of it shows before anything changed.
+ * File systems that cannot do this are trusted to tell at the write. */
+static enum status claim(const struct result_store *s, int i, haddr_t size) {
+  struct stat now;
+  if (s->fd[i] < 0 || fstat(s->fd[i], &now) || (haddr_t)now.st_size >= size) return OK;
+  unsigned long long more = size - (haddr_t)now.st_size;
+  TRY(result_store_room(s->path, more, size));
+  int failed = fallocate(s->fd[i], FALLOC_FL_KEEP_SIZE, now.st_size, (off_t)more);
+  CHECK(!failed || (errno != ENOSPC && errno != EDQUOT), ERR_IO,
+        "no room on the disk for %s: it needs %.4g MB more; make room or write elsewhere (--out)",
+        s->path, 1e-6 * (double)more);
+  return OK;
+}
+
+/* Gives the back file the name `path`, and the front file the twin's. */
+static enum status change_names(struct result_store *s) {
+  int failed;
+  if (s->front < 0) {
+    failed = rename(s->twin, s->path);
+  } else {
+    failed = renameat2(AT_FDCWD, s->twin, AT_FDCWD, s->path, RENAME_EXCHANGE);
+    if (failed && (errno == EINVAL || errno == ENOSYS)) { /* not on this file system */
+      char spare[strlen(s->twin) + 2];
+      sprintf(spare, "%s~", s->twin);
+      unlink(spare);
+      failed = link(s->path, spare) || rename(s->twin, s->path);
+      if (!failed) rename(spare, s->twin); /* if not, the next commit says so */
+    }
+  }
+  CHECK(!failed, ERR_IO, "cannot write %s: %s", s->path, strerror(errno));
+  return OK;
+}
+
+enum status result_store_commit(struct result_store *s, bool last) {
+  int back = s->front == 0;
+  haddr_t size = s->eoa + sizeof(struct seal);
+  TRY(reserve_pages(s, s->eoa));
+  if (s->committed) TRY(page_need(s, (size_t)(s->committed / PAGE))); /* holds the old seal */
+  TRY(page_need(s, (size_t)(s->eoa / PAGE)));                         /* perhaps cut shorter */
+  uint64_t sum = 0;
+  for (size_t k = 0; k * PAGE < s->eoa; k++) {
+    size_t n = s->eoa - k * PAGE < PAGE ? (size_t)(s->eoa - k * PAGE) : PAGE;
+    if (!s->page[k] && k * PAGE >= s->committed) TRY(page_need(s, k));
+    if (s->page[k]) s->sum[k] = checksum(s->page[k], n, k);
+    sum += s->sum[k];
+  }
+  struct seal seal = seal_make(s->eoa, sum);
+
+  TRY(open_twin(s, back));
+  TRY(claim(s, back, size));
+  if (!last) TRY(claim(s, !back, size));
+  TRY(write_file(s, back, &seal));
+  TRY(change_names(s));
+  s->front = back;
+  s->committed = s->eoa;
+
+  if (last) return OK;
+  TRY(open_twin(s, !back));
+  TRY(write_file(s, !back,
+                 &seal)); /* if this fails the pages stay, and the next commit tries again */
+  for (size_t k = 0; k < s->n_pages; k++) {
+    free(s->page[k]);
+    s->page[k] = NULL;
+  }
+  return OK;
+}
+
+/* ---- life ---- */
+
+enum status result_store_create(const char *path, struct result_store **out) {
+  struct result_store *s = calloc(1, sizeof *s);
+  *out = NULL;
+  CHECK(s, ERR_MEMORY, "no memory to write %s", path);
+  s->fd[0] = s->fd[1] = s->front = -1;
+  s->path = strdup(path);
+  const char *slash = strrchr(path, '/');
+  int folder = slash ? (int)(slash - path) + 1 : 0;
+  if (!s->path || asprintf(&s->twin, "%.*s.%s.next", folder, path, path + folder) < 0)
+    s->twin = NULL;
+  enum status status =
+      s->twin ? open_twin(s, 0) : status_raise(ERR_MEMORY, "no memory to write %s", path);
+  if (status != OK) {
+    result_store_destroy(s);
+    return status;
+  }
+  *out = s;
+  return OK;
+}
+
+void result_store_destroy(struct result_store *s) {
+  if (!s) return;
+  if (s->fd[0] >= 0 || s->fd[1] >= 0) unlink(s->twin);
+  for (int i = 0; i < 2; i++)
+    if (s->fd[i] >= 0) close(s->fd[i]);
+  for (size_t k = 0; k < s->n_pages; k++) free(s->page[k]);
+  free(s->page);
+  free(s->sum);
+  free(s->path);
+  free(s->twin);
+  free(s);
+}
