@@ -1,0 +1,189 @@
+/* Standing waves by theory (common/waves.h) as a run. Output times and series rows fall on exactly
+ * the multiples of time.every and time.sample: there are no steps. */
+#include "common/wave_solver.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+#include "common/case.h"
+#include "common/progress.h"
+#include "common/result.h"
+#include "common/waves.h"
+
+struct wave_options {
+  int order;
+};
+
+static const struct param wave_params[] = {
+    {.key = "order",
+     .type = PARAM_INT,
+     .offset = offsetof(struct wave_options, order),
+     .min = 1,
+     .max = 2,
+     .value = "2",
+     .help = "order of the theory: 1 linear, 2 with the second harmonic and the frequency of third "
+             "order (Tadjbakhsh & Keller, J. Fluid Mech. 8, 1960)"},
+};
+
+static double tank_width(const struct case_file *c) {
+  return c->tank.max[0] - c->tank.min[0];
+}
+
+static struct wave_standing theory(const struct case_file *c, const struct case_run *r) {
+  const struct wave_options *o = r->options;
+  return wave_standing_create(c->wave.amplitude, c->wave.wavelength, c->wave.depth, c->gravity,
+                              c->tank.min[0], c->tank.min[1], o->order);
+}
+
+static void wave_check(const struct case_file *c, const struct case_run *r,
+                       struct problems *problems) {
+  if (c->wave.kind != CASE_WAVE_STANDING) {
+    problems_add(problems, r->line,
+                 "run %s: solver exact knows standing waves only; give water.wave instead of "
+                 "water.regions, or take another solver",
+                 r->name);
+    return;
+  }
+  if (!c->rectangular)
+    problems_add(
+        problems, r->line,
+        "run %s: solver exact needs a rectangular tank: one wall down the left side, along "
+        "a flat bed, up the right side",
+        r->name);
+  double halves = 2 * tank_width(c) / c->wave.wavelength;
+  if (!(halves >= 0.5) || fabs(halves - round(halves)) > 1e-6 * halves)
+    problems_add(
+        problems, r->line,
+        "run %s: the tank is %.6g half wavelengths wide; solver exact needs a whole number",
+        r->name, halves);
+  /* A series whose second term is half the first says nothing about the third. */
+  struct wave_standing w = theory(c, r);
+  double ratio = (fabs(w.bound_mean) + fabs(w.bound)) / w.amplitude;
+  if (ratio > 0.5)
+    problems_add(
+        problems, r->line,
+        "run %s: the second order of the theory is %.2g of the first; allowed: at most 0.5; "
+        "lower water.wave.amplitude or raise water.wave.depth",
+        r->name, ratio);
+}
+
+/* Mean over the length of the sensor along its wall. */
+static double probe_pressure(const struct case_file *c, const struct wave_standing *w,
+                             const struct case_probe *p, double t) {
+  enum { PARTS = 16 };
+  double near = 1e-6 * tank_width(c), sum = 0;
+  bool upright = fabs(p->x - c->tank.min[0]) < near || fabs(p->x - c->tank.max[0]) < near;
+  for (int i = 0; i < PARTS; i++) {
+    double s = p->size * ((i + 0.5) / PARTS - 0.5);
+    double x = upright ? p->x : p->x + s, y = upright ? p->y + s : p->y;
+    sum += wave_standing_pressure(w, x, y, t);
+  }
+  return c->density * sum / PARTS;
+}
+
+static enum status write_series(const struct case_file *c, const struct wave_standing *w, double t,
+                                size_t row, double start, struct result *out) {
+  double width = tank_width(c);
+  double kinetic = c->density * wave_standing_kinetic(w, width, t);
+  double potential = c->density * wave_standing_potential_energy(w, width, t);
+  struct result_energy e = {
+      .time = t, .kinetic = kinetic, .potential = potential, .total = kinetic + potential};
+  struct result_step step = {.time = t,
+                             .dt = c->sample,
+                             .evaluations = (double)row,
+                             .wall_time = progress_wall_clock() - start,
+                             .volume = width * c->wave.depth};
+  TRY(result_energy(out, &e));
+  TRY(result_step(out, &step));
+  for (size_t i = 0; i < c->n_probes; i++)
+    TRY(result_probe(out, i, t, probe_pressure(c, w, &c->probes[i], t)));
+  for (size_t i = 0; i < c->n_gauges; i++)
+    TRY(result_gauge(out, i, t, wave_standing_elevation(w, c->gauges[i].x, t)));
+  return OK;
+}
+
+struct surface_points {
+  size_t n;
+  double *x, *y, *phi, *u, *v; /* m, m^2/s, m/s, [n], owned */
+  struct geo_lines line;
+};
+
+static void points_destroy(struct surface_points *s) {
+  free(s->x);
+  geo_lines_destroy(&s->line);
+}
+
+static enum status points_create(struct surface_points *s, const struct case_file *c,
+                                 double resolution) {
+  s->n = (size_t)ceil(tank_width(c) / c->H * resolution) + 1;
+  double *all = malloc(5 * s->n * sizeof *all);
+  CHECK(all, ERR_MEMORY, "no memory for %zu surface points", s->n);
+  s->x = all;
+  s->y = all + s->n;
+  s->phi = all + 2 * s->n;
+  s->u = all + 3 * s->n;
+  s->v = all + 4 * s->n;
+  return OK;
+}
+
+static enum status write_output(const struct case_file *c, const struct wave_standing *w, double t,
+                                struct surface_points *s, struct result *out) {
+  geo_lines_clear(&s->line);
+  TRY(geo_lines_begin(&s->line, false));
+  for (size_t i = 0; i < s->n; i++) {
+    double f = (double)i / (double)(s->n - 1), velocity[2];
+    s->x[i] = c->tank.min[0] * (1 - f) + c->tank.max[0] * f;
+    s->y[i] = wave_standing_elevation(w, s->x[i], t);
+    s->phi[i] = wave_standing_potential(w, s->x[i], s->y[i], t);
+    wave_standing_velocity(w, s->x[i], s->y[i], t, velocity);
+    s->u[i] = velocity[0];
+    s->v[i] = velocity[1];
+    TRY(geo_lines_add(&s->line, s->x[i], s->y[i]));
+  }
+  const struct result_field fields[] = {
+      {"velocity", "m s-1", "velocity of the water", s->u, s->v},
+      {"potential", "m2 s-1", "velocity potential", s->phi, NULL},
+  };
+  TRY(result_points(out, t, s->n, s->x, s->y, RESULT_LINE, sizeof fields / sizeof *fields, fields));
+  TRY(result_surface(out, t, &s->line));
+  return result_flush(out);
+}
+
+static enum status wave_run(const struct case_file *c, const struct case_run *r, struct result *out,
+                            struct progress *progress) {
+  enum status status = OK;
+  struct surface_points points = {0};
+  struct wave_standing w = theory(c, r);
+  const double slack = 1e-9 * c->sample, start = progress_wall_clock();
+  progress_begin(progress, r->name, c->end, sqrt(c->H / c->gravity));
+  ATTEMPT(points_create(&points, c, r->resolution));
+  for (size_t row = 0, outputs = 0; (double)row * c->sample <= c->end + slack; row++) {
+    double t = (double)row * c->sample;
+    ATTEMPT(write_series(c, &w, t, row, start, out));
+    for (; (double)outputs * c->every < t + c->sample - slack; outputs++) {
+      double at = (double)outputs * c->every;
+      if (at > c->end + slack) break;
+      ATTEMPT(write_output(c, &w, at, &points, out));
+    }
+    progress_step(progress, row, t, c->sample, (double)(row * points.n), "point", 0);
+    if (progress_stop_requested()) {
+      status = status_raise(INTERRUPTED, "stopped at t = %g s", t);
+      goto done;
+    }
+  }
+done:
+  progress_end(progress, status == OK ? "done" : status_message());
+  points_destroy(&points);
+  return status;
+}
+
+const struct solver wave_solver = {
+    .name = "exact",
+    .help = "wave theory: standing waves in a rectangular tank, to second order",
+    .params = wave_params,
+    .n_params = sizeof wave_params / sizeof *wave_params,
+    .options_size = sizeof(struct wave_options),
+    .check = wave_check,
+    .run = wave_run,
+};
