@@ -1,0 +1,43 @@
+/* The diffusive terms of the continuity equation, P eqs. (5), (7), (9), (10): one list, and psi_ji.
+ *
+ *   D_i = 2 sum_j psi_ji  r_ji . grad_i W_ij / |r_ji|^2  V_j
+ *
+ * Since r_ji . grad_i W = slope |r|^2 with slope > 0 (kernel.h), D_i is a sum of psi_ji with positive
+ * weights: density flows from dense to thin. The equation of state is linear, so density differences
+ * are taken as pressure differences over c0^2; psi here is c0^2 times that of the paper, and G the
+ * renormalised pressure gradient.
+ *
+ * Columns: name, default delta, strength, help. Strength is the largest decay rate of the term
+ * relative to Molteni's with the same delta, from the integral of its kernel:
+ * int q W dV = sqrt(pi)/2 in Ferrari's, halved by its 1/2h. It scales the time step bound (27). */
+#pragma once
+#include "sph/vec.h"
+
+#define SPH_DIFFUSIONS(X, ...)                                                                     \
+  X(none, 0, 0, "no diffusion", ##__VA_ARGS__)                                                     \
+  X(molteni, 0.5, 1, "Molteni & Colagrossi 2009, P eq. (7)", ##__VA_ARGS__)                        \
+  X(ferrari, 1, 0.4431, "Ferrari et al. 2009, P eq. (10)", ##__VA_ARGS__)                          \
+  X(antuono, 0.2, 1, "Antuono et al. 2010, P eq. (9)", ##__VA_ARGS__)
+
+enum sph_diffusion {
+#define X(name, delta, strength, help) SPH_DIFFUSION_##name,
+  SPH_DIFFUSIONS(X)
+#undef X
+      SPH_N_DIFFUSIONS
+};
+
+/* c0^2 psi_ji of a pair: dp = p_j - p_i, (x, y) = r_j - r_i, r2 = |r_ji|^2, G = sum of both
+ * renormalised pressure gradients. */
+SPECIALISE vec diffusion_psi(enum sph_diffusion d, vec dp, vec x, vec y, vec r2, vec Gx, vec Gy,
+                             double h) {
+  switch (d) {
+  case SPH_DIFFUSION_molteni: return dp;
+  case SPH_DIFFUSION_ferrari: return dp * vec_sqrt(r2) * (0.5 / h);
+  case SPH_DIFFUSION_antuono: return dp - 0.5 * (Gx * x + Gy * y);
+  default: return (vec){0};
+  }
+}
+
+SPECIALISE bool diffusion_needs_gradient(enum sph_diffusion d) {
+  return d == SPH_DIFFUSION_antuono;
+}

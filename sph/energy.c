@@ -1,0 +1,39 @@
+#include "sph/energy.h"
+
+#include <math.h>
+
+static double elastic(const struct sph *s, double rho) {
+  double x = rho / s->rho0 - 1;
+  return s->c0 * s->c0 * (log1p(x) - x / (1 + x));
+}
+
+static void add(const struct sph *s, size_t i, struct result_energy *e) {
+  const struct sph_state *w = &s->f.w;
+  double m = s->f.m[i];
+  e->kinetic += 0.5 * m * (w->u[i] * w->u[i] + w->v[i] * w->v[i]);
+  e->potential += m * s->g * w->y[i];
+  e->internal += m * elastic(s, w->rho[i]);
+}
+
+struct result_energy sph_energy(const struct sph *s) {
+  struct result_energy e = {.time = s->t,
+                            .viscosity = s->budget.viscosity,
+                            .diffusion = s->budget.diffusion,
+                            .walls = s->budget.walls,
+                            .removed = s->budget.removed};
+  for (size_t i = 0; i < s->f.n; i++) add(s, i, &e);
+  e.total = e.kinetic + e.potential + e.internal;
+  return e;
+}
+
+double sph_energy_of(const struct sph *s, size_t i) {
+  struct result_energy e = {0};
+  add(s, i, &e);
+  return e.kinetic + e.potential + e.internal;
+}
+
+double sph_volume(const struct sph *s) {
+  double volume = 0;
+  for (size_t i = 0; i < s->f.n; i++) volume += s->f.m[i] / s->f.w.rho[i];
+  return volume;
+}

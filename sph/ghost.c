@@ -1,0 +1,169 @@
+#include "sph/ghost.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "sph/kernel.h"
+#include "sph/mls.h"
+
+struct ghosts {
+  size_t room;
+  double *x, *y;   /* interpolation nodes, m, [n] padded to whole clusters */
+  double *rx, *ry; /* sign of the velocity components after reflection, [n] padded */
+  struct sph_lists lists; /* water near the nodes */
+};
+
+/* A strip of ghosts: columns along one direction at `first + i step`, rows along the other. */
+struct strip {
+  double x, dx, y, dy; /* first position and step */
+  size_t nx, ny;
+  bool mirror_x, mirror_y;
+  double wall_x, wall_y;
+};
+
+static size_t intervals(double length, double dx) {
+  return (size_t)fmax(1, floor(length / dx + 0.5));
+}
+
+/* Left, right, bed, and the two corners under them. Along a wall the spacing is stretched so that it
+ * divides the wall evenly. */
+static size_t tank_strips(const struct sph *s, const struct geo_lines *walls, struct strip strips[5]) {
+  const double(*p)[2] = (const double(*)[2])walls->p;
+  size_t last = walls->points - 1;
+  double dx = s->dx, x0 = s->tank.min[0], x1 = s->tank.max[0], y0 = s->tank.min[1];
+  size_t layers = (size_t)ceil(SPH_KERNEL_SUPPORT * s->h / dx - 1e-9);
+  size_t nl = intervals(p[0][1] - y0, dx), nr = intervals(p[last][1] - y0, dx);
+  size_t nb = intervals(x1 - x0, dx);
+  double dl = (p[0][1] - y0) / (double)nl, dr = (p[last][1] - y0) / (double)nr;
+  double db = (x1 - x0) / (double)nb;
+  double out_left = x0 - dx / 2, out_right = x1 + dx / 2, under = y0 - dx / 2;
+  strips[0] = (struct strip){out_left, -dx, y0 + dl / 2, dl, layers, nl, true, false, x0, 0};
+  strips[1] = (struct strip){out_right, dx, y0 + dr / 2, dr, layers, nr, true, false, x1, 0};
+  strips[2] = (struct strip){x0 + db / 2, db, under, -dx, nb, layers, false, true, 0, y0};
+  strips[3] = (struct strip){out_left, -dx, under, -dx, layers, layers, true, true, x0, y0};
+  strips[4] = (struct strip){out_right, dx, under, -dx, layers, layers, true, true, x1, y0};
+  return 5;
+}
+
+static enum status ghosts_create(struct sph *s, const struct geo_lines *walls) {
+  struct strip strips[5];
+  size_t n_strips = tank_strips(s, walls, strips), n = 0;
+  for (size_t k = 0; k < n_strips; k++) n += strips[k].nx * strips[k].ny;
+  struct ghosts *g;
+  TRY(sph_allocate(1, sizeof *g, &g));
+  s->w.data = g;
+  s->w.n = n;
+  g->room = (n + SPH_LANES - 1) / SPH_LANES * SPH_LANES;
+  double *x = NULL, *y = NULL;
+  uint32_t *key = NULL, *order = NULL;
+  size_t *strip_of = NULL;
+  enum status status = OK;
+  ATTEMPT(sph_allocate(n, sizeof *x, &x));
+  ATTEMPT(sph_allocate(n, sizeof *y, &y));
+  ATTEMPT(sph_allocate(n, sizeof *key, &key));
+  ATTEMPT(sph_allocate(n, sizeof *order, &order));
+  ATTEMPT(sph_allocate(n, sizeof *strip_of, &strip_of));
+  ATTEMPT(sph_allocate(n, sizeof(double), &s->w.x));
+  ATTEMPT(sph_allocate(n, sizeof(double), &s->w.y));
+  ATTEMPT(sph_allocate(n, sizeof *s->w.pack, &s->w.pack));
+  ATTEMPT(sph_allocate(g->room, sizeof(double), &g->x));
+  ATTEMPT(sph_allocate(g->room, sizeof(double), &g->y));
+  ATTEMPT(sph_allocate(g->room, sizeof(double), &g->rx));
+  ATTEMPT(sph_allocate(g->room, sizeof(double), &g->ry));
+
+  size_t at = 0;
+  for (size_t k = 0; k < n_strips; k++)
+    for (size_t i = 0; i < strips[k].nx; i++)
+      for (size_t j = 0; j < strips[k].ny; j++, at++) {
+        x[at] = strips[k].x + (double)i * strips[k].dx;
+        y[at] = strips[k].y + (double)j * strips[k].dy;
+        strip_of[at] = k;
+      }
+  double reach = SPH_KERNEL_SUPPORT * s->h + s->dx;
+  struct geo_box box = {{s->tank.min[0] - reach, s->tank.min[1] - reach},
+                        {s->tank.max[0] + reach, s->tank.max[1]}};
+  ATTEMPT(sph_grid_create(&s->w.grid, &box, s->dx));
+  sph_grid_sort(&s->w.grid, n, x, y, NULL, key, order);
+  for (size_t i = 0; i < g->room; i++) {
+    size_t o = order[i < n ? i : n - 1];
+    const struct strip *t = &strips[strip_of[o]];
+    g->x[i] = t->mirror_x ? 2 * t->wall_x - x[o] : x[o];
+    g->y[i] = t->mirror_y ? 2 * t->wall_y - y[o] : y[o];
+    g->rx[i] = t->mirror_x ? -1 : 1;
+    g->ry[i] = t->mirror_y ? -1 : 1;
+    if (i >= n) continue;
+    s->w.x[i] = x[o];
+    s->w.y[i] = y[o];
+    s->w.pack[i] = (struct sph_pack){.x = x[o], .y = y[o], .V = fabs(t->dx * t->dy)};
+  }
+done:
+  free(x);
+  free(y);
+  free(key);
+  free(order);
+  free(strip_of);
+  return status;
+}
+
+static enum status ghosts_list(struct sph *s) {
+  struct ghosts *g = s->w.data;
+  return sph_lists_build(&g->lists, s->w.n, g->x, g->y, &s->grid, s->f.w.x, s->f.w.y,
+                         SPH_KERNEL_SUPPORT * s->h + s->skin / 2);
+}
+
+SPECIALISE void fill_cluster(struct sph *s, enum sph_kernel kernel, size_t cluster) {
+  const struct ghosts *g = s->w.data;
+  size_t n, at = cluster * SPH_LANES;
+  const uint32_t *list = sph_lists_of(&g->lists, cluster, &n);
+  if (!n) return; /* no water near: nobody reads these ghosts */
+  vec x = vec_load(g->x + at), y = vec_load(g->y + at);
+  vec rx = vec_load(g->rx + at), ry = vec_load(g->ry + at);
+  struct mls_fit f = mls_at(kernel, s->h, x, y, n, list, s->pack);
+  vec gravity = (s->rho0 + f.p / (s->c0 * s->c0)) * -s->g; /* rho f */
+  for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
+    struct sph_pack *w = &s->w.pack[at + l];
+    w->u = rx[l] * f.u[l];
+    w->v = ry[l] * f.v[l];
+    w->p = f.p[l] + gravity[l] * (w->y - y[l]);
+    w->Gx = rx[l] * f.px[l];
+    w->Gy = gravity[l] + ry[l] * (f.py[l] - gravity[l]);
+  }
+}
+
+#define X(k)                                                                                       \
+  static void fill_##k(struct sph *s) {                                                            \
+    const struct ghosts *g = s->w.data;                                                            \
+    _Pragma("omp parallel for schedule(dynamic, 16)") for (size_t c = 0; c < g->lists.n_clusters;  \
+                                                           c++) fill_cluster(s, SPH_KERNEL_##k, c); \
+  }
+SPH_KERNELS(X)
+#undef X
+
+static void ghosts_fill(struct sph *s) {
+  static void (*const fills[SPH_N_KERNELS])(struct sph *) = {
+#define X(k) fill_##k,
+      SPH_KERNELS(X)
+#undef X
+  };
+  fills[s->o.kernel](s);
+}
+
+static void ghosts_destroy(struct sph *s) {
+  struct ghosts *g = s->w.data;
+  if (!g) return;
+  free(g->x);
+  free(g->y);
+  free(g->rx);
+  free(g->ry);
+  sph_lists_destroy(&g->lists);
+  free(g);
+}
+
+const struct sph_wall sph_wall_ghost = {
+    .name = "ghost",
+    .help = "fixed ghost particles with free slip (Marrone et al. 2011)",
+    .create = ghosts_create,
+    .list = ghosts_list,
+    .fill = ghosts_fill,
+    .destroy = ghosts_destroy,
+};

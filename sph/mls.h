@@ -1,0 +1,66 @@
+/* Values of the water at points where no particle is: moving least squares of first order, that is the
+ * fit of a plane weighted by W V, exact for linear fields (Marrone et al. 2011).
+ *
+ * Written as weighted mean plus gradient times the way from the neighbours' centre: the gradient
+ * solves the 2 x 2 system of the weighted covariance. Where neighbours do not span the plane (spray,
+ * the tip of a thin layer) the covariance is kept above 0.05 h^2, and the fit fades continuously
+ * into the plain mean (Shepard); 0.18 h^2 is that of a half-filled support. */
+#pragma once
+#include "sph/kernel.h"
+#include "sph/moments.h"
+#include "sph/sph.h"
+
+#define SPH_MLS_SPREAD 0.05
+
+struct mls_fit {
+  vec weight; /* sum W V: 1 inside the water, 0 far from it (the others are 0 there) */
+  vec p, u, v;
+  vec px, py; /* pressure gradient */
+};
+
+SPECIALISE struct mls_fit mls_at(enum sph_kernel kernel, double h, vec xi, vec yi, size_t n,
+                                 const uint32_t *list, const struct sph_pack *pack) {
+  const double per_h2 = 1 / (h * h);
+  const vec cutoff2 = (vec){0} + kernel_cutoff2(h);
+  vec S = {0}, X = {0}, Y = {0}, XX = {0}, XY = {0}, YY = {0};
+  vec P = {0}, PX = {0}, PY = {0}, U = {0}, UX = {0}, UY = {0}, V = {0}, VX = {0}, VY = {0};
+  for (size_t k = 0; k < n; k++) {
+    const struct sph_pack *j = &pack[list[k]];
+    vec x = j->x - xi, y = j->y - yi, r2 = x * x + y * y;
+    vec w = vec_where_less(kernel_value(kernel, r2 * per_h2) * j->V, r2, cutoff2);
+    vec wx = w * x, wy = w * y;
+    S += w;
+    X += wx;
+    Y += wy;
+    XX += wx * x;
+    XY += wx * y;
+    YY += wy * y;
+    P += w * j->p;
+    PX += wx * j->p;
+    PY += wy * j->p;
+    U += w * j->u;
+    UX += wx * j->u;
+    UY += wy * j->u;
+    V += w * j->v;
+    VX += wx * j->v;
+    VY += wy * j->v;
+  }
+  struct mls_fit f = {.weight = kernel_value_scale(kernel, h) * S};
+  vec per_S = 1 / vec_max(S, (vec){0} + 1e-30);
+  X *= per_S;
+  Y *= per_S;
+  vec xx = XX * per_S - X * X, xy = XY * per_S - X * Y, yy = YY * per_S - Y * Y;
+  const double spread = SPH_MLS_SPREAD * h * h;
+  vec gx, gy;
+#define FIT(Q, QX, QY, out)                                                                        \
+  Q *= per_S;                                                                                      \
+  moments_solve(xx, xy, yy, spread, QX * per_S - Q * X, QY * per_S - Q * Y, &gx, &gy);             \
+  out = Q - gx * X - gy * Y
+  FIT(U, UX, UY, f.u);
+  FIT(V, VX, VY, f.v);
+  FIT(P, PX, PY, f.p);
+#undef FIT
+  f.px = gx;
+  f.py = gy;
+  return f;
+}

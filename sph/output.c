@@ -1,0 +1,189 @@
+#include "sph/output.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "common/gauge.h"
+#include "common/progress.h"
+#include "sph/energy.h"
+#include "sph/probe.h"
+#include "sph/rates.h"
+#include "sph/surface.h"
+
+struct sph_output {
+  const struct case_file *c;
+  struct result *result;
+  struct sph_surface *extractor;
+  struct geo_lines surface;
+  double surface_time;   /* s, of `surface`; negative: none yet */
+  double started;        /* wall clock, s */
+  size_t n_every, n_sample; /* multiples written so far */
+  double budget0, available, budget; /* J/m */
+  bool right_wall_dry;   /* wall_impact is still to come */
+  size_t room;
+  double *x, *y, *u, *v, *rho, *p; /* [room], in the order of the particles' ids */
+  uint32_t *place;                 /* [room] */
+};
+
+static double budget_of(const struct result_energy *e) {
+  return e->total + e->viscosity + e->diffusion + e->walls + e->removed;
+}
+
+static double front(const struct sph *s, size_t *at) {
+  double x = -INFINITY;
+  for (size_t i = 0; i < s->f.n; i++)
+    if (s->f.w.x[i] > x) {
+      x = s->f.w.x[i];
+      *at = i;
+    }
+  return x;
+}
+
+enum status sph_output_create(const struct case_file *c, const struct sph *s, struct result *result,
+                              struct sph_output **out) {
+  enum status status = OK;
+  struct sph_output *o;
+  TRY(sph_allocate(1, sizeof *o, &o));
+  o->c = c;
+  o->result = result;
+  o->surface_time = -1;
+  o->started = progress_wall_clock();
+  o->room = s->f.n;
+  size_t at = 0;
+  o->right_wall_dry = front(s, &at) < s->tank.max[0] - 2 * s->dx;
+  struct result_energy e = sph_energy(s);
+  o->budget = o->budget0 = budget_of(&e);
+  o->available = fabs(e.kinetic + e.potential - case_rest_potential(c));
+  ATTEMPT(sph_surface_create(&o->extractor));
+  ATTEMPT(sph_allocate(o->room, sizeof(double), &o->x));
+  ATTEMPT(sph_allocate(o->room, sizeof(double), &o->y));
+  ATTEMPT(sph_allocate(o->room, sizeof(double), &o->u));
+  ATTEMPT(sph_allocate(o->room, sizeof(double), &o->v));
+  ATTEMPT(sph_allocate(o->room, sizeof(double), &o->rho));
+  ATTEMPT(sph_allocate(o->room, sizeof(double), &o->p));
+  ATTEMPT(sph_allocate(o->room, sizeof *o->place, &o->place));
+done:
+  if (status != OK) {
+    sph_output_destroy(o);
+    o = NULL;
+  }
+  *out = o;
+  return status;
+}
+
+void sph_output_destroy(struct sph_output *o) {
+  if (!o) return;
+  sph_surface_destroy(o->extractor);
+  geo_lines_destroy(&o->surface);
+  free(o->x);
+  free(o->y);
+  free(o->u);
+  free(o->v);
+  free(o->rho);
+  free(o->p);
+  free(o->place);
+  free(o);
+}
+
+/* The particles by id: an array's element is the same particle at every output, as long as none has
+ * been taken out. */
+static size_t sort_by_id(struct sph_output *o, const struct sph *s) {
+  const struct sph_particles *f = &s->f;
+  for (size_t i = 0; i < o->room; i++) o->place[i] = UINT32_MAX;
+  for (size_t i = 0; i < f->n; i++) o->place[f->id[i]] = (uint32_t)i;
+  size_t n = 0;
+  for (size_t k = 0; k < o->room; k++) {
+    size_t i = o->place[k];
+    if (i == UINT32_MAX) continue;
+    o->x[n] = f->w.x[i];
+    o->y[n] = f->w.y[i];
+    o->u[n] = f->w.u[i];
+    o->v[n] = f->w.v[i];
+    o->rho[n] = f->w.rho[i];
+    o->p[n] = s->c0 * s->c0 * (f->w.rho[i] - s->rho0);
+    n++;
+  }
+  return n;
+}
+
+static enum status find_surface(struct sph_output *o, const struct sph *s) {
+  if (o->surface_time == s->t) return OK;
+  size_t n = sort_by_id(o, s);
+  TRY(sph_surface_extract(o->extractor, n, o->x, o->y, NULL, s->dx, &o->c->walls, &o->surface));
+  o->surface_time = s->t;
+  return OK;
+}
+
+static enum status write_state(struct sph_output *o, const struct sph *s) {
+  size_t n = sort_by_id(o, s);
+  const struct result_field fields[] = {{"pressure", "Pa", "c0^2 (rho - rho0)", o->p, NULL},
+                                        {"density", "kg m^-3", "density", o->rho, NULL},
+                                        {"velocity", "m s^-1", "velocity", o->u, o->v}};
+  TRY(result_points(o->result, s->t, n, o->x, o->y, RESULT_VERTICES, sizeof fields / sizeof *fields,
+                    fields));
+  TRY(find_surface(o, s));
+  TRY(result_surface(o->result, s->t, &o->surface));
+  return result_flush(o->result);
+}
+
+static enum status write_series(struct sph_output *o, struct sph *s, double dt) {
+  struct result_energy e = sph_energy(s);
+  o->budget = budget_of(&e);
+  TRY(result_energy(o->result, &e));
+  struct result_step row = {.time = s->t,
+                            .dt = dt,
+                            .evaluations = (double)s->evaluations,
+                            .wall_time = progress_wall_clock() - o->started,
+                            .volume = sph_volume(s),
+                            .removed_volume = s->budget.removed_volume};
+  TRY(result_step(o->result, &row));
+  if (o->c->n_probes) sph_pack_water(s);
+  for (size_t k = 0; k < o->c->n_probes; k++)
+    TRY(result_probe(o->result, k, s->t, sph_probe(s, &o->c->probes[k], &o->c->walls)));
+  if (!o->c->n_gauges) return OK;
+  TRY(find_surface(o, s));
+  for (size_t k = 0; k < o->c->n_gauges; k++)
+    TRY(result_gauge(o->result, k, s->t,
+                     gauge_elevation(&o->surface, o->c->gauges[k].x, s->tank.min[1])));
+  return OK;
+}
+
+/* The instant at which the foremost particle, a disc of diameter dx, touches the right wall, from its
+ * velocity now. */
+static enum status write_impact(struct sph_output *o, const struct sph *s) {
+  size_t i = 0;
+  double gap = s->tank.max[0] - s->dx / 2 - front(s, &i);
+  if (gap > 0) return OK;
+  o->right_wall_dry = false;
+  double speed = s->f.w.u[i];
+  double ago = speed > 0 ? -gap / speed : 0;
+  return result_event(o->result, "wall_impact", s->t - ago, s->tank.max[0], s->f.w.y[i]);
+}
+
+enum status sph_output_step(struct sph_output *o, struct sph *s, double dt) {
+  const struct case_file *c = o->c;
+  const double late = 1e-9 * c->every;
+  if (o->right_wall_dry) TRY(write_impact(o, s));
+  if (s->t >= (double)o->n_sample * c->sample - late) {
+    TRY(write_series(o, s, dt));
+    o->n_sample = (size_t)floor((s->t + late) / c->sample) + 1;
+  }
+  if (s->t >= (double)o->n_every * c->every - late || s->t >= c->end - late) {
+    TRY(write_state(o, s));
+    o->n_every++;
+  }
+  return OK;
+}
+
+double sph_output_next(const struct sph_output *o) {
+  double next = (double)o->n_every * o->c->every;
+  return next < o->c->end - 1e-9 * o->c->every ? next : o->c->end;
+}
+
+enum status sph_output_last(struct sph_output *o, struct sph *s) {
+  return write_state(o, s);
+}
+
+double sph_output_drift(const struct sph_output *o) {
+  return (o->budget - o->budget0) / (o->available > 0 ? o->available : fabs(o->budget0));
+}

@@ -1,0 +1,94 @@
+#include "sph/particles.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "sph/vec.h"
+
+enum status sph_allocate(size_t n, size_t size, void *pointer_to_pointer) {
+  size_t bytes = (n * size + 63) / 64 * 64;
+  void *a = aligned_alloc(64, bytes ? bytes : 64);
+  CHECK(a, ERR_MEMORY, "no memory for %zu particles", n);
+  memset(a, 0, bytes ? bytes : 64);
+  *(void **)pointer_to_pointer = a;
+  return OK;
+}
+
+/* Every array of doubles, in one list. */
+enum { MAX_ARRAYS = 5 * (2 + SPH_MAX_STAGES) + 5 };
+
+static size_t arrays(struct sph_particles *p, double **list[MAX_ARRAYS]) {
+  size_t n = 0;
+#define X(a) list[n++] = &p->w.a;
+  SPH_STATE(X)
+#undef X
+  list[n++] = &p->m;
+#define X(a) list[n++] = &p->w0.a;
+  SPH_STATE(X)
+#undef X
+  for (size_t s = 0; s < SPH_MAX_STAGES; s++) {
+#define X(a) list[n++] = &p->k[s].a;
+    SPH_STATE(X)
+#undef X
+  }
+  list[n++] = &p->D;
+  list[n++] = &p->x_listed;
+  list[n++] = &p->y_listed;
+  list[n++] = &p->scratch;
+  return n;
+}
+
+enum status sph_particles_create(struct sph_particles *p, size_t n) {
+  double **list[MAX_ARRAYS];
+  size_t n_arrays = arrays(p, list);
+  CHECK(n < UINT32_MAX - SPH_LANES, ERR_INPUT, "%zu particles are more than this program can number",
+        n);
+  p->n = n;
+  p->room = (n + SPH_LANES - 1) / SPH_LANES * SPH_LANES;
+  for (size_t a = 0; a < n_arrays; a++) TRY(sph_allocate(p->room, sizeof(double), list[a]));
+  TRY(sph_allocate(p->room, sizeof *p->id, &p->id));
+  TRY(sph_allocate(p->room, sizeof *p->order, &p->order));
+  TRY(sph_allocate(p->room, sizeof *p->key, &p->key));
+  for (size_t i = 0; i < n; i++) p->id[i] = (uint32_t)i;
+  return OK;
+}
+
+void sph_particles_destroy(struct sph_particles *p) {
+  double **list[MAX_ARRAYS];
+  size_t n_arrays = arrays(p, list);
+  for (size_t a = 0; a < n_arrays; a++) free(*list[a]);
+  free(p->id);
+  free(p->order);
+  free(p->key);
+  *p = (struct sph_particles){0};
+}
+
+void sph_particles_pad(struct sph_particles *p) {
+  if (!p->n) return;
+  for (size_t i = p->n; i % SPH_LANES; i++) {
+#define X(a) p->w.a[i] = p->w.a[p->n - 1];
+    SPH_STATE(X)
+#undef X
+    p->m[i] = 0;
+    p->D[i] = 0;
+  }
+}
+
+void sph_particles_permute(struct sph_particles *p, size_t n) {
+  double **list[MAX_ARRAYS];
+  size_t n_arrays = arrays(p, list) - 1; /* not the scratch */
+  const uint32_t *order = p->order;
+  for (size_t a = 0; a < n_arrays; a++) {
+    double *from = *list[a], *to = p->scratch;
+#pragma omp parallel for schedule(static)
+    for (size_t i = 0; i < n; i++) to[i] = from[order[i]];
+    *list[a] = to;
+    p->scratch = from;
+  }
+  for (size_t i = 0; i < n; i++) p->key[i] = p->id[order[i]];
+  uint32_t *id = p->id;
+  p->id = p->key;
+  p->key = id;
+  p->n = n;
+  sph_particles_pad(p);
+}

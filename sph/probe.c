@@ -1,0 +1,57 @@
+#include "sph/probe.h"
+
+#include <math.h>
+
+#include "sph/mls.h"
+
+/* Unit vector along the wall segment nearest to the probe. */
+static void wall_direction(const struct geo_lines *walls, double x, double y, double t[2]) {
+  double nearest = INFINITY;
+  t[0] = 0;
+  t[1] = 1;
+  for (size_t piece = 0; piece < walls->pieces; piece++)
+    for (size_t k = walls->first[piece]; k + 1 < walls->first[piece + 1]; k++) {
+      const double *a = walls->p[k], *b = walls->p[k + 1];
+      double ex = b[0] - a[0], ey = b[1] - a[1], l2 = ex * ex + ey * ey;
+      if (l2 == 0) continue;
+      double s = fmin(1, fmax(0, ((x - a[0]) * ex + (y - a[1]) * ey) / l2));
+      double away = hypot(x - a[0] - s * ex, y - a[1] - s * ey);
+      if (away >= nearest) continue;
+      nearest = away;
+      t[0] = ex / sqrt(l2);
+      t[1] = ey / sqrt(l2);
+    }
+}
+
+/* At up to SPH_LANES points. The lists' own grid finds the water near them. */
+static vec pressure_at(const struct sph *s, vec x, vec y) {
+  struct sph_lists near = {0};
+  double xs[SPH_LANES], ys[SPH_LANES];
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    xs[l] = x[l];
+    ys[l] = y[l];
+  }
+  vec p = {0};
+  if (sph_lists_build(&near, SPH_LANES, xs, ys, &s->grid, s->f.x_listed, s->f.y_listed,
+                      SPH_KERNEL_SUPPORT * s->h + s->skin) == OK) {
+    size_t n;
+    const uint32_t *list = sph_lists_of(&near, 0, &n);
+    p = mls_at((enum sph_kernel)s->o.kernel, s->h, x, y, n, list, s->pack).p;
+  }
+  sph_lists_destroy(&near);
+  return p;
+}
+
+double sph_probe(const struct sph *s, const struct case_probe *probe, const struct geo_lines *walls) {
+  double t[2];
+  wall_direction(walls, probe->x, probe->y, t);
+  size_t groups = probe->size > 0 ? (size_t)ceil(probe->size / (0.5 * s->dx * SPH_LANES)) : 1;
+  double points = (double)(groups * SPH_LANES), sum = 0;
+  for (size_t k = 0; k < groups; k++) {
+    vec at;
+    for (size_t l = 0; l < SPH_LANES; l++)
+      at[l] = (((double)(k * SPH_LANES + l) + 0.5) / points - 0.5) * probe->size;
+    sum += vec_sum(pressure_at(s, probe->x + at * t[0], probe->y + at * t[1]));
+  }
+  return sum / points;
+}

@@ -1,0 +1,122 @@
+/* Weakly compressible SPH with numerical diffusion: P eqs. (1) to (11) in space, (25) to (29) in time. */
+#include "sph/solver.h"
+
+#include <math.h>
+
+#include "common/case.h"
+#include "common/progress.h"
+#include "common/result.h"
+#include "sph/initial.h"
+#include "sph/integrator.h"
+#include "sph/kernel.h"
+#include "sph/output.h"
+#include "sph/rates.h"
+#include "sph/sph.h"
+#include "sph/timestep.h"
+
+static enum status check_finite(const struct sph *s) {
+  const struct sph_state *w = &s->f.w;
+  double sum = 0; /* not finite as soon as one term is not */
+#pragma omp parallel for simd schedule(static) reduction(+ : sum)
+  for (size_t i = 0; i < s->f.n; i++)
+    sum += 0 * (w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]);
+  if (sum == 0) return OK;
+  for (size_t i = 0; i < s->f.n; i++)
+    if (!isfinite(w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]))
+      return status_raise(ERR_DIVERGED,
+                          "particle %u at (%g, %g) m has velocity (%g, %g) m/s and density %g kg/m^3 "
+                          "at t = %g s: lower cfl_acoustic, or raise alpha or delta",
+                          s->f.id[i], w->x[i], w->y[i], w->u[i], w->v[i], w->rho[i], s->t);
+  return OK;
+}
+
+static enum status march(const struct case_file *c, struct sph *s, struct sph_output *output,
+                         struct progress *progress) {
+  TRY(sph_output_step(output, s, 0));
+  double work = 0;
+  while (s->t < c->end) {
+    if (progress_stop_requested()) return status_raise(INTERRUPTED, "stopped at t = %g s", s->t);
+    TRY(sph_remove_outside(s));
+    TRY(sph_rates(s, 0, true, true));
+    double next = sph_output_next(output), dt = sph_timestep(s, next);
+    TRY(sph_step(s, dt));
+    if (next - s->t < 1e-9 * dt) s->t = next;
+    TRY(check_finite(s));
+    TRY(sph_output_step(output, s, dt));
+    work += (double)s->f.n;
+    progress_step(progress, s->steps, s->t, dt, work, "particles", sph_output_drift(output));
+  }
+  return OK;
+}
+
+static enum status run(const struct case_file *c, const struct case_run *r, struct result *result,
+                       struct progress *progress) {
+  struct sph *s = NULL;
+  struct sph_output *output = NULL;
+  enum status status;
+  ATTEMPT(sph_create(c, r->resolution, r->options, &s));
+  ATTEMPT(sph_output_create(c, s, result, &output));
+  progress_begin(progress, r->name, c->end, sqrt(c->H / c->gravity));
+  status = march(c, s, output, progress);
+  if (status == INTERRUPTED || status == ERR_DIVERGED) {
+    enum status why = status; /* the message of the first failure stays unless this one fails too */
+    status = sph_output_last(output, s);
+    if (status == OK) status = why;
+  }
+  if (status != OK) goto done;
+  ATTEMPT(result_statistic(result, "steps", (double)s->steps, "time steps"));
+  ATTEMPT(result_statistic(result, "evaluations", (double)s->evaluations,
+                           "evaluations of the right-hand side"));
+  ATTEMPT(result_statistic(result, "rebuilds", (double)s->rebuilds,
+                           "times the neighbour lists were built"));
+  ATTEMPT(result_statistic(result, "particles", (double)s->f.n, "particles of water at the end"));
+done:
+  progress_end(progress, status == OK ? "done" : status_message());
+  sph_output_destroy(output);
+  sph_destroy(s);
+  return status;
+}
+
+static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
+  const struct sph_options *o = r->options;
+  double dx = c->H / r->resolution;
+  double support = SPH_KERNEL_SUPPORT * o->h_over_dx * dx;
+  double width = c->tank.max[0] - c->tank.min[0], height = c->tank.max[1] - c->tank.min[1];
+  if (!c->rectangular)
+    problems_add(problems, r->line,
+                 "runs.%s: solver sph needs a rectangular tank, open at the top (left wall, flat bed, "
+                 "right wall)",
+                 r->name);
+  if (width < 2 * support || height < 2 * support)
+    problems_add(problems, r->line,
+                 "runs.%s.resolution is %g: the tank (%g m x %g m) is narrower than two kernel supports "
+                 "(%g m); raise the resolution to at least %.3g",
+                 r->name, r->resolution, width, height, 2 * support,
+                 r->resolution * 2 * support / fmin(width, height));
+  if (c->water.pieces > 0) {
+    struct geo_box w = geo_lines_box(&c->water);
+    double thin = fmin(w.max[0] - w.min[0], w.max[1] - w.min[1]);
+    if (thin < 4 * dx)
+      problems_add(problems, r->line,
+                   "runs.%s.resolution is %g: the water is %g m thick, less than four particle spacings "
+                   "(%g m); raise the resolution to at least %.3g",
+                   r->name, r->resolution, thin, 4 * dx, r->resolution * 4 * dx / thin);
+  }
+  struct geo_box column;
+  if (c->wave.kind == CASE_WAVE_NONE && c->pressure == CASE_PRESSURE_RELEASED &&
+      !sph_initial_column(c, &column))
+    problems_add(problems, r->line,
+                 "runs.%s: pressure `released` needs one rectangular region that stands on the bed "
+                 "against a side wall; use `hydrostatic`",
+                 r->name);
+}
+
+const struct solver sph_solver = {
+    .name = "sph",
+    .help = "weakly compressible smoothed particle hydrodynamics with density diffusion",
+    .params = sph_params,
+    .n_params = SPH_N_PARAMS,
+    .options_size = sizeof(struct sph_options),
+    .check = check,
+    .run = run,
+};

@@ -1,0 +1,81 @@
+/* The state of a weakly compressible SPH computation and the symbols of the paper P (Antuono,
+ * Colagrossi & Marrone, "On the use of numerical diffusive terms in weakly-compressible SPH
+ * schemes"). SI units; energies per metre of width.
+ *
+ *   p = c0^2 (rho - rho0),  V = m / rho,  r_ji = r_j - r_i,  body force f = (0, -g) */
+#pragma once
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "common/geometry.h"
+#include "common/status.h"
+#include "sph/neighbours.h"
+#include "sph/options.h"
+#include "sph/particles.h"
+
+struct case_file;
+struct sph_wall;
+
+/* What a pair loop reads of a neighbour: one cache line. */
+struct sph_pack {
+  double x, y, u, v, p, V; /* m, m/s, Pa, m^2 */
+  double Gx, Gy;           /* renormalised pressure gradient, Pa/m (Antuono's diffusion only) */
+} __attribute__((aligned(64)));
+
+/* Wall particles: however a treatment fills them, the pair loops see only this. */
+struct sph_wall_particles {
+  size_t n;
+  double *x, *y;         /* m, [n], sorted by grid cell, owned */
+  struct sph_pack *pack; /* [n], owned */
+  struct sph_grid grid;
+  void *data; /* of the treatment */
+};
+
+/* Energy that has left the water since t = 0, J/m, and water taken out of the computation. */
+struct sph_budget {
+  double viscosity, diffusion, walls, removed, removed_volume;
+};
+
+/* What one evaluation leaves besides the rates: powers (W/m) taken out of the water, and the largest
+ * values that bound the time step. */
+struct sph_totals {
+  double viscosity, diffusion, walls;
+  double acceleration2; /* max |a|^2, m^2 s^-4 */
+  double speed;         /* max (|u_i| + h max_j |pi_ij|), m/s */
+};
+
+struct sph {
+  struct sph_options o;
+  double rho0, c0, g, dx, h; /* kg m^-3, m/s, m s^-2, m, m */
+  struct geo_box tank;       /* m; open at the top */
+
+  double t; /* s */
+  size_t steps, evaluations, rebuilds;
+  struct sph_budget budget;
+  struct sph_totals totals; /* of the last evaluation */
+
+  struct sph_particles f; /* the water */
+  struct sph_pack *pack;  /* [f.room], owned */
+  struct sph_totals *cluster_totals; /* [f.room / SPH_LANES], owned */
+
+  const struct sph_wall *wall;
+  struct sph_wall_particles w;
+
+  struct sph_grid grid;              /* of the water */
+  struct sph_lists water_water, water_wall;
+  double skin; /* m: lists reach 3h + skin, and hold until some particle has moved skin/2 */
+};
+
+/* Makes the state of the case's water at t = 0, walls and neighbour lists included. */
+enum status sph_create(const struct case_file *c, double resolution, const struct sph_options *o,
+                       struct sph **out);
+void sph_destroy(struct sph *s); /* NULL is fine */
+
+/* Builds the neighbour lists anew when some particle may have moved too far for the old ones; the
+ * particles are then sorted, so their places change. */
+enum status sph_neighbours_update(struct sph *s);
+
+/* Takes particles that are more than 3h outside the tank's walls or bed out of the computation, into
+ * budget.removed. Between steps only. */
+enum status sph_remove_outside(struct sph *s);

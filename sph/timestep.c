@@ -1,0 +1,36 @@
+#include "sph/timestep.h"
+
+#include <math.h>
+
+#include "sph/diffusion.h"
+#include "sph/integrator.h"
+
+static double over(double a, double b) {
+  return b > 0 ? a / b : INFINITY;
+}
+
+struct sph_bounds sph_timestep_bounds(const struct sph *s) {
+  static const double strength[] = {
+#define X(name, delta, strength, help) strength,
+      SPH_DIFFUSIONS(X)
+#undef X
+  };
+  const struct sph_integrator *method = &sph_integrators[s->o.integrator];
+  const struct sph_options *o = &s->o;
+  double nu = o->alpha * s->h * s->c0 / 8; /* alpha h c0 / (2n + 4), n = 2 */
+  return (struct sph_bounds){
+      .diffusive = over(o->cfl_diffusive * method->diffusive * s->h,
+                        o->delta * strength[o->diffusion] * s->c0),
+      .viscous = over(o->cfl_viscous * s->h * s->h, nu),
+      .acceleration =
+          o->cfl_acceleration * sqrt(over(s->h, sqrt(s->totals.acceleration2))),
+      .acoustic = o->cfl_acoustic * method->acoustic * s->h / (s->c0 + s->totals.speed),
+  };
+}
+
+double sph_timestep(const struct sph *s, double next) {
+  struct sph_bounds b = sph_timestep_bounds(s);
+  double dt = fmin(fmin(b.diffusive, b.viscous), fmin(b.acceleration, b.acoustic));
+  double left = next - s->t;
+  return left / fmax(1, ceil(left / dt * (1 - 1e-12)));
+}
