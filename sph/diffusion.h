@@ -2,10 +2,10 @@
  *
  *   D_i = 2 sum_j psi_ji  r_ji . grad_i W_ij / |r_ji|^2  V_j
  *
- * Since r_ji . grad_i W = slope |r|^2 with slope > 0 (kernel.h), D_i is a sum of psi_ji with positive
- * weights: density flows from dense to thin. The equation of state is linear, so density differences
- * are taken as pressure differences over c0^2; psi here is c0^2 times that of the paper, and G the
- * renormalised pressure gradient.
+ * Since r_ji . grad_i W = slope |r|^2 with slope > 0 (kernel.h), D_i is a sum of psi_ji with
+ * positive weights: density flows from dense to thin. The equation of state is linear, so density
+ * differences are taken as pressure differences over c0^2; psi here is c0^2 times that of the
+ * paper, and G the renormalised pressure gradient.
  *
  * Columns: name, default delta, strength, help. Strength is the largest decay rate of the term
  * relative to Molteni's with the same delta, from the integral of its kernel:
@@ -31,10 +31,14 @@ enum sph_diffusion {
 SPECIALISE vec diffusion_psi(enum sph_diffusion d, vec dp, vec x, vec y, vec r2, vec Gx, vec Gy,
                              double h) {
   switch (d) {
-  case SPH_DIFFUSION_molteni: return dp;
-  case SPH_DIFFUSION_ferrari: return dp * vec_sqrt(r2) * (0.5 / h);
-  case SPH_DIFFUSION_antuono: return dp - 0.5 * (Gx * x + Gy * y);
-  default: return (vec){0};
+  case SPH_DIFFUSION_molteni:
+    return dp;
+  case SPH_DIFFUSION_ferrari:
+    return dp * vec_sqrt(r2) * (0.5 / h);
+  case SPH_DIFFUSION_antuono:
+    return dp - 0.5 * (Gx * x + Gy * y);
+  default:
+    return (vec){0};
   }
 }
 

@@ -8,8 +8,8 @@
 
 struct ghosts {
   size_t room;
-  double *x, *y;   /* interpolation nodes, m, [n] padded to whole clusters */
-  double *rx, *ry; /* sign of the velocity components after reflection, [n] padded */
+  double *x, *y;          /* interpolation nodes, m, [n] padded to whole clusters */
+  double *rx, *ry;        /* sign of the velocity components after reflection, [n] padded */
   struct sph_lists lists; /* water near the nodes */
 };
 
@@ -25,9 +25,10 @@ static size_t intervals(double length, double dx) {
   return (size_t)fmax(1, floor(length / dx + 0.5));
 }
 
-/* Left, right, bed, and the two corners under them. Along a wall the spacing is stretched so that it
- * divides the wall evenly. */
-static size_t tank_strips(const struct sph *s, const struct geo_lines *walls, struct strip strips[5]) {
+/* Left, right, bed, and the two corners under them. Along a wall the spacing is stretched so that
+ * it divides the wall evenly. */
+static size_t tank_strips(const struct sph *s, const struct geo_lines *walls,
+                          struct strip strips[5]) {
   const double(*p)[2] = (const double(*)[2])walls->p;
   size_t last = walls->points - 1;
   double dx = s->dx, x0 = s->tank.min[0], x1 = s->tank.max[0], y0 = s->tank.min[1];
@@ -134,7 +135,8 @@ SPECIALISE void fill_cluster(struct sph *s, enum sph_kernel kernel, size_t clust
   static void fill_##k(struct sph *s) {                                                            \
     const struct ghosts *g = s->w.data;                                                            \
     _Pragma("omp parallel for schedule(dynamic, 16)") for (size_t c = 0; c < g->lists.n_clusters;  \
-                                                           c++) fill_cluster(s, SPH_KERNEL_##k, c); \
+                                                           c++)                                    \
+        fill_cluster(s, SPH_KERNEL_##k, c);                                                        \
   }
 SPH_KERNELS(X)
 #undef X

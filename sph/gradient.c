@@ -9,8 +9,9 @@ struct sums {
   vec xx, xy, yy, x, y;
 };
 
-SPECIALISE void add_pairs(struct sums *a, const struct sph *s, enum sph_kernel kernel, vec xi, vec yi,
-                          vec pi, size_t n, const uint32_t *list, const struct sph_pack *pack) {
+SPECIALISE void add_pairs(struct sums *a, const struct sph *s, enum sph_kernel kernel, vec xi,
+                          vec yi, vec pi, size_t n, const uint32_t *list,
+                          const struct sph_pack *pack) {
   const double per_h2 = 1 / (s->h * s->h);
   const vec cutoff2 = (vec){0} + kernel_cutoff2(s->h);
   struct sums t = *a;
@@ -51,8 +52,9 @@ SPECIALISE void cluster_gradient(struct sph *s, enum sph_kernel kernel, size_t c
 
 #define X(k)                                                                                       \
   static void gradient_##k(struct sph *s) {                                                        \
-    _Pragma("omp parallel for schedule(dynamic, 16)") for (                                        \
-        size_t c = 0; c < s->water_water.n_clusters; c++) cluster_gradient(s, SPH_KERNEL_##k, c);  \
+    _Pragma("omp parallel for schedule(dynamic, 16)") for (size_t c = 0;                           \
+                                                           c < s->water_water.n_clusters; c++)     \
+        cluster_gradient(s, SPH_KERNEL_##k, c);                                                    \
   }
 SPH_KERNELS(X)
 #undef X

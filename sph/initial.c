@@ -52,7 +52,8 @@ static void place(struct sph *s, double x, double y, const double velocity[2], d
 }
 
 /* Pressure over rho g at a point of the regions. */
-static double head_at(const struct sph *s, const struct case_file *c, double top, double x, double y) {
+static double head_at(const struct sph *s, const struct case_file *c, double top, double x,
+                      double y) {
   struct geo_box b;
   if (c->pressure != CASE_PRESSURE_RELEASED || !sph_initial_column(c, &b)) return top - y;
   bool left = fabs(b.min[0] - s->tank.min[0]) < close * c->H;
@@ -115,9 +116,9 @@ done:
   return status;
 }
 
-/* At rest with elevation a cos(kx); the pressure of the linear wave, stretched with the column so that
- * it vanishes on the surface: p/(rho g) = depth - eta (1 - cosh(k Y)/cosh(k d)), Y the height that the
- * particle would have in still water. */
+/* At rest with elevation a cos(kx); the pressure of the linear wave, stretched with the column so
+ * that it vanishes on the surface: p/(rho g) = depth - eta (1 - cosh(k Y)/cosh(k d)), Y the height
+ * that the particle would have in still water. */
 static enum status fill_standing_wave(struct sph *s, const struct case_file *c) {
   const double rest[2] = {0, 0};
   double width = s->tank.max[0] - s->tank.min[0], d = c->wave.depth, a = c->wave.amplitude;
@@ -143,8 +144,8 @@ enum status sph_initial_fill(struct sph *s, const struct case_file *c) {
     TRY(fill_standing_wave(s, c));
   else
     TRY(fill_regions(s, c));
-  CHECK(s->f.n > 0, ERR_INPUT, "no particle of spacing %g m fits into the water: raise the resolution",
-        s->dx);
+  CHECK(s->f.n > 0, ERR_INPUT,
+        "no particle of spacing %g m fits into the water: raise the resolution", s->dx);
   sph_particles_pad(&s->f);
   return OK;
 }

@@ -1,10 +1,9 @@
 /* The smoothing kernels: one list, and two small functions for each.
  *
- * The renormalised Gaussian (P, section V; after Landrini et al. 2007): with q = |r|/h and support 3h
- *   W = (exp(-q^2) - C0) / (pi h^2 C1),   C0 = exp(-9),  C1 = 1 - 10 C0.
- * C0 makes W vanish at the edge; C1 is 2 int_0^3 (exp(-q^2) - C0) q dq, so that W integrates to one
- * over the plane. Its gradient at i is
- *   grad_i W_ij = slope(q^2) (r_j - r_i),   slope = 2 exp(-q^2) / (pi h^4 C1) > 0:
+ * The renormalised Gaussian (P, section V; after Landrini et al. 2007): with q = |r|/h and support
+ * 3h W = (exp(-q^2) - C0) / (pi h^2 C1),   C0 = exp(-9),  C1 = 1 - 10 C0. C0 makes W vanish at the
+ * edge; C1 is 2 int_0^3 (exp(-q^2) - C0) q dq, so that W integrates to one over the plane. Its
+ * gradient at i is grad_i W_ij = slope(q^2) (r_j - r_i),   slope = 2 exp(-q^2) / (pi h^4 C1) > 0:
  * it points from i to j, and needs no square root. slope() leaves out the constant factor, which
  * kernel_slope_scale() gives: the pair loops apply it once for each particle. */
 #pragma once
@@ -19,7 +18,7 @@ enum sph_kernel {
       SPH_N_KERNELS
 };
 
-#define SPH_KERNEL_SUPPORT 3.0      /* radius of the support, in h */
+#define SPH_KERNEL_SUPPORT 3.0                   /* radius of the support, in h */
 #define SPH_GAUSSIAN_C0    1.2340980408667956e-4 /* exp(-9) */
 #define SPH_GAUSSIAN_C1    (1 - 10 * SPH_GAUSSIAN_C0)
 
@@ -27,28 +26,32 @@ enum sph_kernel {
 SPECIALISE vec kernel_slope(enum sph_kernel k, vec q2) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-  default: return vec_exp_minus(q2);
+  default:
+    return vec_exp_minus(q2);
   }
 }
 
 SPECIALISE vec kernel_value(enum sph_kernel k, vec q2) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-  default: return vec_exp_minus(q2) - SPH_GAUSSIAN_C0;
+  default:
+    return vec_exp_minus(q2) - SPH_GAUSSIAN_C0;
   }
 }
 
 SPECIALISE double kernel_slope_scale(enum sph_kernel k, double h) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-  default: return 2 / (M_PI * h * h * h * h * SPH_GAUSSIAN_C1);
+  default:
+    return 2 / (M_PI * h * h * h * h * SPH_GAUSSIAN_C1);
   }
 }
 
 SPECIALISE double kernel_value_scale(enum sph_kernel k, double h) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-  default: return 1 / (M_PI * h * h * SPH_GAUSSIAN_C1);
+  default:
+    return 1 / (M_PI * h * h * SPH_GAUSSIAN_C1);
   }
 }
 

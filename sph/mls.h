@@ -1,10 +1,10 @@
-/* Values of the water at points where no particle is: moving least squares of first order, that is the
- * fit of a plane weighted by W V, exact for linear fields (Marrone et al. 2011).
+/* Values of the water at points where no particle is: moving least squares of first order, that is
+ * the fit of a plane weighted by W V, exact for linear fields (Marrone et al. 2011).
  *
  * Written as weighted mean plus gradient times the way from the neighbours' centre: the gradient
- * solves the 2 x 2 system of the weighted covariance. Where neighbours do not span the plane (spray,
- * the tip of a thin layer) the covariance is kept above 0.05 h^2, and the fit fades continuously
- * into the plain mean (Shepard); 0.18 h^2 is that of a half-filled support. */
+ * solves the 2 x 2 system of the weighted covariance. Where neighbours do not span the plane
+ * (spray, the tip of a thin layer) the covariance is kept above 0.05 h^2, and the fit fades
+ * continuously into the plain mean (Shepard); 0.18 h^2 is that of a half-filled support. */
 #pragma once
 #include "sph/kernel.h"
 #include "sph/moments.h"
@@ -54,7 +54,7 @@ SPECIALISE struct mls_fit mls_at(enum sph_kernel kernel, double h, vec xi, vec y
   vec gx, gy;
 #define FIT(Q, QX, QY, out)                                                                        \
   Q *= per_S;                                                                                      \
-  moments_solve(xx, xy, yy, spread, QX * per_S - Q * X, QY * per_S - Q * Y, &gx, &gy);             \
+  moments_solve(xx, xy, yy, spread, QX *per_S - Q * X, QY * per_S - Q * Y, &gx, &gy);              \
   out = Q - gx * X - gy * Y
   FIT(U, UX, UY, f.u);
   FIT(V, VX, VY, f.v);

@@ -113,7 +113,8 @@ static enum status build_chunk(struct sph_lists *l, size_t chunk, size_t n, cons
     size_t i = (chunk * SPH_CHUNK + c) * SPH_LANES;
     k->first[c] = (uint32_t)at;
     if (i < n)
-      TRY(build_cluster(k, &at, cluster_points(x, i, n), cluster_points(y, i, n), g, xs, ys, reach));
+      TRY(build_cluster(k, &at, cluster_points(x, i, n), cluster_points(y, i, n), g, xs, ys,
+                        reach));
   }
   k->first[SPH_CHUNK] = (uint32_t)at;
   return OK;

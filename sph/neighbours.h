@@ -1,7 +1,7 @@
-/* Who is near whom. Points are sorted by the cells of a grid of narrow bins stacked in columns that are
- * walked up and down in turn, so that any SPH_LANES points in a row, a cluster, are close together.
- * A list holds, for each cluster of targets, every source within reach of at least one of them:
- * the pair loops take one source against a whole cluster, without gathering. */
+/* Who is near whom. Points are sorted by the cells of a grid of narrow bins stacked in columns that
+ * are walked up and down in turn, so that any SPH_LANES points in a row, a cluster, are close
+ * together. A list holds, for each cluster of targets, every source within reach of at least one of
+ * them: the pair loops take one source against a whole cluster, without gathering. */
 #pragma once
 #include <stddef.h>
 #include <stdint.h>
@@ -10,7 +10,7 @@
 #include "common/status.h"
 
 struct sph_grid {
-  double x0, y0;     /* m, lower left corner; points outside count to the nearest cell */
+  double x0, y0;       /* m, lower left corner; points outside count to the nearest cell */
   double per_x, per_y; /* cells a metre */
   size_t columns, bins;
   uint32_t *start; /* first point of each cell in sorted order, [columns * bins + 1], owned */
@@ -33,8 +33,8 @@ struct sph_lists {
 enum status sph_grid_create(struct sph_grid *g, const struct geo_box *box, double dx);
 void sph_grid_destroy(struct sph_grid *g);
 
-/* Sorts points: fills order [n] (place -> point) and g->start. key is scratch [n]. Points that keep()
- * refuses are left out; returns how many are in. */
+/* Sorts points: fills order [n] (place -> point) and g->start. key is scratch [n]. Points that
+ * keep() refuses are left out; returns how many are in. */
 size_t sph_grid_sort(struct sph_grid *g, size_t n, const double *x, const double *y,
                      const unsigned char *drop, uint32_t *key, uint32_t *order);
 

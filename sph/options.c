@@ -11,13 +11,13 @@ static const char *const kernel_names[] = {
 #define X(k) #k,
     SPH_KERNELS(X)
 #undef X
-    NULL};
+        NULL};
 
 static const char *const diffusion_names[] = {
 #define X(name, delta, strength, help) #name,
     SPH_DIFFUSIONS(X)
 #undef X
-    NULL};
+        NULL};
 
 #define AT(member) offsetof(struct sph_options, member)
 const struct param sph_params[SPH_N_PARAMS] = {

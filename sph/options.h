@@ -7,7 +7,7 @@ struct sph_options {
   double h_over_dx;
   double delta; /* negative: the usual one of the diffusion */
   double alpha;
-  double c0;                                                     /* m/s */
+  double c0; /* m/s */
   double cfl_acoustic, cfl_diffusive, cfl_viscous, cfl_acceleration;
 };
 

@@ -15,11 +15,11 @@ struct sph_output {
   struct result *result;
   struct sph_surface *extractor;
   struct geo_lines surface;
-  double surface_time;   /* s, of `surface`; negative: none yet */
-  double started;        /* wall clock, s */
-  size_t n_every, n_sample; /* multiples written so far */
+  double surface_time;               /* s, of `surface`; negative: none yet */
+  double started;                    /* wall clock, s */
+  size_t n_every, n_sample;          /* multiples written so far */
   double budget0, available, budget; /* J/m */
-  bool right_wall_dry;   /* wall_impact is still to come */
+  bool right_wall_dry;               /* wall_impact is still to come */
   size_t room;
   double *x, *y, *u, *v, *rho, *p; /* [room], in the order of the particles' ids */
   uint32_t *place;                 /* [room] */
@@ -148,8 +148,8 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
   return OK;
 }
 
-/* The instant at which the foremost particle, a disc of diameter dx, touches the right wall, from its
- * velocity now. */
+/* The instant at which the foremost particle, a disc of diameter dx, touches the right wall, from
+ * its velocity now. */
 static enum status write_impact(struct sph_output *o, const struct sph *s) {
   size_t i = 0;
   double gap = s->tank.max[0] - s->dx / 2 - front(s, &i);

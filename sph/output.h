@@ -1,5 +1,5 @@
-/* What a run writes: particles and surfaces at the multiples of time.every, series after each multiple
- * of time.sample, events. */
+/* What a run writes: particles and surfaces at the multiples of time.every, series after each
+ * multiple of time.sample, events. */
 #pragma once
 #include "common/case.h"
 #include "common/result.h"

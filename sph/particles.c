@@ -41,8 +41,8 @@ static size_t arrays(struct sph_particles *p, double **list[MAX_ARRAYS]) {
 enum status sph_particles_create(struct sph_particles *p, size_t n) {
   double **list[MAX_ARRAYS];
   size_t n_arrays = arrays(p, list);
-  CHECK(n < UINT32_MAX - SPH_LANES, ERR_INPUT, "%zu particles are more than this program can number",
-        n);
+  CHECK(n < UINT32_MAX - SPH_LANES, ERR_INPUT,
+        "%zu particles are more than this program can number", n);
   p->n = n;
   p->room = (n + SPH_LANES - 1) / SPH_LANES * SPH_LANES;
   for (size_t a = 0; a < n_arrays; a++) TRY(sph_allocate(p->room, sizeof(double), list[a]));

@@ -1,5 +1,5 @@
-/* The water's particles: structure of arrays, each aligned to 64 bytes and padded to whole clusters of
- * SPH_LANES. The pad lanes repeat the last particle with no mass. */
+/* The water's particles: structure of arrays, each aligned to 64 bytes and padded to whole clusters
+ * of SPH_LANES. The pad lanes repeat the last particle with no mass. */
 #pragma once
 #include <stddef.h>
 #include <stdint.h>
@@ -17,13 +17,13 @@ struct sph_state { /* position m, velocity m/s, density kg m^-3; or the rates of
 };
 
 struct sph_particles {
-  size_t n, room;      /* room: of every array, a multiple of SPH_LANES */
-  uint32_t *id;        /* [n], the particle's number at t = 0 */
-  double *m;           /* kg/m, [n] */
-  struct sph_state w;  /* now */
-  struct sph_state w0; /* at the start of the step */
+  size_t n, room;                     /* room: of every array, a multiple of SPH_LANES */
+  uint32_t *id;                       /* [n], the particle's number at t = 0 */
+  double *m;                          /* kg/m, [n] */
+  struct sph_state w;                 /* now */
+  struct sph_state w0;                /* at the start of the step */
   struct sph_state k[SPH_MAX_STAGES]; /* rates of the stages */
-  double *D;           /* delta h c0 D_i, kg m^-3 s^-1: kept where an integrator freezes it */
+  double *D; /* delta h c0 D_i, kg m^-3 s^-1: kept where an integrator freezes it */
   double *x_listed, *y_listed; /* where the particles were when the lists were built, m */
   double *scratch;
   uint32_t *order, *key; /* scratch of the sort */

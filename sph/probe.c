@@ -42,7 +42,8 @@ static vec pressure_at(const struct sph *s, vec x, vec y) {
   return p;
 }
 
-double sph_probe(const struct sph *s, const struct case_probe *probe, const struct geo_lines *walls) {
+double sph_probe(const struct sph *s, const struct case_probe *probe,
+                 const struct geo_lines *walls) {
   double t[2];
   wall_direction(walls, probe->x, probe->y, t);
   size_t groups = probe->size > 0 ? (size_t)ceil(probe->size / (0.5 * s->dx * SPH_LANES)) : 1;

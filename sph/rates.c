@@ -1,18 +1,17 @@
-/* The pair loops. A cluster of SPH_LANES particles i stands in the lanes of vector registers and meets
- * the neighbours j of its list one at a time; each i sums over its own j and writes only itself, so
- * the bits do not depend on the number of threads.
+/* The pair loops. A cluster of SPH_LANES particles i stands in the lanes of vector registers and
+ * meets the neighbours j of its list one at a time; each i sums over its own j and writes only
+ * itself, so the bits do not depend on the number of threads.
  *
  * Signs: grad_i W_ij = F r_ji with F > 0 (kernel.h), so with x = r_ji, e = F V_j
  *   D rho_i/Dt = -rho_i sum (u_j - u_i).x e + delta h c0 D_i
  *   D u_i/Dt   = -(1/rho_i) sum (p_i + p_j) x e + f + alpha h c0 (rho0/rho_i) sum pi_ij x e
- * with pi_ij = (u_j - u_i).x / |x|^2: approaching particles (pi < 0) are pushed apart, and the viscous
- * power, -(1/2) alpha h c0 rho0 sum_ij V_i V_j F pi^2 |x|^2, is never positive.
+ * with pi_ij = (u_j - u_i).x / |x|^2: approaching particles (pi < 0) are pushed apart, and the
+ * viscous power, -(1/2) alpha h c0 rho0 sum_ij V_i V_j F pi^2 |x|^2, is never positive.
  *
- * Energy, J/m: with the elastic energy of energy.h, d e = p / rho^2 d rho, water-water pairs exchange
- * kinetic and elastic energy exactly: the terms (p_i + p_j) are antisymmetric. What a wall particle w
- * takes out is the power
- *   sum_i V_i sum_w V_w (p_w u_i + p_i u_w) . grad_i W_iw.
- * It is summed from the wall pairs alone, so that the closure of the budget checks the rest. */
+ * Energy, J/m: with the elastic energy of energy.h, d e = p / rho^2 d rho, water-water pairs
+ * exchange kinetic and elastic energy exactly: the terms (p_i + p_j) are antisymmetric. What a wall
+ * particle w takes out is the power sum_i V_i sum_w V_w (p_w u_i + p_i u_w) . grad_i W_iw. It is
+ * summed from the wall pairs alone, so that the closure of the budget checks the rest. */
 #include "sph/rates.h"
 
 #include <math.h>
@@ -140,8 +139,8 @@ SPECIALISE void cluster_rates(struct sph *s, enum sph_kernel kernel, enum sph_di
 /* One loop over the clusters for each combination of what meets inside it. */
 #define LOOP(name, kernel, diffusion, viscous, bounds)                                             \
   static void name(struct sph *s, int stage, bool diffuse) {                                       \
-    _Pragma("omp parallel for schedule(dynamic, 16)") for (                                        \
-        size_t c = 0; c < s->water_water.n_clusters; c++)                                          \
+    _Pragma("omp parallel for schedule(dynamic, 16)") for (size_t c = 0;                           \
+                                                           c < s->water_water.n_clusters; c++)     \
         cluster_rates(s, kernel, diffusion, viscous, bounds, stage, diffuse, c);                   \
   }
 #define X(d, delta, strength, help, k)                                                             \

@@ -1,4 +1,5 @@
-/* Weakly compressible SPH with numerical diffusion: P eqs. (1) to (11) in space, (25) to (29) in time. */
+/* Weakly compressible SPH with numerical diffusion: P eqs. (1) to (11) in space, (25) to (29) in
+ * time. */
 #include "sph/solver.h"
 
 #include <math.h>
@@ -23,10 +24,11 @@ static enum status check_finite(const struct sph *s) {
   if (sum == 0) return OK;
   for (size_t i = 0; i < s->f.n; i++)
     if (!isfinite(w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]))
-      return status_raise(ERR_DIVERGED,
-                          "particle %u at (%g, %g) m has velocity (%g, %g) m/s and density %g kg/m^3 "
-                          "at t = %g s: lower cfl_acoustic, or raise alpha or delta",
-                          s->f.id[i], w->x[i], w->y[i], w->u[i], w->v[i], w->rho[i], s->t);
+      return status_raise(
+          ERR_DIVERGED,
+          "particle %u at (%g, %g) m has velocity (%g, %g) m/s and density %g kg/m^3 "
+          "at t = %g s: lower cfl_acoustic, or raise alpha or delta",
+          s->f.id[i], w->x[i], w->y[i], w->u[i], w->v[i], w->rho[i], s->t);
   return OK;
 }
 
@@ -83,24 +85,27 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
   double support = SPH_KERNEL_SUPPORT * o->h_over_dx * dx;
   double width = c->tank.max[0] - c->tank.min[0], height = c->tank.max[1] - c->tank.min[1];
   if (!c->rectangular)
-    problems_add(problems, r->line,
-                 "runs.%s: solver sph needs a rectangular tank, open at the top (left wall, flat bed, "
-                 "right wall)",
-                 r->name);
+    problems_add(
+        problems, r->line,
+        "runs.%s: solver sph needs a rectangular tank, open at the top (left wall, flat bed, "
+        "right wall)",
+        r->name);
   if (width < 2 * support || height < 2 * support)
-    problems_add(problems, r->line,
-                 "runs.%s.resolution is %g: the tank (%g m x %g m) is narrower than two kernel supports "
-                 "(%g m); raise the resolution to at least %.3g",
-                 r->name, r->resolution, width, height, 2 * support,
-                 r->resolution * 2 * support / fmin(width, height));
+    problems_add(
+        problems, r->line,
+        "runs.%s.resolution is %g: the tank (%g m x %g m) is narrower than two kernel supports "
+        "(%g m); raise the resolution to at least %.3g",
+        r->name, r->resolution, width, height, 2 * support,
+        r->resolution * 2 * support / fmin(width, height));
   if (c->water.pieces > 0) {
     struct geo_box w = geo_lines_box(&c->water);
     double thin = fmin(w.max[0] - w.min[0], w.max[1] - w.min[1]);
     if (thin < 4 * dx)
-      problems_add(problems, r->line,
-                   "runs.%s.resolution is %g: the water is %g m thick, less than four particle spacings "
-                   "(%g m); raise the resolution to at least %.3g",
-                   r->name, r->resolution, thin, 4 * dx, r->resolution * 4 * dx / thin);
+      problems_add(
+          problems, r->line,
+          "runs.%s.resolution is %g: the water is %g m thick, less than four particle spacings "
+          "(%g m); raise the resolution to at least %.3g",
+          r->name, r->resolution, thin, 4 * dx, r->resolution * 4 * dx / thin);
   }
   struct geo_box column;
   if (c->wave.kind == CASE_WAVE_NONE && c->pressure == CASE_PRESSURE_RELEASED &&

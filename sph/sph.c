@@ -9,7 +9,8 @@
 #include "sph/kernel.h"
 #include "sph/wall.h"
 
-/* Wider lists last longer but hold more pairs; measured best for the dam break, in particle spacings. */
+/* Wider lists last longer but hold more pairs; measured best for the dam break, in particle
+ * spacings. */
 static const double skin_width = 0.6;
 
 static enum status sort_and_list(struct sph *s, const unsigned char *drop) {

@@ -37,8 +37,8 @@ struct sph_budget {
   double viscosity, diffusion, walls, removed, removed_volume;
 };
 
-/* What one evaluation leaves besides the rates: powers (W/m) taken out of the water, and the largest
- * values that bound the time step. */
+/* What one evaluation leaves besides the rates: powers (W/m) taken out of the water, and the
+ * largest values that bound the time step. */
 struct sph_totals {
   double viscosity, diffusion, walls;
   double acceleration2; /* max |a|^2, m^2 s^-4 */
@@ -55,14 +55,14 @@ struct sph {
   struct sph_budget budget;
   struct sph_totals totals; /* of the last evaluation */
 
-  struct sph_particles f; /* the water */
-  struct sph_pack *pack;  /* [f.room], owned */
+  struct sph_particles f;            /* the water */
+  struct sph_pack *pack;             /* [f.room], owned */
   struct sph_totals *cluster_totals; /* [f.room / SPH_LANES], owned */
 
   const struct sph_wall *wall;
   struct sph_wall_particles w;
 
-  struct sph_grid grid;              /* of the water */
+  struct sph_grid grid; /* of the water */
   struct sph_lists water_water, water_wall;
   double skin; /* m: lists reach 3h + skin, and hold until some particle has moved skin/2 */
 };
@@ -76,6 +76,6 @@ void sph_destroy(struct sph *s); /* NULL is fine */
  * particles are then sorted, so their places change. */
 enum status sph_neighbours_update(struct sph *s);
 
-/* Takes particles that are more than 3h outside the tank's walls or bed out of the computation, into
- * budget.removed. Between steps only. */
+/* Takes particles that are more than 3h outside the tank's walls or bed out of the computation,
+ * into budget.removed. Between steps only. */
 enum status sph_remove_outside(struct sph *s);

@@ -22,8 +22,7 @@ struct sph_bounds sph_timestep_bounds(const struct sph *s) {
       .diffusive = over(o->cfl_diffusive * method->diffusive * s->h,
                         o->delta * strength[o->diffusion] * s->c0),
       .viscous = over(o->cfl_viscous * s->h * s->h, nu),
-      .acceleration =
-          o->cfl_acceleration * sqrt(over(s->h, sqrt(s->totals.acceleration2))),
+      .acceleration = o->cfl_acceleration * sqrt(over(s->h, sqrt(s->totals.acceleration2))),
       .acoustic = o->cfl_acoustic * method->acoustic * s->h / (s->c0 + s->totals.speed),
   };
 }

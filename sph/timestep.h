@@ -9,9 +9,10 @@ struct sph_bounds {
   double acoustic;     /* (29), s */
 };
 
-/* From the totals of an evaluation with `bounds`. The diffusive and the acoustic bound are scaled with
- * the integrator's region of stability; the diffusive one with the strength of the term (diffusion.h),
- * since (27) was found for Antuono's. In (29) |pi_ij| is used, so that compression counts too. */
+/* From the totals of an evaluation with `bounds`. The diffusive and the acoustic bound are scaled
+ * with the integrator's region of stability; the diffusive one with the strength of the term
+ * (diffusion.h), since (27) was found for Antuono's. In (29) |pi_ij| is used, so that compression
+ * counts too. */
 struct sph_bounds sph_timestep_bounds(const struct sph *s);
 
 /* The smallest bound, shortened so that a whole number of equal steps ends at `next` (s). */

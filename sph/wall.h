@@ -1,5 +1,6 @@
 /* Treatments of solid walls. Each one makes wall particles at creation and sets their states before
- * every pair loop; the loops know nothing else about walls. Adding one: one file, one line in wall.c. */
+ * every pair loop; the loops know nothing else about walls. Adding one: one file, one line in
+ * wall.c. */
 #pragma once
 #include "sph/sph.h"
 
