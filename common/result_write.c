@@ -125,6 +125,12 @@ static enum status write_parameter(hid_t group, const struct param *p, const voi
   }
   case PARAM_CHOICE:
     return hdf_put_string(group, p->key, p->choices[*(const int *)at], p->help);
+  case PARAM_TEXT: {
+    const char *text = *(char *const *)at;
+    return hdf_put_string(group, p->key, text ? text : "", p->help);
+  }
+  case PARAM_NODE:
+    return OK; /* stands in the case text */
   }
   return OK;
 }
