@@ -1,64 +1,12 @@
-#include <errno.h>
 #include <hdf5.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "common/result.h"
 #include "common/result_hdf.h"
 #include "common/result_layout.h"
-#include "common/result_store.h"
-
-/* ---- opening ---- */
-
-static enum status open_hdf(const char *path, hid_t *file) {
-  hid_t fapl = H5Pcreate(H5P_FILE_ACCESS);
-  H5Pset_file_locking(fapl, false, true); /* reading needs none, and some file systems have none */
-  *file = H5Fopen(path, H5F_ACC_RDONLY, fapl);
-  H5Pclose(fapl);
-  return *file >= 0 ? OK : hdf_raise(ERR_INPUT, "%s is damaged or cut short", path);
-}
-
-static enum status check_format(const char *path, hid_t file) {
-  char *format = NULL;
-  int64_t version = 0;
-  bool ours = hdf_get_string(file, "format", &format) == OK && !strcmp(format, RESULT_FORMAT);
-  free(format);
-  H5Eclear2(H5E_DEFAULT);
-  CHECK(ours, ERR_INPUT, "%s is an HDF5 file, but not a result of plunge", path);
-  TRY(hdf_get_integer(file, "format_version", &version));
-  CHECK(version == RESULT_FORMAT_VERSION, ERR_INPUT,
-        "%s has version %lld of the result format; this program reads version %d", path,
-        (long long)version, RESULT_FORMAT_VERSION);
-  return OK;
-}
-
-static enum status open_result(const char *path, hid_t *file) {
-  struct stat about;
-  enum result_seal seal;
-  *file = -1;
-  hdf_quiet();
-  CHECK(!stat(path, &about), ERR_INPUT, "cannot read %s: %s", path, strerror(errno));
-  CHECK(!S_ISDIR(about.st_mode), ERR_INPUT, "%s is a directory, not a result file", path);
-  CHECK(S_ISREG(about.st_mode), ERR_INPUT, "%s is not a file", path);
-  CHECK(about.st_size > 0, ERR_INPUT, "%s is empty", path);
-  TRY(result_store_check(path, &seal));
-  CHECK(seal != RESULT_SEAL_BROKEN, ERR_INPUT,
-        "%s is damaged: its checksum does not match its content (copy it or run the case again)",
-        path);
-  int signature = H5Fis_hdf5(path);
-  H5Eclear2(H5E_DEFAULT);
-  CHECK(signature > 0, ERR_INPUT, "%s is not a result file: it is not HDF5", path);
-  TRY(open_hdf(path, file));
-  enum status status = check_format(path, *file);
-  if (status != OK) {
-    H5Fclose(*file);
-    *file = -1;
-  }
-  return status;
-}
+#include "common/result_open.h"
 
 /* ---- parts ---- */
 
@@ -340,17 +288,22 @@ static enum status read_all(hid_t file, struct result_file *f) {
 
 /* ---- the public functions ---- */
 
-enum status result_read(const char *path, struct result_file **out) {
+static enum status read_file(void *request) {
+  struct result_file *f = request;
   hid_t file;
-  *out = NULL;
-  TRY(open_result(path, &file));
-  struct result_file *f = calloc(1, sizeof *f);
-  enum status status = OK;
-  if (!f || !(f->path = strdup(path)))
-    status = status_raise(ERR_MEMORY, "no memory to read %s", path);
-  else if ((status = read_all(file, f)) != OK)
-    status_context(status, "%s is not a usable result: ", path);
+  TRY(result_open(f->path, &file));
+  enum status status = read_all(file, f);
   H5Fclose(file);
+  return status == OK ? OK : status_context(status, "%s is not a usable result: ", f->path);
+}
+
+enum status result_read(const char *path, struct result_file **out) {
+  *out = NULL;
+  struct result_file *f = calloc(1, sizeof *f);
+  CHECK(f, ERR_MEMORY, "no memory to read %s", path);
+  f->path = strdup(path);
+  enum status status = f->path ? result_read_safely(path, read_file, f)
+                               : status_raise(ERR_MEMORY, "no memory to read %s", path);
   if (status == OK)
     *out = f;
   else
@@ -405,34 +358,39 @@ void result_file_destroy(struct result_file *f) {
   free(f);
 }
 
-static enum status read_points(hid_t file, size_t output, const char *field, size_t *n,
-                               double (**p)[2], double **value) {
+struct points_request {
+  const char *path, *field;
+  size_t output, n;
+  double (*p)[2], *value; /* [n] */
+};
+
+static enum status read_points(hid_t file, struct points_request *q) {
   int64_t *first = NULL, *count = NULL;
   double(*xyz)[3] = NULL;
   hid_t data = -1;
   enum status status = OK;
-  ATTEMPT(hdf_get_rows(file, "VTKHDF/Steps/PointOffsets", H5T_NATIVE_INT64, 0, output, 1,
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/Steps/PointOffsets", H5T_NATIVE_INT64, 0, q->output, 1,
                        (void **)&first));
-  ATTEMPT(
-      hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, output, 1, (void **)&count));
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, q->output, 1,
+                       (void **)&count));
   if (*first < 0 || *count < 0) {
     status = status_raise(ERR_INPUT, "its dataset VTKHDF/NumberOfPoints is inconsistent");
     goto done;
   }
-  ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first,
-                       (hsize_t)*count, (void **)&xyz));
+  q->n = (size_t)*count;
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first, q->n,
+                       (void **)&xyz));
   ATTEMPT(hdf_open_group(file, "VTKHDF/PointData", &data));
-  ATTEMPT(hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, 0, (hsize_t)*first, (hsize_t)*count,
-                       (void **)value));
-  *p = malloc(((size_t)*count + 1) * sizeof **p);
-  if (!*p) {
-    status = status_raise(ERR_MEMORY, "no memory for %lld points", (long long)*count);
+  ATTEMPT(hdf_get_rows(data, q->field, H5T_NATIVE_DOUBLE, 0, (hsize_t)*first, q->n,
+                       (void **)&q->value));
+  q->p = malloc((q->n + 1) * sizeof *q->p);
+  if (!q->p) {
+    status = status_raise(ERR_MEMORY, "no memory for %zu points", q->n);
     goto done;
   }
-  *n = (size_t)*count;
-  for (size_t i = 0; i < *n; i++) {
-    (*p)[i][0] = xyz[i][0];
-    (*p)[i][1] = xyz[i][1];
+  for (size_t i = 0; i < q->n; i++) {
+    q->p[i][0] = xyz[i][0];
+    q->p[i][1] = xyz[i][1];
   }
 done:
   free(first);
@@ -442,31 +400,48 @@ done:
   return status;
 }
 
+static enum status read_points_file(void *request) {
+  struct points_request *q = request;
+  hid_t file;
+  TRY(result_open(q->path, &file));
+  enum status status = read_points(file, q);
+  H5Fclose(file);
+  return status == OK ? OK : status_context(status, "%s, output %zu: ", q->path, q->output);
+}
+
 enum status result_read_points(const char *path, size_t output, const char *field, size_t *n,
                                double (**p)[2], double **value) {
-  hid_t file;
-  *n = 0;
-  *p = NULL;
-  *value = NULL;
-  TRY(open_result(path, &file));
-  enum status status = read_points(file, output, field, n, p, value);
+  struct points_request q = {.path = path, .field = field, .output = output};
+  enum status status = result_read_safely(path, read_points_file, &q);
   if (status != OK) {
-    status_context(status, "%s, output %zu: ", path, output);
-    free(*value);
-    *value = NULL;
+    free(q.value);
+    q = (struct points_request){0};
   }
-  H5Fclose(file);
+  *n = q.n;
+  *p = q.p;
+  *value = q.value;
   return status;
 }
 
-bool result_is_current(const char *path, const char *fingerprint) {
+struct current_request {
+  const char *path, *fingerprint;
+  bool current;
+};
+
+static enum status read_current(void *request) {
+  struct current_request *q = request;
   hid_t file;
   char *found = NULL;
   int64_t complete = 0;
-  if (open_result(path, &file) != OK) return false;
-  bool current = hdf_get_integer(file, "complete", &complete) == OK && complete == 1 &&
-                 hdf_get_string(file, "fingerprint", &found) == OK && !strcmp(found, fingerprint);
+  TRY(result_open(q->path, &file));
+  q->current = hdf_get_integer(file, "complete", &complete) == OK && complete == 1 &&
+               hdf_get_string(file, "fingerprint", &found) == OK && !strcmp(found, q->fingerprint);
   free(found);
   H5Fclose(file);
-  return current;
+  return OK;
+}
+
+bool result_is_current(const char *path, const char *fingerprint) {
+  struct current_request q = {.path = path, .fingerprint = fingerprint};
+  return result_read_safely(path, read_current, &q) == OK && q.current;
 }

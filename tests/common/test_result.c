@@ -1,0 +1,201 @@
+/* What is written into a result file is what is read from it, to the last bit. */
+#include <sys/stat.h>
+
+#include "tests/common/result_sample.h"
+#include "tests/test.h"
+
+static char path[128];
+
+/* Equal bits, so that -0 and NaN count too. */
+#define EXPECT_SAME(a, b)                                                                          \
+  do {                                                                                             \
+    double a_ = (a), b_ = (b);                                                                     \
+    if (memcmp(&a_, &b_, sizeof a_)) TEST_FAIL("%s = %.17g, expected %.17g", #a, a_, b_);          \
+  } while (0)
+
+enum { OUTPUTS = 6, SCALE = 37 };
+
+static struct result_file *round_trip(size_t outputs, size_t scale, bool finish) {
+  struct case_file *c = sample_case();
+  struct result *w = NULL;
+  struct result_file *f = NULL;
+  EXPECT_OK(result_create(path, c, &c->runs[0], &w));
+  for (size_t k = 0; w && k < outputs; k++) EXPECT_OK(sample_output(w, k, scale));
+  if (w && finish) EXPECT_OK(result_finish(w));
+  result_destroy(w);
+  sample_case_destroy(c);
+  EXPECT_OK(result_read(path, &f));
+  return f;
+}
+
+static void test_header_comes_back(void) {
+  struct case_file *c = sample_case();
+  struct result_file *f = round_trip(1, SCALE, true);
+  char fingerprint[33];
+  if (!f) return;
+  case_fingerprint(c, &c->runs[0], fingerprint);
+  EXPECT_STR(f->title, c->title);
+  EXPECT_STR(f->case_text, c->text);
+  EXPECT_STR(f->solver, "sample");
+  EXPECT_STR(f->run, "antuono");
+  EXPECT_STR(f->fingerprint, fingerprint);
+  EXPECT(f->complete);
+  EXPECT_SAME(f->H, c->H);
+  EXPECT_SAME(f->g, c->gravity);
+  EXPECT_SAME(f->density, c->density);
+  EXPECT_SAME(f->spacing, c->H / c->runs[0].resolution);
+  EXPECT_SAME(f->rest_potential, case_rest_potential(c));
+  EXPECT(f->walls.pieces == 1 && f->walls.points == 4 && !f->walls.closed[0]);
+  EXPECT(f->walls.points == 4 && !memcmp(f->walls.p, c->walls.p, 4 * sizeof *c->walls.p));
+  EXPECT(f->n_experiments == 1 && f->experiments[0].n == 3);
+  EXPECT_STR(f->experiments[0].label, sample_experiments[0].label);
+  EXPECT_STR(f->experiments[0].source, sample_experiments[0].source);
+  EXPECT_STR(f->experiments[0].target, "P/1");
+  EXPECT(!memcmp(f->experiments[0].value, sample_value, sizeof sample_value));
+  result_file_destroy(f);
+  sample_case_destroy(c);
+}
+
+static void test_surfaces_come_back(void) {
+  struct result_file *f = round_trip(OUTPUTS, SCALE, true);
+  if (!f) return;
+  EXPECT(f->n_surfaces == OUTPUTS);
+  for (size_t k = 0; k < f->n_surfaces; k++) {
+    const struct geo_lines *s = &f->surface[k];
+    EXPECT_SAME(f->surface_time[k], sample_time(k));
+    EXPECT(s->pieces == k % 4);
+    for (size_t piece = 0; piece < s->pieces; piece++) {
+      EXPECT(s->closed[piece] == (piece > 0));
+      EXPECT(s->first[piece + 1] - s->first[piece] == k + piece + 1);
+      EXPECT_SAME(s->p[s->first[piece]][0], sample_x(k, 0));
+      EXPECT_SAME(s->p[s->first[piece + 1] - 1][0], sample_x(k, (k + piece) % sample_n(k, SCALE)));
+    }
+  }
+  result_file_destroy(f);
+}
+
+static void test_series_come_back(void) {
+  struct result_file *f = round_trip(OUTPUTS, SCALE, true);
+  if (!f) return;
+  EXPECT(f->n_energy == 10 * OUTPUTS && f->n_steps == 10 * OUTPUTS);
+  for (size_t i = 0; i < f->n_energy; i++) {
+    double t = sample_time(i / 10) + 0.01 * (double)(i % 10);
+    EXPECT_SAME(f->energy[i].time, t);
+    EXPECT_SAME(f->energy[i].internal, 1e-300);
+    EXPECT_SAME(f->energy[i].removed, -0.0);
+    EXPECT_SAME(f->energy[i].total, t * t);
+    EXPECT_SAME(f->steps[i].time, t);
+    EXPECT_SAME(f->steps[i].volume, 0.72);
+  }
+  EXPECT(f->n_probes == 2 && f->n_gauges == 1);
+  EXPECT_STR(f->probes[0].name, "P/1"); /* in the order of the case, with its exact name */
+  EXPECT_STR(f->probes[1].name, "P0");
+  EXPECT_SAME(f->probes[0].size, 0.09);
+  EXPECT_SAME(f->probes[1].y, 1e-17);
+  EXPECT(f->probes[0].n == 10 * OUTPUTS && f->probes[1].n == 0);
+  EXPECT_SAME(f->probes[0].value[11], (sample_time(1) + 0.01) * 9810);
+  EXPECT_STR(f->gauges[0].units, "m");
+  EXPECT_SAME(f->gauges[0].x, sample_gauges[0].x);
+  EXPECT(f->gauges[0].n == 10 * OUTPUTS && isnan(f->gauges[0].value[1]));
+  result_file_destroy(f);
+}
+
+static void test_events_and_statistics_come_back(void) {
+  struct result_file *f = round_trip(OUTPUTS, SCALE, true);
+  if (!f) return;
+  EXPECT(f->n_events == OUTPUTS); /* one name may happen many times */
+  for (size_t k = 0; k < f->n_events; k++) {
+    EXPECT_STR(f->events[k].name, "touchdown");
+    EXPECT_SAME(f->events[k].time, sample_time(k));
+    EXPECT_SAME(f->events[k].x, 2.385);
+  }
+  EXPECT(f->n_statistics == 1); /* the last value counts */
+  EXPECT_STR(f->statistics[0].name, "steps");
+  EXPECT_STR(f->statistics[0].help, "number of outputs so far");
+  EXPECT_SAME(f->statistics[0].value, OUTPUTS - 1);
+  result_file_destroy(f);
+}
+
+/* Chunks hold 4096 points: 5000 of them cross chunks at every output. */
+static void test_points_come_back(void) {
+  enum { MANY = 5000 };
+  struct result_file *f = round_trip(OUTPUTS, MANY, true);
+  if (!f) return;
+  EXPECT(f->n_outputs == OUTPUTS);
+  for (size_t k = 0; k < OUTPUTS; k++) {
+    size_t n = 0;
+    double(*p)[2] = NULL, *value = NULL;
+    EXPECT_SAME(f->output_time[k], sample_time(k));
+    EXPECT_OK(result_read_points(path, k, "pressure", &n, &p, &value));
+    EXPECT(n == sample_n(k, MANY));
+    for (size_t i = 0; i < n; i++) {
+      EXPECT_SAME(p[i][0], sample_x(k, i));
+      EXPECT_SAME(value[i], 1000 * p[i][1] / 7);
+    }
+    free(p);
+    free(value);
+  }
+  result_file_destroy(f);
+}
+
+static void test_wrong_points_are_refused(void) {
+  size_t n;
+  double(*p)[2], *value;
+  struct result_file *f = round_trip(2, SCALE, true);
+  EXPECT(result_read_points(path, 2, "pressure", &n, &p, &value) == ERR_INPUT);
+  EXPECT(result_read_points(path, 0, "vorticity", &n, &p, &value) == ERR_INPUT);
+  EXPECT(result_read_points(path, 0, "velocity", &n, &p, &value) == ERR_INPUT); /* not a scalar */
+  result_file_destroy(f);
+}
+
+static void test_only_a_finished_file_is_current(void) {
+  result_file_destroy(round_trip(2, SCALE, false));
+  struct case_file *c = sample_case();
+  char fingerprint[33];
+  case_fingerprint(c, &c->runs[0], fingerprint);
+  EXPECT(!result_is_current(path, fingerprint));
+  struct result_file *f = round_trip(2, SCALE, true);
+  EXPECT(result_is_current(path, fingerprint));
+  EXPECT(!result_is_current(path, "0"));
+  EXPECT(!result_is_current("/nonexistent/file.h5", fingerprint));
+  result_file_destroy(f);
+  sample_case_destroy(c);
+}
+
+/* Rows since the last flush reach the file when it is closed without an error (Ctrl-C). */
+static void test_unfinished_file_is_complete_to_the_last_row(void) {
+  struct case_file *c = sample_case();
+  struct result *w = NULL;
+  struct result_file *f = NULL;
+  EXPECT_OK(result_create(path, c, &c->runs[0], &w));
+  EXPECT_OK(sample_output(w, 0, SCALE));
+  EXPECT_OK(result_probe(w, 1, 0.5, 42));
+  result_destroy(w);
+  EXPECT_OK(result_read(path, &f));
+  EXPECT(f && !f->complete && f->probes[1].n == 1 && f->probes[1].value[0] == 42);
+  result_file_destroy(f);
+  sample_case_destroy(c);
+}
+
+static void test_nothing_is_left_beside_the_file(void) {
+  result_file_destroy(round_trip(3, SCALE, true));
+  char command[256];
+  snprintf(command, sizeof command, "test \"$(ls -A %s)\" = \"sample.h5\nsample.xdmf\"",
+           sample_folder());
+  EXPECT(system(command) == 0);
+}
+
+int main(void) {
+  snprintf(path, sizeof path, "%s/sample.h5", sample_folder());
+  RUN(test_header_comes_back);
+  RUN(test_surfaces_come_back);
+  RUN(test_series_come_back);
+  RUN(test_events_and_statistics_come_back);
+  RUN(test_points_come_back);
+  RUN(test_wrong_points_are_refused);
+  RUN(test_only_a_finished_file_is_current);
+  RUN(test_unfinished_file_is_complete_to_the_last_row);
+  RUN(test_nothing_is_left_beside_the_file);
+  sample_folder_remove();
+  return TEST_RESULT;
+}
