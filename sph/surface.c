@@ -26,9 +26,12 @@
 enum { NODES_PER_SPACING = 2, REACH = 8, STENCIL = 2 * REACH };
 #define MAX_NODES ((size_t)1 << 31)
 
-/* Closed pieces smaller than this many dx^2 are grid noise: the smallest cluster that F >= 1/2
- * shows (three particles) is larger. */
-#define SMALLEST_AREA 0.1
+/* In dx^2. A smaller drop than the first is noise: the smallest cluster that F >= 1/2 shows (three
+ * particles) is larger. A smaller pocket of air than the second is a void that the disorder of
+ * particles opens, inside the water or on a wall: one missing particle is not seen, three or four
+ * together are. */
+#define SMALLEST_DROP   0.1
+#define SMALLEST_POCKET 4.0
 /* Points closer than this many grid spacings to the one before them are left out. */
 #define SMALLEST_STEP 0.2
 
@@ -249,6 +252,13 @@ static void contact(const struct geo_lines *walls, const double *in, const doubl
   nearest_wall(walls, in[0] + a * (out[0] - in[0]), in[1] + a * (out[1] - in[1]), p);
 }
 
+/* Whether the chord from p to q, both on walls, runs along one. */
+static bool is_on_wall(const struct geo_lines *walls, const double *p, const double *q, double dx) {
+  double nearest[2], x = (p[0] + q[0]) / 2, y = (p[1] + q[1]) / 2;
+  nearest_wall(walls, x, y, nearest);
+  return hypot(nearest[0] - x, nearest[1] - y) < 1e-6 * dx;
+}
+
 /* ---- the contour ---- */
 
 /* Distance to the surface in units of s, positive in the water: the inverse of F = (1 + erf)/2.
@@ -338,8 +348,12 @@ static enum status add_point(struct sph_surface *s, const double *p, bool keep) 
   return geo_lines_add(l, p[0], p[1]);
 }
 
-static void drop_last_piece(struct geo_lines *l) {
-  l->points = l->first[--l->pieces];
+/* Takes the last piece back if what it encloses, by itself or with the chord between its ends, is
+ * too little of water or of air. */
+static void drop_if_small(struct sph_surface *s) {
+  struct geo_lines *l = &s->pieces;
+  double area = geo_piece_area(l, l->pieces - 1) / (s->dx * s->dx);
+  if (area > -SMALLEST_DROP && area < SMALLEST_POCKET) l->points = l->first[--l->pieces];
 }
 
 static void drop_last_point(struct geo_lines *l) {
@@ -358,7 +372,7 @@ static enum status add_closed(struct sph_surface *s, size_t m) {
   size_t first = l->first[l->pieces - 1];
   if (l->points > first + 1 && last_step(l, l->p[first]) < SMALLEST_STEP * s->spacing)
     drop_last_point(l);
-  if (fabs(geo_piece_area(l, l->pieces - 1)) < SMALLEST_AREA * s->dx * s->dx) drop_last_piece(l);
+  drop_if_small(s);
   return OK;
 }
 
@@ -378,6 +392,7 @@ static enum status add_open(struct sph_surface *s, const struct geo_lines *walls
   if (l->points > first + 1 && last_step(l, p) < SMALLEST_STEP * s->spacing) drop_last_point(l);
   TRY(add_point(s, p, true));
   *to = i;
+  if (is_on_wall(walls, l->p[first], p, s->dx)) drop_if_small(s);
   return OK;
 }
 
