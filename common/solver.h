@@ -23,7 +23,8 @@ struct solver {
   void (*check)(const struct case_file *c, const struct case_run *r, struct problems *problems);
 
   /* Runs to the end of the case, writing every output into `out` (already created, not yet
-   * finished) and reporting to `progress`. INTERRUPTED when progress_stop_requested(). */
+   * finished) and reporting each step to `progress` (which the caller begins and ends). INTERRUPTED
+   * when progress_stop_requested(). */
   enum status (*run)(const struct case_file *c, const struct case_run *r, struct result *out,
                      struct progress *progress);
 };

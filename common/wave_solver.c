@@ -156,7 +156,6 @@ static enum status wave_run(const struct case_file *c, const struct case_run *r,
   struct surface_points points = {0};
   struct wave_standing w = theory(c, r);
   const double slack = 1e-9 * c->sample, start = progress_wall_clock();
-  progress_begin(progress, r->name, c->end, sqrt(c->H / c->gravity));
   ATTEMPT(points_create(&points, c, r->resolution));
   for (size_t row = 0, outputs = 0; (double)row * c->sample <= c->end + slack; row++) {
     double t = (double)row * c->sample;
@@ -173,7 +172,6 @@ static enum status wave_run(const struct case_file *c, const struct case_run *r,
     }
   }
 done:
-  progress_end(progress, status == OK ? "done" : status_message());
   points_destroy(&points);
   return status;
 }

@@ -58,7 +58,6 @@ static enum status run(const struct case_file *c, const struct case_run *r, stru
   enum status status;
   ATTEMPT(sph_create(c, r->resolution, r->options, &s));
   ATTEMPT(sph_output_create(c, s, result, &output));
-  progress_begin(progress, r->name, c->end, sqrt(c->H / c->gravity));
   status = march(c, s, output, progress);
   if (status == INTERRUPTED || status == ERR_DIVERGED) {
     enum status why = status; /* the message of the first failure stays unless this one fails too */
@@ -73,7 +72,6 @@ static enum status run(const struct case_file *c, const struct case_run *r, stru
                            "times the neighbour lists were built"));
   ATTEMPT(result_statistic(result, "particles", (double)s->f.n, "particles of water at the end"));
 done:
-  progress_end(progress, status == OK ? "done" : status_message());
   sph_output_destroy(output);
   sph_destroy(s);
   return status;

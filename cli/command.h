@@ -1,0 +1,29 @@
+/* A subcommand: a few lines over library functions. Each returns the process exit code. */
+#pragma once
+#include "common/case.h"
+#include "common/progress.h"
+#include "common/result.h"
+#include "common/status.h"
+
+enum exit_code { EXIT_FINE = 0, EXIT_VERDICT = 1, EXIT_BAD_INPUT = 2, EXIT_RUN_FAILED = 3 };
+
+/* The list of subcommands; the dispatcher, the help and the declarations expand it. */
+#define COMMANDS(X)                                                                                \
+  X(run, "CASE.yaml", "run what is missing or changed, then compare and write the report")         \
+  X(check, "CASE.yaml...", "validate case files: every problem with file, line and key")           \
+  X(list, "", "solvers, their parameters and the measures: what a case may name")
+
+#define X(name, args, help) int command_##name(int argc, char **argv);
+COMMANDS(X)
+#undef X
+
+/* Prints "plunge: message" of a failed status to stderr and returns its exit code. */
+int command_fail(enum status status);
+
+/* Loads a case; prints every problem to stderr. NULL when there is any. */
+struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set);
+
+/* Compares `n` runs with `ref` by the settings of `c`, writes the report into `out` and prints the
+ * verdict. Returns the exit code. */
+int command_report(const struct case_file *c, struct result_file *ref, size_t n,
+                   struct result_file *const *runs, const char *out, struct progress *progress);
