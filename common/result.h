@@ -3,6 +3,7 @@
 #pragma once
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "common/case.h"
 #include "common/geometry.h"
@@ -90,6 +91,7 @@ struct result_statistic_read {
 
 struct result_file { /* everything but the particles, in memory */
   char *path, *solver, *run, *title, *version, *revision, *case_text, *fingerprint;
+  char *created; /* UTC, 2026-11-22T19:24:21Z */
   bool complete;
   double H, g, density, spacing; /* m, m s^-2, kg m^-3, m */
   double rest_potential;         /* J/m */
@@ -111,6 +113,9 @@ struct result_file { /* everything but the particles, in memory */
   struct result_statistic_read *statistics;
   size_t n_outputs; /* of points */
   double *output_time;
+  int64_t *output_points; /* how many, [n_outputs] */
+  size_t n_fields;
+  char **fields; /* names for result_read_points and others (vectors), [n_fields] */
 };
 
 /* ERR_INPUT with one sentence when the file is missing, truncated, damaged or not a result file. */

@@ -256,8 +256,9 @@ static enum status get_rows(hid_t group, const char *name, hid_t type, size_t wi
     status = hdf_raise(ERR_INPUT, "its dataset %s has the wrong shape", name);
     goto done;
   }
-  H5T_class_t class = H5Tget_class(stored);
-  if (class != H5Tget_class(type) || !plausible(set, stored, dims, rank)) {
+  H5T_class_t has = H5Tget_class(stored), asked = H5Tget_class(type);
+  bool fits = has == asked || (has == H5T_INTEGER && asked == H5T_FLOAT);
+  if (!fits || !plausible(set, stored, dims, rank)) {
     status = hdf_raise(ERR_INPUT, "its dataset %s is damaged", name);
     goto done;
   }

@@ -246,6 +246,7 @@ static enum status read_header(hid_t file, struct result_file *f) {
   TRY(hdf_get_string(file, "version", &f->version));
   TRY(hdf_get_string(file, "revision", &f->revision));
   TRY(hdf_get_string(file, "fingerprint", &f->fingerprint));
+  TRY(hdf_get_string(file, "created", &f->created));
   TRY(hdf_get_text(file, "case", &f->case_text));
   TRY(hdf_get_integer(file, "complete", &complete));
   f->complete = complete == 1;
@@ -259,10 +260,19 @@ static enum status read_header(hid_t file, struct result_file *f) {
 }
 
 static enum status read_outputs(hid_t file, struct result_file *f) {
+  size_t n = 0;
+  hid_t data = -1;
   if (!hdf_has(file, "VTKHDF")) return OK;
   TRY(hdf_get_all(file, "VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE, 0, &f->n_outputs,
                   (void **)&f->output_time));
-  return check_times("VTKHDF", f->n_outputs, f->output_time);
+  TRY(check_times("VTKHDF", f->n_outputs, f->output_time));
+  TRY(hdf_get_all(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, &n,
+                  (void **)&f->output_points));
+  CHECK(n == f->n_outputs, ERR_INPUT, "its dataset VTKHDF/NumberOfPoints is inconsistent");
+  TRY(hdf_open_group(file, "VTKHDF/PointData", &data));
+  enum status status = hdf_list(data, &f->n_fields, &f->fields);
+  H5Gclose(data);
+  return status;
 }
 
 static enum status read_all(hid_t file, struct result_file *f) {
@@ -331,6 +341,7 @@ void result_file_destroy(struct result_file *f) {
   free(f->revision);
   free(f->case_text);
   free(f->fingerprint);
+  free(f->created);
   geo_lines_destroy(&f->walls);
   for (size_t i = 0; i < f->n_surfaces; i++) geo_lines_destroy(&f->surface[i]);
   free(f->surface);
@@ -355,6 +366,8 @@ void result_file_destroy(struct result_file *f) {
   }
   free(f->statistics);
   free(f->output_time);
+  free(f->output_points);
+  hdf_list_destroy(f->n_fields, f->fields);
   free(f);
 }
 

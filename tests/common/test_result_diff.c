@@ -1,0 +1,202 @@
+/* `plunge diff` finds every change, says where the worst is, and obeys its tolerances; `plunge
+ * info` stays within a screen. */
+#include <hdf5.h>
+
+#include "common/result_diff.h"
+#include "tests/common/result_sample.h"
+#include "tests/test.h"
+
+static char path[2][128], tolerance_path[128];
+
+static void write_result(const char *to, size_t outputs) {
+  struct case_file *c = sample_case();
+  struct result *w = NULL;
+  EXPECT_OK(result_create(to, c, &c->runs[0], &w));
+  for (size_t k = 0; w && k < outputs; k++) EXPECT_OK(sample_output(w, k, 40));
+  if (w) EXPECT_OK(result_finish(w));
+  result_destroy(w);
+  sample_case_destroy(c);
+}
+
+/* Adds `by` to one number of the second file, as a user could with h5py. */
+static void change(const char *set_name, hsize_t row, double by) {
+  hid_t file = H5Fopen(path[1], H5F_ACC_RDWR, H5P_DEFAULT),
+        set = H5Dopen2(file, set_name, H5P_DEFAULT);
+  hid_t space = H5Dget_space(set);
+  int rank = H5Sget_simple_extent_ndims(space);
+  hsize_t start[2] = {row, 0}, count[2] = {1, 1}, one = 1;
+  double value;
+  if (rank) H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, count, NULL);
+  hid_t memory = rank ? H5Screate_simple(1, &one, NULL) : H5Screate(H5S_SCALAR);
+  EXPECT(H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, &value) >= 0);
+  value += by;
+  EXPECT(H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, &value) >= 0);
+  H5Sclose(memory);
+  H5Sclose(space);
+  H5Dclose(set);
+  H5Fclose(file);
+}
+
+/* The report in a static buffer. */
+static const char *diff(const char *rules, double relative, double absolute, bool draft,
+                        bool *same) {
+  static char report[20000];
+  memset(report, 0, sizeof report);
+  FILE *out = fmemopen(report, sizeof report, "w");
+  struct result_tolerances t;
+  EXPECT_OK(result_tolerances_default(&t, relative, absolute));
+  if (rules) {
+    FILE *f = fopen(tolerance_path, "w");
+    fputs(rules, f);
+    fclose(f);
+    EXPECT_OK(result_tolerances_read(&t, tolerance_path));
+  }
+  *same = false;
+  EXPECT_OK(result_diff(path[0], path[1], &t, draft, out, same));
+  result_tolerances_destroy(&t);
+  fclose(out);
+  return report;
+}
+
+static void test_equal_runs_are_the_same(void) {
+  bool same;
+  write_result(path[0], 5);
+  write_result(path[1], 5);
+  const char *report = diff(NULL, 0, 0, false, &same);
+  EXPECT(same);
+  if (strncmp(report, "0 of ", 5)) TEST_FAIL("the report is: %s", report);
+}
+
+/* Every kind of dataset that holds numbers, and what the report must say of a change of row 3. */
+static const struct {
+  const char *set;
+  hsize_t row;
+  double by;
+  const char *says;
+} changes[] = {
+    {"series/energy/kinetic", 3, 0.5, "differs by 0.5 (relative 0.6) at t = 0.03 s"},
+    {"series/probes/P_1/pressure", 13, -7, "differs by 7"},
+    {"series/gauges/G1/elevation", 2, NAN, "differs by inf"},
+    {"series/run/dt", 0, 1e-5, "1e-05 against 2e-05 s"},
+    {"surface/points", 4, 1e-3, "at t = 0.2 s"},
+    {"VTKHDF/Points", 45, 0.25, "at t = 0.1 s (t sqrt(g/H) = 0.4043), row 45, x"},
+    {"VTKHDF/PointData/pressure", 203, 1, "at t = 0.4 s"},
+    {"events/touchdown/x", 0, 1e-6, "2.385 against 2.385001 m"},
+    {"statistics/steps", 0, 1, "4 against 5"},
+    {"parameters/order", 0, 1, "3 against 4"},
+    {"walls/points", 2, 0.01, "3.2196 against 3.2296 m"},
+    {"experiments/experiment_1/time", 2, 1, "7 against 8 s"},
+};
+
+static void test_every_change_is_found_and_located(void) {
+  for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
+    bool same;
+    write_result(path[1], 5);
+    change(changes[i].set, changes[i].row, changes[i].by);
+    const char *report = diff(NULL, 0, 0, false, &same);
+    EXPECT(!same);
+    if (strncmp(report, changes[i].set, strlen(changes[i].set)) ||
+        !strstr(report, changes[i].says) || !strstr(report, "\n1 of "))
+      TEST_FAIL("after a change of %s the report is: %s", changes[i].set, report);
+  }
+}
+
+static void test_tolerances_are_obeyed(void) {
+  bool same;
+  write_result(path[1], 5);
+  change("series/energy/kinetic", 3, 1e-6); /* of 1/3: relative 3e-6 */
+  diff(NULL, 2.9e-6, 0, false, &same);
+  EXPECT(!same);
+  diff(NULL, 3.1e-6, 0, false, &same);
+  EXPECT(same);
+  diff(NULL, 0, 1.1e-6, false, &same);
+  EXPECT(same);
+  diff("series/energy/* 0 1.1e-6 # comment\n\n", 0, 0, false, &same);
+  EXPECT(same);
+  diff("* 1 1\nseries/energy/kinetic 0 0\n", 0, 0, false, &same); /* the last rule counts */
+  EXPECT(!same);
+  diff("series/*/kinetic ignore\n", 0, 0, false, &same);
+  EXPECT(same);
+}
+
+static void test_drafted_tolerances_pass(void) {
+  bool same;
+  write_result(path[1], 5);
+  change("series/energy/kinetic", 3, 1e-6);
+  change("VTKHDF/PointData/pressure", 7, 12.5);
+  char *draft = strdup(diff(NULL, 0, 0, true, &same));
+  EXPECT(!same && strstr(draft, "VTKHDF/PointData/pressure"));
+  diff(draft, 0, 0, false, &same);
+  EXPECT(same);
+  free(draft);
+}
+
+static void test_lengths_and_missing_sets_are_reported(void) {
+  bool same;
+  write_result(path[1], 4);
+  const char *report = diff(NULL, 1, 1, false, &same);
+  EXPECT(!same && strstr(report, "series/energy/total: 50 rows against 40\n"));
+  EXPECT(strstr(report, "events/touchdown_5/x: only in "));
+}
+
+static void test_wrong_tolerances_are_refused(void) {
+  static const char *const wrong[] = {"a\n",       "a 1\n",     "a 1 x\n",  "a 1 -1\n",
+                                      "a 1 nan\n", "a 1 1 1\n", "a never\n"};
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    struct result_tolerances t;
+    FILE *f = fopen(tolerance_path, "w");
+    fprintf(f, "# first\n%s", wrong[i]);
+    fclose(f);
+    EXPECT_OK(result_tolerances_default(&t, 0, 0));
+    EXPECT(result_tolerances_read(&t, tolerance_path) == ERR_INPUT);
+    EXPECT(strstr(status_message(), "tolerances:2: a tolerance is"));
+    result_tolerances_destroy(&t);
+  }
+}
+
+static void test_trouble_is_not_a_difference(void) {
+  bool same;
+  struct result_tolerances t;
+  EXPECT_OK(result_tolerances_default(&t, 0, 0));
+  EXPECT(result_diff(path[0], "/nonexistent.h5", &t, false, stderr, &same) == ERR_INPUT);
+  EXPECT(result_diff(tolerance_path, path[0], &t, false, stderr, &same) == ERR_INPUT);
+  result_tolerances_destroy(&t);
+}
+
+static void test_info_fits_a_screen(void) {
+  static char text[20000];
+  write_result(path[0], 30); /* as many events, of which not all can be shown */
+  FILE *out = fmemopen(text, sizeof text, "w");
+  EXPECT_OK(result_info(path[0], out));
+  fclose(out);
+  int lines = 0, columns = 0;
+  for (const char *p = text; *p; p++) {
+    if ((*p & 0xc0) != 0x80) columns++;
+    if (*p != '\n') continue;
+    if (columns > 101) TEST_FAIL("line %d has %d columns", lines + 1, columns - 1);
+    columns = 0;
+    lines++;
+  }
+  EXPECT(lines > 10 && lines <= 24);
+  EXPECT(strstr(text, "30 from t = 1e-17 to 2.9 s (t sqrt(g/H) = 4.043e-17 to 11.72)"));
+  EXPECT(strstr(text, "40 to 42 in each output, with pressure, velocity"));
+  EXPECT(strstr(text, "antuono (sample), complete"));
+  EXPECT(strstr(text, "and 24 more"));
+  if (getenv("SHOW")) puts(text);
+}
+
+int main(void) {
+  for (int k = 0; k < 2; k++)
+    snprintf(path[k], sizeof path[k], "%s/%c.h5", sample_folder(), "ab"[k]);
+  snprintf(tolerance_path, sizeof tolerance_path, "%s/tolerances", sample_folder());
+  RUN(test_equal_runs_are_the_same);
+  RUN(test_every_change_is_found_and_located);
+  RUN(test_tolerances_are_obeyed);
+  RUN(test_drafted_tolerances_pass);
+  RUN(test_lengths_and_missing_sets_are_reported);
+  RUN(test_wrong_tolerances_are_refused);
+  RUN(test_trouble_is_not_a_difference);
+  RUN(test_info_fits_a_screen);
+  sample_folder_remove();
+  return TEST_RESULT;
+}
