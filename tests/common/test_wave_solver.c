@@ -21,10 +21,9 @@ static const char good[] =
     "runs: [{solver: exact, resolution: 20, order: 2}]\n";
 
 static void test_run_writes_the_theory_at_the_multiples_of_the_output_times(void) {
-  char path[] = "/tmp/plunge-wave-XXXXXX.h5";
-  int handle = mkstemps(path, 3);
-  EXPECT(handle >= 0);
-  close(handle);
+  char folder[] = "/tmp/plunge-wave-XXXXXX", path[64];
+  EXPECT(mkdtemp(folder));
+  snprintf(path, sizeof path, "%s/run.h5", folder);
   struct problems problems = {0};
   struct case_file *c = NULL;
   struct result *out = NULL;
@@ -68,6 +67,9 @@ static void test_run_writes_the_theory_at_the_multiples_of_the_output_times(void
   case_destroy(c);
   progress_destroy(progress);
   unlink(path);
+  snprintf(path, sizeof path, "%s/run.xdmf", folder);
+  unlink(path);
+  EXPECT(rmdir(folder) == 0);
 }
 
 /* Replaces the first occurrence of `was` in the good case. */

@@ -1,0 +1,120 @@
+/* Every solver on one standing wave, depth = half the wavelength, against theory: frequency, decay
+ * and shape. The tank is half a wavelength wide, so the walls are antinodes. */
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "cli/registry.h"
+#include "common/case.h"
+#include "common/progress.h"
+#include "common/result.h"
+#include "common/waves.h"
+#include "tests/test.h"
+
+static const double g = 9.81, depth = 1, wavelength = 2;
+
+static double linear_frequency(void) {
+  return wave_frequency_linear(2 * M_PI / wavelength, depth, g);
+}
+
+/* Runs one solver for some linear periods, 120 samples each, and reads its result; the caller
+ * frees. */
+static struct result_file *run(const char *solver, double resolution, double amplitude,
+                               double periods, const char *keys) {
+  char folder[] = "/tmp/plunge-standing-XXXXXX", path[64], text[1024];
+  double period = 2 * M_PI / linear_frequency();
+  struct problems problems = {0};
+  struct case_file *c = NULL;
+  struct result *out = NULL;
+  struct result_file *f = NULL;
+  snprintf(text, sizeof text,
+           "scales: {H: 1}\n"
+           "tank: {walls: [[[0, 1.5], [0, 0], [1, 0], [1, 1.5]]]}\n"
+           "water: {wave: {kind: standing, amplitude: %.17g, wavelength: 2, depth: 1}}\n"
+           "gauges: [{name: left, x: 0}, {name: right, x: 1}]\n"
+           "time: {end: %.17g, every: %.17g, sample: %.17g}\n"
+           "runs: [{solver: %s, resolution: %.17g%s}]\n",
+           amplitude, periods * period, period / 4, period / 120, solver, resolution, keys);
+  EXPECT_OK(case_parse("standing.yaml", text, &registry, &problems, &c));
+  for (size_t i = 0; i < problems.n; i++) fprintf(stderr, "%s\n", problems.text[i]);
+  problems_destroy(&problems);
+  if (!c || !mkdtemp(folder)) exit(1);
+  struct progress *progress = progress_create(PROGRESS_QUIET);
+  progress_begin(progress, solver, c->end, 1);
+  snprintf(path, sizeof path, "%s/run.h5", folder);
+  EXPECT_OK(result_create(path, c, &c->runs[0], &out));
+  EXPECT_OK(c->runs[0].solver->run(c, &c->runs[0], out, progress));
+  EXPECT_OK(result_finish(out));
+  result_destroy(out);
+  progress_end(progress, "done");
+  progress_destroy(progress);
+  case_destroy(c);
+  EXPECT_OK(result_read(path, &f));
+  unlink(path);
+  snprintf(path, sizeof path, "%s/run.xdmf", folder);
+  unlink(path);
+  EXPECT(rmdir(folder) == 0);
+  if (!f) exit(1);
+  return f;
+}
+
+struct oscillation {
+  double shift; /* omega over that of linear theory, less 1 */
+  double decay; /* rate of the amplitude, 1/s */
+};
+
+/* Half the difference of the gauges on the two walls has no even harmonics. Its zero crossings give
+ * the frequency, its extremes between them the decay. */
+static struct oscillation measure(const struct result_file *f) {
+  const struct result_series *l = &f->gauges[0], *r = &f->gauges[1];
+  double first = 0, last = 0, peak = 0, first_peak = 0, last_peak = 0;
+  int crossings = 0;
+  for (size_t i = 1; i < l->n; i++) {
+    double a = (l->value[i - 1] - r->value[i - 1]) / 2, b = (l->value[i] - r->value[i]) / 2;
+    peak = fmax(peak, fabs(b));
+    if (a * b >= 0) continue;
+    last = l->t[i - 1] + a / (a - b) * (l->t[i] - l->t[i - 1]);
+    last_peak = peak;
+    if (crossings == 0) first = last;
+    if (crossings == 1) first_peak = peak;
+    crossings++;
+    peak = 0;
+  }
+  double omega = M_PI * (crossings - 1) / (last - first);
+  return (struct oscillation){
+      .shift = omega / linear_frequency() - 1,
+      .decay = log(first_peak / last_peak) * omega / (M_PI * (crossings - 2)),
+  };
+}
+
+static void test_theory_has_its_own_frequency(void) {
+  double a = 0.03, k = 2 * M_PI / wavelength;
+  struct result_file *f = run("exact", 20, a, 5, "");
+  struct oscillation o = measure(f);
+  EXPECT_NEAR(o.shift, k * k * a * a * wave_frequency_shift(k, depth), 1e-5); /* interpolation */
+  EXPECT_NEAR(o.decay, 0, 0.003); /* third harmonics of the product of both modes */
+  result_file_destroy(f);
+}
+
+/* A viscosity nu damps the amplitude at the rate 2 nu k^2 (Lamb, Hydrodynamics, art. 348); in two
+ * dimensions the artificial one is nu = alpha c0 h/8 (Monaghan, Rep. Prog. Phys. 68, 2005). */
+static void test_sph_has_the_decay_of_theory_and_its_frequency_converges(void) {
+  double a = 0.03, k = 2 * M_PI / wavelength, coarse = 0;
+  double shift = k * k * a * a * wave_frequency_shift(k, depth);
+  for (int resolution = 15; resolution <= 30; resolution *= 2) {
+    struct result_file *f = run("sph", resolution, a, 5, ", alpha: 0.01, c0: 20 sqrt(gH)");
+    struct oscillation o = measure(f);
+    double nu = 0.01 * 20 * sqrt(g * depth) * (4.0 / 3 / resolution) / 8;
+    EXPECT_NEAR(o.decay, 2 * nu * k * k, 0.05 * 2 * nu * k * k);
+    /* measured: -2.7 % and -0.5 %, order 2.3 */
+    EXPECT_NEAR(o.shift, shift, 9.0 / (resolution * resolution));
+    if (coarse != 0) EXPECT(log2((coarse - shift) / (o.shift - shift)) > 1.7);
+    coarse = o.shift;
+    result_file_destroy(f);
+  }
+}
+
+int main(void) {
+  RUN(test_theory_has_its_own_frequency);
+  RUN(test_sph_has_the_decay_of_theory_and_its_frequency_converges);
+  return TEST_RESULT;
+}
