@@ -40,7 +40,7 @@ static void wave_check(const struct case_file *c, const struct case_run *r,
                        struct problems *problems) {
   if (c->wave.kind != CASE_WAVE_STANDING) {
     problems_add(problems, r->line,
-                 "run %s: solver exact knows standing waves only; give water.wave instead of "
+                 "runs.%s: solver exact knows standing waves only; give water.wave instead of "
                  "water.regions, or take another solver",
                  r->name);
     return;
@@ -48,14 +48,14 @@ static void wave_check(const struct case_file *c, const struct case_run *r,
   if (!c->rectangular)
     problems_add(
         problems, r->line,
-        "run %s: solver exact needs a rectangular tank: one wall down the left side, along "
+        "runs.%s: solver exact needs a rectangular tank: one wall down the left side, along "
         "a flat bed, up the right side",
         r->name);
   double halves = 2 * tank_width(c) / c->wave.wavelength;
   if (!(halves >= 0.5) || fabs(halves - round(halves)) > 1e-6 * halves)
     problems_add(
         problems, r->line,
-        "run %s: the tank is %.6g half wavelengths wide; solver exact needs a whole number",
+        "runs.%s: the tank is %.6g half wavelengths wide; solver exact needs a whole number",
         r->name, halves);
   /* A series whose second term is half the first says nothing about the third. */
   struct wave_standing w = theory(c, r);
@@ -63,7 +63,7 @@ static void wave_check(const struct case_file *c, const struct case_run *r,
   if (ratio > 0.5)
     problems_add(
         problems, r->line,
-        "run %s: the second order of the theory is %.2g of the first; allowed: at most 0.5; "
+        "runs.%s: the second order of the theory is %.2g of the first; allowed: at most 0.5; "
         "lower water.wave.amplitude or raise water.wave.depth",
         r->name, ratio);
 }

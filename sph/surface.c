@@ -238,9 +238,10 @@ static bool is_inside(const struct geo_lines *walls, const double *p) {
   return nearest_wall(walls, p[0], p[1], nearest) >= 0;
 }
 
-/* The point of a wall where the step from `in` (inside) to `out` (outside) goes through it. */
+/* Where the step from `in` (inside) to `out` (outside) goes through a wall, exactly on it; or
+ * through the straight continuation of a wall beyond its end. */
 static void contact(const struct geo_lines *walls, const double *in, const double *out, double *p) {
-  double a = 0, b = 1;
+  double a = 0, b = 1, nearest[2];
   for (int k = 0; k < 60; k++) {
     double t = (a + b) / 2;
     double q[2] = {in[0] + t * (out[0] - in[0]), in[1] + t * (out[1] - in[1])};
@@ -249,7 +250,11 @@ static void contact(const struct geo_lines *walls, const double *in, const doubl
     else
       b = t;
   }
-  nearest_wall(walls, in[0] + a * (out[0] - in[0]), in[1] + a * (out[1] - in[1]), p);
+  for (int k = 0; k < 2; k++) p[k] = in[k] + a * (out[k] - in[k]);
+  nearest_wall(walls, p[0], p[1], nearest);
+  double off = hypot(nearest[0] - p[0], nearest[1] - p[1]);
+  double rounding = 1e-9 * hypot(out[0] - in[0], out[1] - in[1]);
+  if (off <= rounding) memcpy(p, nearest, sizeof nearest);
 }
 
 /* Whether the chord from p to q, both on walls, runs along one. */

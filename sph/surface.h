@@ -12,9 +12,10 @@ void sph_surface_destroy(struct sph_surface *s); /* NULL is fine */
  * each), where dx (m) is their mean spacing, inside `walls` (water on their left; none: no walls).
  *
  * *out gets (geometry.h) pieces with the water on their right: open ones, which start and end
- * exactly on walls, the longest first (the main surface, from left to right), then closed ones:
- * drops clockwise, cavities counter-clockwise. Points are at most 0.71 dx apart. Neither a drop of
- * one or two particles nor a hole of one particle is seen.
+ * exactly on walls (or on the straight continuation of a wall beyond its end), the longest first
+ * (the main surface, from left to right), then closed ones: drops clockwise, cavities
+ * counter-clockwise. Points are about dx/2 apart. Neither a drop of one or two particles nor a
+ * pocket of air of less than 4 dx^2 is seen.
  *
  * Particles that are not finite, or farther out of the box of the walls than its diagonal, are left
  * out. Serial, so that the result has the same bits for any thread count.

@@ -341,6 +341,23 @@ static void test_walls_may_be_cut_and_closed(void) {
   cloud_destroy(&c);
 }
 
+/* Water that leaves over the top of the right wall is cut straight above it. */
+static void test_water_above_the_end_of_a_wall_is_cut_on_its_continuation(void) {
+  struct cloud c = {0};
+  struct geo_lines walls = {0}, l = {0};
+  tank(&walls, 60 * dx, 50 * dx);
+  cloud_block(&c, 50 * dx, 55 * dx, 70 * dx, 65 * dx, dx);
+  extract(&c, NULL, dx, &walls, &l);
+  EXPECT(l.pieces == 1 && !l.closed[0]);
+  EXPECT_NEAR(l.p[0][0], 60 * dx, 1e-12);
+  EXPECT_NEAR(l.p[l.points - 1][0], 60 * dx, 1e-12);
+  EXPECT_NEAR(l.p[0][1], 55 * dx, LATTICE_NOISE); /* the water on the right: from below */
+  EXPECT_NEAR(l.p[l.points - 1][1], 65 * dx, LATTICE_NOISE);
+  cloud_destroy(&c);
+  geo_lines_destroy(&walls);
+  geo_lines_destroy(&l);
+}
+
 /* A bed that rises at 45 degrees: no curve appears where the walls meet, although the lattice does
  * not follow them. */
 static void test_oblique_walls_are_filled(void) {
@@ -408,6 +425,7 @@ int main(void) {
   RUN(test_water_is_on_the_right_of_every_step);
   RUN(test_walls_may_be_cut_and_closed);
   RUN(test_oblique_walls_are_filled);
+  RUN(test_water_above_the_end_of_a_wall_is_cut_on_its_continuation);
   RUN(test_escaped_particles_change_nothing);
   return TEST_RESULT;
 }
