@@ -1,0 +1,98 @@
+#include "bem/flow.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The filter reaches this far from the thin tip, H. */
+static const double REACH = 0.05;
+
+enum status bem_flow_reserve(struct bem_flow *f, size_t n) {
+  TRY(bem_panels_reserve(&f->panels, n));
+  TRY(bem_mesh_reserve(&f->mesh, n));
+  if (n > f->room) {
+    double *real = calloc(6 * n, sizeof *real);
+    double complex *w = calloc(n, sizeof *w);
+    free(f->psi);
+    free(f->w);
+    f->psi = real;
+    f->w = w;
+    CHECK(real && w, ERR_MEMORY, "no memory for the velocities of %zu nodes", n);
+    f->u = real + n, f->v = f->u + n, f->tx = f->v + n, f->ty = f->tx + n, f->q = f->ty + n;
+    f->room = n;
+  }
+  memset(f->psi, 0, n * sizeof *f->psi); /* the guess of another mesh is worth nothing */
+  return OK;
+}
+
+void bem_flow_destroy(struct bem_flow *f) {
+  bem_panels_destroy(&f->panels);
+  bem_solve_destroy(f->solve);
+  bem_mesh_destroy(&f->mesh);
+  bem_surface_destroy(&f->surface);
+  free(f->psi);
+  free(f->w);
+  *f = (struct bem_flow){0};
+}
+
+enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
+  const struct bem_surface *s = &f->surface;
+  const size_t n = s->n;
+  bem_panels_set(&f->panels, n, state, state + n, s->length);
+  TRY(bem_solve_first(f->solve, &f->panels, state + 2 * n, f->psi, keep));
+  bem_panels_velocity(&f->panels, state + 2 * n, f->psi, f->w);
+  for (size_t k = 0; k < n; k++) {
+    f->u[k] = creal(f->w[k]);
+    f->v[k] = -cimag(f->w[k]);
+  }
+  f->u[0] = 0;
+  *(s->right == BEM_END_BED ? &f->v[n - 1] : &f->u[n - 1]) = 0;
+  f->w[0] = CMPLX(f->u[0], -f->v[0]);
+  f->w[n - 1] = CMPLX(f->u[n - 1], -f->v[n - 1]);
+  f->evaluations++;
+  return OK;
+}
+
+/* Longuet-Higgins & Cokelet's (1976) five-point formula removes 1/16 of the fourth difference; here at
+ * a rate instead of every few steps, as -D^T W D with D the second difference, so that nothing
+ * interrupts the time integrator, and fading out over REACH from the tip. */
+static void smooth(const struct bem_flow *f, const double *state, double *rate) {
+  const size_t n = f->surface.n;
+  const double *x = state, *y = state + n;
+  double distance = 0;
+  for (size_t k = n - 2; k >= 2; k--) {
+    distance += hypot(x[k + 1] - x[k], y[k + 1] - y[k]);
+    if (distance >= REACH) break;
+    double fade = 1 - distance / REACH, strength = f->smoothing / 16 * fade * fade;
+    for (size_t field = 0; field < 3; field++) {
+      const double *g = state + field * n + k;
+      double *r = rate + field * n + k, d = strength * (g[-1] - 2 * g[0] + g[1]);
+      r[-1] -= d;
+      r[0] += 2 * d;
+      r[1] -= d;
+    }
+  }
+}
+
+enum status bem_flow_rates(struct bem_flow *f, const double *state, double *rate) {
+  const struct bem_surface *s = &f->surface;
+  const size_t n = s->n;
+  double *dx = rate, *dy = rate + n, *dphi = rate + 2 * n;
+  TRY(bem_flow_solve(f, state, 0));
+  bem_mesh_velocity(&f->mesh, s, state, f->u, f->v, f->tx, f->ty, f->q);
+  for (size_t k = 0; k < n; k++) {
+    double u = f->u[k], v = f->v[k];
+    dx[k] = u + f->q[k] * f->tx[k];
+    dy[k] = v + f->q[k] * f->ty[k];
+    dphi[k] = 0.5 * (u * u + v * v) - (state[n + k] - f->level) +
+              f->q[k] * (f->tx[k] * u + f->ty[k] * v);
+  }
+  if (s->tip) {
+    smooth(f, state, rate);
+    *(s->right == BEM_END_BED ? &dy[n - 1] : &dx[n - 1]) = 0;
+  }
+  double sum = 0; /* one test for the whole rate: a value that is not finite spoils the sum */
+  for (size_t k = 0; k < 3 * n; k++) sum += rate[k];
+  CHECK(isfinite(sum), ERR_DIVERGED, "the rate of change of the surface is not finite");
+  return OK;
+}

@@ -1,0 +1,32 @@
+/* One evaluation of the flow: from the surface and the potential on it to the velocity of every node
+ * and the rate of change of its potential. */
+#pragma once
+#include <complex.h>
+
+#include "bem/mesh.h"
+#include "bem/panels.h"
+#include "bem/solve.h"
+#include "bem/surface.h"
+
+struct bem_flow {
+  struct bem_panels panels;
+  struct bem_solve *solve;
+  struct bem_mesh mesh;
+  struct bem_surface surface; /* at the start of the step; its shape's facts hold during the step */
+  double level;     /* y where the Bernoulli constant makes p = 0 in water at rest, H */
+  double smoothing; /* rate of the five-point filter at the thin tip, sqrt(g/H) */
+  double evaluations;
+  size_t room;
+  double *psi, *u, *v, *tx, *ty, *q; /* nodal values of the last evaluation, [n], owned */
+  double complex *w;                 /* u - i v, [n], owned */
+  enum status status;                /* why an evaluation failed */
+};
+
+enum status bem_flow_reserve(struct bem_flow *f, size_t n);
+void bem_flow_destroy(struct bem_flow *f);
+
+/* psi, w, u, v of the surface `state` (x[n], y[n], phi[n]). keep: see bem_solve_first. */
+enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep);
+
+/* d state / dt, [3n]. */
+enum status bem_flow_rates(struct bem_flow *f, const double *state, double *rate);

@@ -1,0 +1,90 @@
+#include "bem/integrals.h"
+
+#include <math.h>
+
+/* moment[q] = integral over -1..1 of s^q / (s - sigma) ds: I_q = sigma I_(q-1) + (1 - (-1)^q) / q.
+ * `regular` leaves out the logarithm, which the caller knows to be multiplied by zero. */
+static void moments(double complex sigma, int regular, double complex moment[BEM_STENCIL]) {
+  moment[0] = regular ? 0 : clog((sigma - 1) / (sigma + 1));
+  for (int q = 1; q < BEM_STENCIL; q++)
+    moment[q] = sigma * moment[q - 1] + (q % 2 ? 2.0 / q : 0.0);
+}
+
+/* Adds the exact integral over panel j, seen from tau, less its quadrature, which the loop over all
+ * nodes has counted. node: the collocation node if tau is that node itself, else p->n. sign is -1 for
+ * the mirror image. */
+static void correct(const struct bem_panels *p, size_t j, double complex tau, size_t node,
+                    double sign, double *a, double *b, double *diagonal_a, double *diagonal_b) {
+  size_t first = bem_stencil_first(p->n, j, BEM_STENCIL);
+  double complex moment[BEM_STENCIL];
+  int regular = node >= first && node < first + BEM_STENCIL;
+  moments((tau - p->middle[j]) / p->half[j], regular, moment);
+  for (size_t m = 0; m < BEM_STENCIL; m++) {
+    size_t k = first + m;
+    if (k == node) continue; /* beta - beta_k vanishes there */
+    double complex c = 0;
+    for (int q = 0; q < BEM_STENCIL; q++) c += p->basis[j][m][q] * moment[q];
+    c -= p->weight[j][m] / (p->zeta[k] - tau);
+    a[k] += sign * cimag(c);
+    b[k] += sign * creal(c);
+    *diagonal_a += cimag(c);
+    *diagonal_b += sign * creal(c);
+  }
+}
+
+/* Own contour: real part of W (beta_n - beta_k); mirror image, for W' seen from conj(zeta_k):
+ * real part of -W' (beta_n - conj(beta_k)). */
+void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *b) {
+  const size_t n = p->n;
+  const double x = p->re[k], y = p->im[k];
+  const double *re = p->re, *im = p->im, *wr = p->weight_re, *wi = p->weight_im;
+  double diagonal_a = 0, diagonal_b = 0;
+#pragma omp simd reduction(+ : diagonal_a, diagonal_b)
+  for (size_t m = 0; m < n; m++) {
+    double dx = re[m] - x, dy = im[m] - y, ey = im[m] + y;
+    double r2 = dx * dx + dy * dy;
+    double own = m == k ? 0 : 1 / (m == k ? 1 : r2), mirror = 1 / (dx * dx + ey * ey);
+    double own_re = (wr[m] * dx + wi[m] * dy) * own, own_im = (wi[m] * dx - wr[m] * dy) * own;
+    double mirror_re = (wr[m] * dx + wi[m] * ey) * mirror;
+    double mirror_im = (wi[m] * dx - wr[m] * ey) * mirror;
+    a[m] = own_im - mirror_im;
+    b[m] = own_re - mirror_re;
+    diagonal_a += own_im + mirror_im;
+    diagonal_b += own_re - mirror_re;
+  }
+  for (size_t j = 0; j + 1 < n; j++) {
+    size_t first = bem_stencil_first(n, j, BEM_STENCIL);
+    if (bem_panel_is_near(p, j, x, y) || (k >= first && k < first + BEM_STENCIL))
+      correct(p, j, p->zeta[k], k, 1, a, b, &diagonal_a, &diagonal_b);
+    if (bem_panel_is_near(p, j, x, -y))
+      correct(p, j, conj(p->zeta[k]), n, -1, a, b, &diagonal_a, &diagonal_b);
+  }
+  a[k] -= diagonal_a;
+  b[k] -= diagonal_b;
+}
+
+/* The contour is closed, so f(tau) is the mean of f weighted with dt / (t - tau), and its derivative
+ * the same mean of d f / dt, for f continuous along the contour. */
+void bem_integrals_inside(const struct bem_panels *p, const double *f, const double *h,
+                          double complex tau, double complex *value, double complex *slope) {
+  double complex sum = 0, sum_slope = 0, winding = 0;
+  for (int side = 0; side < 2; side++) {
+    double complex at = side ? conj(tau) : tau, s = 0, s_slope = 0, w = 0;
+    for (size_t j = 0; j + 1 < p->n; j++) {
+      size_t first = bem_stencil_first(p->n, j, BEM_STENCIL);
+      double complex moment[BEM_STENCIL], c[BEM_STENCIL] = {0};
+      moments((at - p->middle[j]) / p->half[j], 0, moment);
+      for (size_t m = 0; m < BEM_STENCIL; m++)
+        for (int q = 0; q < BEM_STENCIL; q++)
+          c[q] += p->basis[j][m][q] * CMPLX(f[first + m], h[first + m]);
+      for (int q = 0; q < BEM_STENCIL; q++) s += c[q] * moment[q];
+      for (int q = 1; q < BEM_STENCIL; q++) s_slope += q * c[q] * moment[q - 1] / p->half[j];
+      w += moment[0];
+    }
+    sum += side ? -conj(s) : s;
+    sum_slope += side ? -conj(s_slope) : s_slope;
+    winding += side ? -conj(w) : w;
+  }
+  *value = sum / winding;
+  *slope = sum_slope / winding;
+}

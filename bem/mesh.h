@@ -1,0 +1,26 @@
+/* Where the nodes should be, and how they get there without regridding: each moves with the normal
+ * velocity of the water and with a tangential velocity of its own that keeps the wanted spacing, so
+ * that the time integrator is re-initialised only when their number no longer fits. */
+#pragma once
+#include "bem/surface.h"
+
+struct bem_mesh {
+  double resolution; /* nodes per H where the surface is smooth */
+  size_t room;
+  double *scratch; /* [10 * room], owned */
+};
+
+enum status bem_mesh_reserve(struct bem_mesh *m, size_t n);
+void bem_mesh_destroy(struct bem_mesh *m);
+
+/* Tangential velocity of every node relative to the water. u, v: velocity of the water; tx, ty: unit
+ * tangents (output); q: output; all [n]. state: x[n], y[n], of a surface like *s. */
+void bem_mesh_velocity(struct bem_mesh *m, const struct bem_surface *s, const double *state,
+                       const double *u, const double *v, double *tx, double *ty, double *q);
+
+/* Whether the number of nodes or their spacing has left what the shape asks for. */
+bool bem_mesh_is_poor(struct bem_mesh *m, const struct bem_surface *s);
+
+/* New nodes on the same curve (not-a-knot splines of x, y, phi in arc length, piece by piece).
+ * ERR_MEMORY; ERR_SOLVER when the shape asks for more nodes than can be served. */
+enum status bem_mesh_regrid(struct bem_mesh *m, struct bem_surface *s);

@@ -1,0 +1,139 @@
+#include "bem/panels.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static enum status grow(void *array, size_t count, size_t size) {
+  void *more = realloc(*(void **)array, count * size);
+  CHECK(more, ERR_MEMORY, "no memory for %zu boundary nodes", count);
+  *(void **)array = more;
+  return OK;
+}
+
+enum status bem_panels_reserve(struct bem_panels *p, size_t n) {
+  if (n <= p->room) return OK;
+  TRY(grow(&p->zeta, n, sizeof *p->zeta));
+  TRY(grow(&p->dzeta, n, sizeof *p->dzeta));
+  TRY(grow(&p->re, n, sizeof *p->re));
+  TRY(grow(&p->im, n, sizeof *p->im));
+  TRY(grow(&p->middle, n, sizeof *p->middle));
+  TRY(grow(&p->half, n, sizeof *p->half));
+  TRY(grow(&p->basis, n, sizeof *p->basis));
+  TRY(grow(&p->weight, n, sizeof *p->weight));
+  TRY(grow(&p->weight_re, n, sizeof *p->weight_re));
+  TRY(grow(&p->weight_im, n, sizeof *p->weight_im));
+  TRY(grow(&p->slope, n, sizeof *p->slope));
+  p->room = n;
+  return OK;
+}
+
+void bem_panels_destroy(struct bem_panels *p) {
+  if (!p) return;
+  free(p->zeta);
+  free(p->dzeta);
+  free(p->re);
+  free(p->im);
+  free(p->middle);
+  free(p->half);
+  free(p->basis);
+  free(p->weight);
+  free(p->weight_re);
+  free(p->weight_im);
+  free(p->slope);
+  *p = (struct bem_panels){0};
+}
+
+double complex bem_map(double length, double complex z) {
+  double complex s = csin(0.5 * M_PI / length * (length - z));
+  return s * s;
+}
+
+double complex bem_map_slope(double length, double complex z) {
+  return -0.5 * M_PI / length * csin(M_PI / length * (length - z));
+}
+
+/* Coefficients of the Lagrange polynomials through s[0..3], by powers of s: each is the product of
+ * (s - s_q) over the other nodes, scaled to one at its own. */
+static void lagrange(const double complex s[BEM_STENCIL],
+                     double complex basis[BEM_STENCIL][BEM_STENCIL]) {
+  for (int m = 0; m < BEM_STENCIL; m++) {
+    double complex c[BEM_STENCIL] = {1}, scale = 1;
+    int degree = 0;
+    for (int q = 0; q < BEM_STENCIL; q++) {
+      if (q == m) continue;
+      degree++;
+      for (int p = degree; p > 0; p--) c[p] = c[p - 1] - s[q] * c[p];
+      c[0] *= -s[q];
+      scale *= s[m] - s[q];
+    }
+    scale = 1 / scale;
+    for (int p = 0; p < BEM_STENCIL; p++) basis[m][p] = c[p] * scale;
+  }
+}
+
+/* d/dzeta of the polynomial through the nodes t[0..4] at t[at]. */
+static void derivative(const double complex t[BEM_DERIVATIVE], size_t at,
+                       double complex slope[BEM_DERIVATIVE]) {
+  slope[at] = 0;
+  for (size_t m = 0; m < BEM_DERIVATIVE; m++) {
+    if (m == at) continue;
+    double complex above = 1, below = t[m] - t[at];
+    for (size_t j = 0; j < BEM_DERIVATIVE; j++) {
+      if (j == m || j == at) continue;
+      above *= t[at] - t[j];
+      below *= t[m] - t[j];
+    }
+    slope[m] = above / below;
+    slope[at] -= slope[m];
+  }
+}
+
+void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y,
+                    double length) {
+  p->n = n;
+  p->length = length;
+#pragma omp parallel for schedule(static)
+  for (size_t k = 0; k < n; k++) {
+    double complex z = CMPLX(x[k], y[k]);
+    p->zeta[k] = bem_map(length, z);
+    p->dzeta[k] = bem_map_slope(length, z);
+    p->re[k] = creal(p->zeta[k]);
+    p->im[k] = cimag(p->zeta[k]);
+  }
+#pragma omp parallel for schedule(static)
+  for (size_t j = 0; j < n; j++) {
+    size_t first = bem_stencil_first(n, j, BEM_DERIVATIVE);
+    derivative(p->zeta + first, j - first, p->slope[j]);
+    if (j + 1 == n) continue;
+    p->middle[j] = 0.5 * (p->zeta[j] + p->zeta[j + 1]);
+    p->half[j] = 0.5 * (p->zeta[j + 1] - p->zeta[j]);
+    first = bem_stencil_first(n, j, BEM_STENCIL);
+    double complex s[BEM_STENCIL], inverse = 1 / p->half[j];
+    for (size_t m = 0; m < BEM_STENCIL; m++) s[m] = (p->zeta[first + m] - p->middle[j]) * inverse;
+    lagrange(s, p->basis[j]);
+    for (int m = 0; m < BEM_STENCIL; m++) { /* odd powers integrate to zero over -1..1 */
+      double complex sum = 0;
+      for (int q = 0; q < BEM_STENCIL; q += 2) sum += p->basis[j][m][q] * (2.0 / (q + 1));
+      p->weight[j][m] = sum * p->half[j];
+    }
+  }
+  for (size_t k = 0; k < n; k++) p->weight_re[k] = p->weight_im[k] = 0;
+  for (size_t j = 0; j + 1 < n; j++) {
+    size_t first = bem_stencil_first(n, j, BEM_STENCIL);
+    for (size_t m = 0; m < BEM_STENCIL; m++) {
+      p->weight_re[first + m] += creal(p->weight[j][m]);
+      p->weight_im[first + m] += cimag(p->weight[j][m]);
+    }
+  }
+}
+
+void bem_panels_velocity(const struct bem_panels *p, const double *phi, const double *psi,
+                         double complex *w) {
+  for (size_t k = 0; k < p->n; k++) {
+    size_t first = bem_stencil_first(p->n, k, BEM_DERIVATIVE);
+    double complex sum = 0;
+    for (size_t m = 0; m < BEM_DERIVATIVE; m++)
+      sum += p->slope[k][m] * CMPLX(phi[first + m], psi[first + m]);
+    w[k] = sum * p->dzeta[k];
+  }
+}

@@ -1,0 +1,264 @@
+#include "bem/solve.h"
+
+#include <math.h>
+#include <nvector/nvector_serial.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
+#include <umfpack.h>
+
+#include "bem/integrals.h"
+
+extern void dgetrf_(const int *m, const int *n, double *a, const int *lda, int *pivot, int *info);
+extern void dgetrs_(const char *trans, const int *n, const int *nrhs, const double *a,
+                    const int *lda, const int *pivot, double *b, const int *ldb, int *info);
+
+enum { KRYLOV = 80, RESTARTS = 3, SLOW = 8 /* iterations beyond the first solve's that are worth a
+                                              new near-field factorisation */ };
+
+struct bem_solve {
+  struct bem_solve_options options;
+  struct bem_solve_counts count;
+  size_t n, room;       /* unknowns, allocated for */
+  double *a;            /* matrix by rows, [n][n] */
+  double *b;            /* coefficients of phi by rows, [n][n + 2], when kept */
+  double *row;          /* scratch, two rows a thread */
+  double *f, *x;        /* right-hand side and solution, [n] */
+  const struct bem_panels *panels; /* of the last assembly */
+  int dense, *pivot;
+
+  SUNContext context;
+  N_Vector vector_f, vector_x;
+  SUNLinearSolver gmres;
+
+  int *column, *entry; /* near field, compressed by columns of the transpose, i.e. by rows */
+  double *near;
+  size_t near_room, near_n; /* near_n: unknowns of the factorisation in hand, 0: none */
+  void *factor;
+  int allowed; /* iterations before it is renewed */
+};
+
+static int multiply(void *data, N_Vector v, N_Vector z) {
+  struct bem_solve *s = data;
+  const size_t n = s->n;
+  const double *x = N_VGetArrayPointer(v);
+  double *y = N_VGetArrayPointer(z);
+#pragma omp parallel for schedule(static)
+  for (size_t k = 0; k < n; k++) {
+    const double *a = s->a + k * n;
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (size_t m = 0; m < n; m++) sum += a[m] * x[m];
+    y[k] = sum;
+  }
+  return 0;
+}
+
+static int precondition(void *data, N_Vector r, N_Vector z, double tolerance, int side) {
+  (void)tolerance, (void)side;
+  struct bem_solve *s = data;
+  /* The near field is stored by rows, which UMFPACK reads as the transpose. */
+  int failed = umfpack_di_solve(UMFPACK_At, s->column, s->entry, s->near, N_VGetArrayPointer(z),
+                                N_VGetArrayPointer(r), s->factor, NULL, NULL);
+  return failed < 0;
+}
+
+enum status bem_solve_create(const struct bem_solve_options *options, struct bem_solve **out) {
+  struct bem_solve *s = calloc(1, sizeof *s);
+  CHECK(s, ERR_MEMORY, "no memory for the linear solver");
+  s->options = *options;
+  *out = s;
+  CHECK(SUNContext_Create(NULL, &s->context) == 0, ERR_SOLVER, "SUNDIALS gives no context");
+  return OK;
+}
+
+static void vectors_destroy(struct bem_solve *s) {
+  if (s->gmres) SUNLinSolFree(s->gmres);
+  if (s->vector_f) N_VDestroy(s->vector_f);
+  if (s->vector_x) N_VDestroy(s->vector_x);
+  s->gmres = NULL;
+  s->vector_f = s->vector_x = NULL;
+}
+
+void bem_solve_destroy(struct bem_solve *s) {
+  if (!s) return;
+  vectors_destroy(s);
+  if (s->factor) umfpack_di_free_numeric(&s->factor);
+  if (s->context) SUNContext_Free(&s->context);
+  free(s->a);
+  free(s->b);
+  free(s->row);
+  free(s->f);
+  free(s->x);
+  free(s->pivot);
+  free(s->column);
+  free(s->entry);
+  free(s->near);
+  free(s);
+}
+
+struct bem_solve_counts bem_solve_count(const struct bem_solve *s) {
+  return s->count;
+}
+
+static enum status take(void *array, size_t count, size_t size) {
+  free(*(void **)array);
+  *(void **)array = malloc(count * size);
+  CHECK(*(void **)array, ERR_MEMORY, "no memory for a boundary system of %zu numbers", count);
+  return OK;
+}
+
+/* Arrays and SUNDIALS handles for n unknowns. */
+static enum status resize(struct bem_solve *s, size_t n) {
+  if (n == s->n) return OK;
+  if (n > s->room) {
+    size_t room = n + n / 4;
+    TRY(take(&s->a, room * room, sizeof *s->a));
+    free(s->b);
+    s->b = NULL;
+    TRY(take(&s->row, 2 * (room + 2) * (size_t)omp_get_max_threads(), sizeof *s->row));
+    TRY(take(&s->f, room, sizeof *s->f));
+    TRY(take(&s->x, room, sizeof *s->x));
+    TRY(take(&s->pivot, room, sizeof *s->pivot));
+    TRY(take(&s->column, room + 1, sizeof *s->column));
+    s->room = room;
+  }
+  s->n = n;
+  s->near_n = 0;
+  s->dense = n + 2 <= s->options.dense_up_to;
+  vectors_destroy(s);
+  if (s->dense) return OK;
+  s->vector_f = N_VMake_Serial((sunindextype)n, s->f, s->context);
+  s->vector_x = N_VMake_Serial((sunindextype)n, s->x, s->context);
+  CHECK(s->vector_f && s->vector_x, ERR_MEMORY, "no memory for vectors of %zu unknowns", n);
+  s->gmres = SUNLinSol_SPGMR(s->vector_x, SUN_PREC_RIGHT, KRYLOV, s->context);
+  CHECK(s->gmres, ERR_MEMORY, "no memory for GMRES with %zu unknowns", n);
+  SUNLinSol_SPGMRSetMaxRestarts(s->gmres, RESTARTS);
+  SUNLinSolSetATimes(s->gmres, s, multiply);
+  SUNLinSolSetPreconditioner(s->gmres, s, NULL, precondition);
+  CHECK(SUNLinSolInitialize(s->gmres) == 0 && SUNLinSolSetup(s->gmres, NULL) == 0, ERR_SOLVER,
+        "GMRES cannot be set up for %zu unknowns", n);
+  return OK;
+}
+
+/* Row k belongs to inner node k + 1. The right-hand side is summed while the row is at hand. */
+static enum status assemble(struct bem_solve *s, const double *phi, int keep) {
+  const struct bem_panels *p = s->panels;
+  const size_t n = s->n;
+  if (keep && !s->b) TRY(take(&s->b, s->room * (s->room + 2), sizeof *s->b));
+#pragma omp parallel for schedule(dynamic, 8)
+  for (size_t k = 0; k < n; k++) {
+    double *a = s->row + 2 * (n + 2) * (size_t)omp_get_thread_num();
+    double *b = keep ? s->b + k * (n + 2) : a + n + 2;
+    bem_integrals_row(p, k + 1, a, b);
+    memcpy(s->a + k * n, a + 1, n * sizeof *a);
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (size_t m = 0; m < n + 2; m++) sum += b[m] * phi[m];
+    s->f[k] = sum;
+  }
+  s->count.assemblies++;
+  return OK;
+}
+
+/* The entries of the assembled matrix that couple a node with the panels near it. */
+static enum status factorise_near(struct bem_solve *s) {
+  const struct bem_panels *p = s->panels;
+  const size_t n = s->n;
+  size_t count = 0;
+  for (size_t k = 0; k < n; k++) {
+    s->column[k] = (int)count;
+    if (count + n > s->near_room) {
+      size_t room = 2 * (count + n);
+      int *entry = realloc(s->entry, room * sizeof *entry);
+      if (entry) s->entry = entry;
+      double *near = realloc(s->near, room * sizeof *near);
+      if (near) s->near = near;
+      CHECK(entry && near, ERR_MEMORY, "no memory for a near field of %zu entries", room);
+      s->near_room = room;
+    }
+    double x = p->re[k + 1], y = p->im[k + 1];
+    for (size_t m = 0; m < n; m++) {
+      int near = m == k || bem_panel_is_near(p, m, x, y) || bem_panel_is_near(p, m + 1, x, y) ||
+                 bem_panel_is_near(p, m, x, -y) || bem_panel_is_near(p, m + 1, x, -y);
+      if (!near) continue;
+      s->entry[count] = (int)m;
+      s->near[count++] = s->a[k * n + m];
+    }
+  }
+  s->column[n] = (int)count;
+  if (s->factor) umfpack_di_free_numeric(&s->factor);
+  void *symbolic = NULL;
+  int failed = umfpack_di_symbolic((int)n, (int)n, s->column, s->entry, s->near, &symbolic, NULL, NULL);
+  if (failed == UMFPACK_OK)
+    failed = umfpack_di_numeric(s->column, s->entry, s->near, symbolic, &s->factor, NULL, NULL);
+  umfpack_di_free_symbolic(&symbolic);
+  CHECK(failed == UMFPACK_OK, ERR_SOLVER,
+        "UMFPACK cannot factorise the near field of %zu unknowns (status %d)", n, failed);
+  s->near_n = n;
+  s->allowed = 0;
+  s->count.near_factorisations++;
+  return OK;
+}
+
+static enum status iterate(struct bem_solve *s) {
+  double norm = sqrt(N_VDotProd(s->vector_f, s->vector_f));
+  if (norm == 0) {
+    N_VConst(0, s->vector_x);
+    return OK;
+  }
+  CHECK(isfinite(norm), ERR_DIVERGED, "the right-hand side of the boundary system is not finite");
+  int failed = SUNLinSolSolve(s->gmres, NULL, s->vector_x, s->vector_f, s->options.tolerance * norm);
+  int iterations = SUNLinSolNumIters(s->gmres);
+  s->count.iterations += iterations;
+  CHECK(failed == 0, ERR_SOLVER, "GMRES stopped after %d iterations at a relative residual of %.2g",
+        iterations, SUNLinSolResNorm(s->gmres) / norm);
+  if (!s->allowed) s->allowed = iterations + SLOW;
+  if (iterations > s->allowed) s->near_n = 0;
+  return OK;
+}
+
+static enum status finish(struct bem_solve *s, double *psi) {
+  const size_t n = s->n;
+  s->count.solves++;
+  if (s->dense) {
+    int size = (int)n, one = 1, info;
+    memcpy(s->x, s->f, n * sizeof *s->x);
+    dgetrs_("T", &size, &one, s->a, &size, s->pivot, s->x, &size, &info);
+  } else {
+    memcpy(s->x, psi + 1, n * sizeof *s->x);
+    TRY(iterate(s));
+  }
+  memcpy(psi + 1, s->x, n * sizeof *s->x);
+  psi[0] = psi[n + 1] = 0;
+  return OK;
+}
+
+enum status bem_solve_first(struct bem_solve *s, const struct bem_panels *p, const double *phi,
+                            double *psi, int keep) {
+  TRY(resize(s, p->n - 2));
+  s->panels = p;
+  TRY(assemble(s, phi, keep));
+  if (s->dense) {
+    int size = (int)s->n, info;
+    dgetrf_(&size, &size, s->a, &size, s->pivot, &info);
+    CHECK(info == 0, ERR_SOLVER, "the boundary system of %d unknowns is singular", size);
+    s->count.dense_factorisations++;
+  } else if (s->near_n != s->n) {
+    TRY(factorise_near(s));
+  }
+  return finish(s, psi);
+}
+
+enum status bem_solve_again(struct bem_solve *s, const double *phi, double *psi) {
+  const size_t n = s->n;
+  for (size_t k = 0; k < n; k++) {
+    const double *b = s->b + k * (n + 2);
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (size_t m = 0; m < n + 2; m++) sum += b[m] * phi[m];
+    s->f[k] = sum;
+  }
+  return finish(s, psi);
+}

@@ -1,0 +1,29 @@
+/* The linear system for psi at the inner surface nodes (psi = 0 at the two contact points), and who
+ * solves it: LAPACK's dense factorisation for few nodes; for many GMRES (SUNDIALS SPGMR), whose
+ * right preconditioner is the near field of the matrix, factorised by UMFPACK and kept until the
+ * iteration slows down. */
+#pragma once
+#include "bem/panels.h"
+
+struct bem_solve; /* opaque: it holds handles of SUNDIALS and UMFPACK */
+
+struct bem_solve_options {
+  double tolerance;   /* of GMRES, residual relative to the right-hand side */
+  size_t dense_up_to; /* nodes that are still solved by dense factorisation */
+};
+
+struct bem_solve_counts {
+  double assemblies, solves, iterations, dense_factorisations, near_factorisations;
+};
+
+enum status bem_solve_create(const struct bem_solve_options *options, struct bem_solve **s);
+void bem_solve_destroy(struct bem_solve *s);
+
+/* Assembles the matrix of these panels and finds psi (H sqrt(gH)) from phi; psi on entry is the
+ * guess that GMRES starts from. keep: keep what bem_solve_again needs. ERR_SOLVER, ERR_MEMORY. */
+enum status bem_solve_first(struct bem_solve *s, const struct bem_panels *p, const double *phi,
+                            double *psi, int keep);
+/* The same matrix with another right-hand side. Call after bem_solve_first with keep. */
+enum status bem_solve_again(struct bem_solve *s, const double *phi, double *psi);
+
+struct bem_solve_counts bem_solve_count(const struct bem_solve *s);

@@ -1,0 +1,100 @@
+#include "bem/surface.h"
+
+#include <stdlib.h>
+
+enum { FIVE = 5, FOUR = 4 };
+
+enum status bem_surface_reserve(struct bem_surface *s, size_t n) {
+  if (n > s->room) {
+    double *state = malloc(3 * n * sizeof *state);
+    CHECK(state, ERR_MEMORY, "no memory for %zu surface nodes", n);
+    free(s->state);
+    s->state = state;
+    s->room = n;
+  }
+  s->n = n;
+  return OK;
+}
+
+void bem_surface_destroy(struct bem_surface *s) {
+  free(s->state);
+  *s = (struct bem_surface){0};
+}
+
+/* First node of a stencil of `count` that starts `left` before `at` and stays within one piece. */
+static size_t window(size_t n, size_t corner, size_t at, size_t left, size_t count, bool after) {
+  size_t begin = corner && (at > corner || (at == corner && after)) ? corner : 0;
+  size_t end = corner && begin == 0 ? corner + 1 : n;
+  size_t first = at >= begin + left ? at - left : begin;
+  return first + count > end ? end - count : first;
+}
+
+void bem_surface_differences(size_t n, size_t corner, const double *f, double *first,
+                             double *second) {
+  /* rows: position of the node in its stencil; exact for quartics */
+  static const double d1[FIVE][FIVE] = {{-25, 48, -36, 16, -3},
+                                        {-3, -10, 18, -6, 1},
+                                        {1, -8, 0, 8, -1},
+                                        {-1, 6, -18, 10, 3},
+                                        {3, -16, 36, -48, 25}};
+  static const double d2[FIVE][FIVE] = {{35, -104, 114, -56, 11},
+                                        {11, -20, 6, 4, -1},
+                                        {-1, 16, -30, 16, -1},
+                                        {-1, 4, 6, -20, 11},
+                                        {11, -56, 114, -104, 35}};
+  for (size_t k = 0; k < n; k++) {
+    size_t w = window(n, corner, k, 2, FIVE, true);
+    double a = 0, b = 0;
+    for (size_t m = 0; m < FIVE; m++) {
+      a += d1[k - w][m] * f[w + m];
+      b += d2[k - w][m] * f[w + m];
+    }
+    first[k] = a / 12;
+    if (second) second[k] = b / 12;
+  }
+}
+
+/* Values and slopes at Gauss points of the panel that begins at position `at` of its stencil. */
+static void panel_basis(size_t at, double s, double value[FOUR], double slope[FOUR]) {
+  for (int m = 0; m < FOUR; m++) {
+    double x = (double)at + s, below = 1;
+    value[m] = 1;
+    slope[m] = 0;
+    for (int q = 0; q < FOUR; q++) {
+      if (q == m) continue;
+      slope[m] = slope[m] * (x - q) + value[m];
+      value[m] *= x - q;
+      below *= m - q;
+    }
+    value[m] /= below;
+    slope[m] /= below;
+  }
+}
+
+struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *psi) {
+  static const double point[FOUR] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                     0.93056815579702629};
+  static const double weight[FOUR] = {0.17392742256872693, 0.32607257743127307,
+                                      0.32607257743127307, 0.17392742256872693};
+  const double *x = s->state, *y = x + s->n, *phi = y + s->n;
+  double value[3][FOUR][FOUR], slope[3][FOUR][FOUR];
+  for (size_t at = 0; at < 3; at++)
+    for (int g = 0; g < FOUR; g++) panel_basis(at, point[g], value[at][g], slope[at][g]);
+  struct bem_totals t = {0};
+  for (size_t j = 0; j + 1 < s->n; j++) {
+    size_t w = window(s->n, s->corner, j, 1, FOUR, true), at = j - w;
+    for (int g = 0; g < FOUR; g++) {
+      double yg = 0, phig = 0, dx = 0, dpsi = 0;
+      for (size_t m = 0; m < FOUR; m++) {
+        yg += value[at][g][m] * y[w + m];
+        phig += value[at][g][m] * phi[w + m];
+        dx += slope[at][g][m] * x[w + m];
+        dpsi += slope[at][g][m] * psi[w + m];
+      }
+      t.volume += weight[g] * yg * dx;
+      t.potential += weight[g] * 0.5 * yg * yg * dx;
+      t.kinetic -= weight[g] * 0.5 * phig * dpsi;
+    }
+  }
+  return t;
+}

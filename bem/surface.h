@@ -1,0 +1,34 @@
+/* The free surface: nodes from the left wall's contact point to the right one, water on the right.
+ * Inside the solver H = g = rho = 1. */
+#pragma once
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "common/status.h"
+
+enum bem_end { BEM_END_WALL, BEM_END_BED }; /* what the last node slides along */
+
+struct bem_surface {
+  size_t n, room;
+  double *state;     /* x[n], y[n], phi[n]: H, H, H sqrt(gH); owned */
+  size_t corner;     /* node where the outline has a kink; 0: none */
+  enum bem_end right;
+  bool tip;          /* the last node is the thin tip of a sheet: fine nodes and smoothing there */
+  double tank;       /* length of the tank, H */
+  double length;     /* of the tank that the map closes: longer until the tip has met the wall, H */
+};
+
+struct bem_totals {
+  double volume, kinetic, potential; /* H^2, rho g H^3, rho g H^3 (y from 0) */
+};
+
+enum status bem_surface_reserve(struct bem_surface *s, size_t n); /* keeps nothing */
+void bem_surface_destroy(struct bem_surface *s);
+
+/* d/di and d2/di2 of a nodal quantity by five-point differences that do not reach over the kink. */
+void bem_surface_differences(size_t n, size_t corner, const double *f, double *first,
+                             double *second /* or NULL */);
+
+/* Integrals over the water from the surface alone: psi = 0 on the walls, and kinetic energy is
+ * -1/2 integral phi d psi. Cubic interpolation in the node number: fourth order. */
+struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *psi);

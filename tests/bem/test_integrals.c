@@ -1,0 +1,88 @@
+/* A harmonic function in a box: Dirichlet data on a curved surface, impermeable walls and bed. */
+#include <stdlib.h>
+
+#include "bem/integrals.h"
+#include "bem/solve.h"
+#include "tests/test.h"
+
+static const double L = 2.385;
+
+/* Poles mirrored about all walls lie above the surface: beta is analytic in the water and real on
+ * the walls, and no polynomial. */
+static double complex dipoles(double complex z) {
+  double complex zeta = bem_map(L, z), a = bem_map(L, CMPLX(0.7, 1.25)), b = bem_map(L, CMPLX(2.1, 1.4));
+  return 1 / (zeta - a) + 1 / (zeta - conj(a)) + 0.3 / (zeta - b) + 0.3 / (zeta - conj(b));
+}
+
+static double complex dipoles_slope(double complex z) {
+  double complex zeta = bem_map(L, z), a = bem_map(L, CMPLX(0.7, 1.25)), b = bem_map(L, CMPLX(2.1, 1.4));
+  return -bem_map_slope(L, z) * (cpow(zeta - a, -2) + cpow(zeta - conj(a), -2) +
+                                 0.3 * cpow(zeta - b, -2) + 0.3 * cpow(zeta - conj(b), -2));
+}
+
+struct errors {
+  double inner, corner, probe; /* of the velocity, relative to its largest value */
+};
+
+static struct errors box_errors(size_t n, double wave, size_t dense_up_to) {
+  struct bem_panels p = {0};
+  struct bem_solve *s = NULL;
+  struct errors e = {0};
+  double *x = malloc(5 * n * sizeof *x), *y = x + n, *phi = y + n, *psi = phi + n;
+  double complex *w = malloc(n * sizeof *w);
+  for (size_t k = 0; k < n; k++) {
+    double s01 = (double)k / (double)(n - 1);
+    x[k] = L * (s01 + 0.03 * sin(2 * M_PI * s01)); /* spacing that varies */
+    y[k] = 0.8 + wave * cos(5 * x[k]);
+    phi[k] = creal(dipoles(CMPLX(x[k], y[k])));
+    psi[k] = 0;
+  }
+  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-13, dense_up_to}, &s));
+  EXPECT_OK(bem_panels_reserve(&p, n));
+  bem_panels_set(&p, n, x, y, L);
+  EXPECT_OK(bem_solve_first(s, &p, phi, psi, 0));
+  bem_panels_velocity(&p, phi, psi, w);
+  double scale = 0;
+  for (size_t k = 0; k < n; k++) {
+    double complex exact = dipoles_slope(CMPLX(x[k], y[k]));
+    scale = fmax(scale, cabs(exact));
+    double *worst = k == 0 || k + 1 == n ? &e.corner : &e.inner;
+    *worst = fmax(*worst, cabs(w[k] - exact));
+  }
+  for (double at = 0.05; at < 0.7; at += 0.1) { /* points of the right wall */
+    double complex z = CMPLX(L, at), value, slope;
+    bem_integrals_inside(&p, phi, psi, bem_map(L, z), &value, &slope);
+    e.probe = fmax(e.probe, cabs(slope * bem_map_slope(L, z) - dipoles_slope(z)));
+    e.probe = fmax(e.probe, cabs(value - dipoles(z)));
+  }
+  e.inner /= scale, e.corner /= scale, e.probe /= scale;
+  bem_solve_destroy(s);
+  bem_panels_destroy(&p);
+  free(x);
+  free(w);
+  return e;
+}
+
+/* Cubic panels and a five-node stencil: fourth order, at the contact points too (observed 4.0). */
+static void test_velocity_of_a_harmonic_function_is_of_fourth_order(void) {
+  for (int curved = 0; curved < 2; curved++) {
+    struct errors before = {0};
+    for (size_t n = 33; n <= 257; n = 2 * n - 1) {
+      struct errors e = box_errors(n, curved ? 0.07 : 0, curved ? 0 : 1000);
+      printf("  %s, %3zu nodes: velocity %.2e, at the corners %.2e, inside %.2e", curved ? "curved" : "flat  ", n,
+             e.inner, e.corner, e.probe);
+      if (before.inner > 0) {
+        double o[3] = {log2(before.inner / e.inner), log2(before.corner / e.corner), log2(before.probe / e.probe)};
+        printf("; orders %.2f %.2f %.2f", o[0], o[1], o[2]);
+        if (n > 100) EXPECT(o[0] > 3.7 && o[1] > 3.7 && o[2] > 3.7);
+      }
+      printf("\n");
+      before = e;
+    }
+  }
+}
+
+int main(void) {
+  RUN(test_velocity_of_a_harmonic_function_is_of_fourth_order);
+  return TEST_RESULT;
+}
