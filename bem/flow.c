@@ -74,6 +74,25 @@ static void smooth(const struct bem_flow *f, const double *state, double *rate) 
   }
 }
 
+/* A sixth difference, likewise as -D^T D / 64 with D the third difference of nodes of one piece: it
+ * takes away the sawtooth of two spacings, which nothing else damps, and of a wave of 20 nodes
+ * 1.5e-5 of the rate: a term of sixth order in the spacing. */
+static void filter(const struct bem_flow *f, const double *state, double *rate) {
+  const size_t n = f->surface.n, corner = f->surface.corner;
+  const double strength = f->filter / 64;
+  for (size_t k = 0; k + 3 < n; k++) {
+    if (k < corner && k + 3 > corner) continue;
+    for (size_t field = 0; field < 3; field++) {
+      const double *g = state + field * n + k;
+      double *r = rate + field * n + k, d = strength * (g[3] - g[0] + 3 * (g[1] - g[2]));
+      r[0] += d;
+      r[1] -= 3 * d;
+      r[2] += 3 * d;
+      r[3] -= d;
+    }
+  }
+}
+
 enum status bem_flow_rates(struct bem_flow *f, const double *state, double *rate) {
   const struct bem_surface *s = &f->surface;
   const size_t n = s->n;
@@ -87,10 +106,10 @@ enum status bem_flow_rates(struct bem_flow *f, const double *state, double *rate
     dphi[k] = 0.5 * (u * u + v * v) - (state[n + k] - f->level) +
               f->q[k] * (f->tx[k] * u + f->ty[k] * v);
   }
-  if (s->tip) {
-    smooth(f, state, rate);
-    *(s->right == BEM_END_BED ? &dy[n - 1] : &dx[n - 1]) = 0;
-  }
+  filter(f, state, rate);
+  if (s->tip > 0) smooth(f, state, rate);
+  dx[0] = 0; /* contact points stay on their walls */
+  *(s->right == BEM_END_BED ? &dy[n - 1] : &dx[n - 1]) = 0;
   double sum = 0; /* one test for the whole rate: a value that is not finite spoils the sum */
   for (size_t k = 0; k < 3 * n; k++) sum += rate[k];
   CHECK(isfinite(sum), ERR_DIVERGED, "the rate of change of the surface is not finite");

@@ -7,12 +7,12 @@
 #include "bem/spline.h"
 
 /* The wanted number of nodes per H, divided by the resolution, is the root of the sum of squares of
- * 1, curvature/BEND and 1/(TIP + GROWTH d), d the distance along the surface to the thin tip: a
+ * 1, curvature/BEND and 1/(tip + GROWTH d), d the distance along the surface to the thin tip: a
  * function of the shape alone, so refining the resolution refines everything alike. */
-static const double BEND = 8, SHARPEST = 160; /* 1/H */
-static const double TIP = 0.15, GROWTH = 6;   /* 1, 1/H */
-static const double SPREAD = 10;   /* implicit smoothing of the density over about sqrt(10) panels */
-static const double RELAX = 0.1;   /* sqrt(H/g), time in which misplaced nodes drift home */
+double BEND = 8, SHARPEST = 640;
+static const double GROWTH = 6;               /* 1/H */
+double SPREAD = 3;   /* implicit smoothing of the density over about sqrt(10) panels */
+double RELAX = 0.1;   /* sqrt(H/g), time in which misplaced nodes drift home */
 static const double OPEN = 0.15;   /* rad: a kink that turns less is not one any more */
 static const size_t MOST = 6000, FEWEST = 7; /* nodes of a surface, of a piece */
 
@@ -47,7 +47,7 @@ static void density(const struct bem_mesh *m, const struct bem_surface *s, const
   double distance = 0;
   for (size_t j = n - 1; j-- > 0;) {
     double l = hypot(x[j + 1] - x[j], y[j + 1] - y[j]);
-    double near = s->tip ? 1 / (TIP + GROWTH * (distance + 0.5 * l)) : 0;
+    double near = s->tip > 0 ? 1 / (s->tip + GROWTH * (distance + 0.5 * l)) : 0;
     rho[j] = sqrt(1 + 0.5 * (bend[j] + bend[j + 1]) / (BEND * BEND) + near * near);
     distance += l;
   }

@@ -13,7 +13,8 @@ struct bem_surface {
   double *state;     /* x[n], y[n], phi[n]: H, H, H sqrt(gH); owned */
   size_t corner;     /* node where the outline has a kink; 0: none */
   enum bem_end right;
-  bool tip;          /* the last node is the thin tip of a sheet: fine nodes and smoothing there */
+  double tip;        /* the last node is the thin tip of a sheet: spacing there over that of the smooth
+                        surface; 0: it is not */
   double tank;       /* length of the tank, H */
   double length;     /* of the tank that the map closes: longer until the tip has met the wall, H */
 };
