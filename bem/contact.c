@@ -51,7 +51,8 @@ enum status bem_contact_meet_wall(struct bem_flow *f) {
   CHECK(arc, ERR_MEMORY, "no memory for %zu nodes at the wall", nodes);
   double *second = arc + nodes, *scratch = second + 3 * nodes;
   arc[0] = 0;
-  for (size_t k = 1; k < nodes; k++) arc[k] = arc[k - 1] + hypot(x[k] - x[k - 1], x[n + k] - x[n + k - 1]);
+  for (size_t k = 1; k < nodes; k++)
+    arc[k] = arc[k - 1] + hypot(x[k] - x[k - 1], x[n + k] - x[n + k - 1]);
   for (size_t field = 0; field < 3; field++)
     bem_spline_fit(nodes, arc, x + field * n, second + field * nodes, scratch);
   size_t k = crossing(s, s->state) - begin, from = k - 1;

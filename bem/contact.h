@@ -1,22 +1,23 @@
-/* What happens where the thin end of the sheet meets a wall: the first impact, and the film that runs
- * up the wall and is cut before it becomes thinner than anything that matters. */
+/* What happens where the thin end of the sheet meets a wall: the first impact, and the film that
+ * runs up the wall and is cut before it becomes thinner than anything that matters. */
 #pragma once
 #include "bem/flow.h"
 
-/* Height of the surface where it crosses x = tank for the first time, 0 while it has not come there. */
+/* Height of the surface where it crosses x = tank for the first time, 0 while it has not come
+ * there. */
 double bem_contact_height(const struct bem_surface *s, const double *state);
 
 /* Cuts the water beyond x = tank, which it has entered freely (it could not feel the wall before),
  * and lets the surface end on the wall. */
 enum status bem_contact_meet_wall(struct bem_flow *f);
 
-/* Whether nodes of the film have gone through the wall; bem_contact_meet_wall then puts its end where
- * it first met the wall. */
+/* Whether nodes of the film have gone through the wall; bem_contact_meet_wall then puts its end
+ * where it first met the wall. */
 bool bem_contact_crosses_wall(const struct bem_surface *s);
 
 /* Whether the film on the right wall is thinner than `film` (H) over a length worth cutting. */
 bool bem_contact_film_is_thin(const struct bem_surface *s, double film);
 
-/* Cuts that film and caps it: the cap lies where the film was, so the potential on it is that of the
- * water there, interpolated by the complex polynomial of neighbouring nodes. */
+/* Cuts that film and caps it: the cap lies where the film was, so the potential on it is that of
+ * the water there, interpolated by the complex polynomial of neighbouring nodes. */
 enum status bem_contact_cut_film(struct bem_flow *f, double film);

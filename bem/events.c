@@ -32,9 +32,9 @@ static double least_tangent(const struct bem_surface *s, const double *state, si
   return before > least && after > least ? least - 0.5 * slope * slope / bend : least;
 }
 
-/* Vertical distance of the jet from the surface below it, least over the jet's far half: the cavity's
- * deepest point is the first node from the left where x turns back, and from there the distance first
- * grows from zero. 1 while nothing hangs over. */
+/* Vertical distance of the jet from the surface below it, least over the jet's far half: the
+ * cavity's deepest point is the first node from the left where x turns back, and from there the
+ * distance first grows from zero. 1 while nothing hangs over. */
 static double least_gap(const struct bem_surface *s, const double *state, size_t *where) {
   const double *x = state, *y = state + s->n;
   size_t cavity = 1;

@@ -53,8 +53,8 @@ enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
   return OK;
 }
 
-/* Longuet-Higgins & Cokelet's (1976) five-point formula removes 1/16 of the fourth difference; here at
- * a rate instead of every few steps, as -D^T W D with D the second difference, so that nothing
+/* Longuet-Higgins & Cokelet's (1976) five-point formula removes 1/16 of the fourth difference; here
+ * at a rate instead of every few steps, as -D^T W D with D the second difference, so that nothing
  * interrupts the time integrator, and fading out over REACH from the tip. */
 static void smooth(const struct bem_flow *f, const double *state, double *rate) {
   const size_t n = f->surface.n;
@@ -103,8 +103,8 @@ enum status bem_flow_rates(struct bem_flow *f, const double *state, double *rate
     double u = f->u[k], v = f->v[k];
     dx[k] = u + f->q[k] * f->tx[k];
     dy[k] = v + f->q[k] * f->ty[k];
-    dphi[k] = 0.5 * (u * u + v * v) - (state[n + k] - f->level) +
-              f->q[k] * (f->tx[k] * u + f->ty[k] * v);
+    dphi[k] =
+        0.5 * (u * u + v * v) - (state[n + k] - f->level) + f->q[k] * (f->tx[k] * u + f->ty[k] * v);
   }
   filter(f, state, rate);
   if (s->tip > 0) smooth(f, state, rate);

@@ -1,5 +1,5 @@
-/* One evaluation of the flow: from the surface and the potential on it to the velocity of every node
- * and the rate of change of its potential. */
+/* One evaluation of the flow: from the surface and the potential on it to the velocity of every
+ * node and the rate of change of its potential. */
 #pragma once
 #include <complex.h>
 
@@ -13,9 +13,9 @@ struct bem_flow {
   struct bem_solve *solve;
   struct bem_mesh mesh;
   struct bem_surface surface; /* at the start of the step; its shape's facts hold during the step */
-  double level;     /* y where the Bernoulli constant makes p = 0 in water at rest, H */
-  double smoothing; /* rate of the five-point formula at the thin tip, sqrt(g/H) */
-  double filter;    /* rate of the sixth-difference filter everywhere, sqrt(g/H) */
+  double level;               /* y where the Bernoulli constant makes p = 0 in water at rest, H */
+  double smoothing;           /* rate of the five-point formula at the thin tip, sqrt(g/H) */
+  double filter;              /* rate of the sixth-difference filter everywhere, sqrt(g/H) */
   double evaluations;
   size_t room;
   double *psi, *u, *v, *tx, *ty, *q; /* nodal values of the last evaluation, [n], owned */

@@ -6,13 +6,12 @@
  * `regular` leaves out the logarithm, which the caller knows to be multiplied by zero. */
 static void moments(double complex sigma, int regular, double complex moment[BEM_STENCIL]) {
   moment[0] = regular ? 0 : clog((sigma - 1) / (sigma + 1));
-  for (int q = 1; q < BEM_STENCIL; q++)
-    moment[q] = sigma * moment[q - 1] + (q % 2 ? 2.0 / q : 0.0);
+  for (int q = 1; q < BEM_STENCIL; q++) moment[q] = sigma * moment[q - 1] + (q % 2 ? 2.0 / q : 0.0);
 }
 
 /* Adds the exact integral over panel j, seen from tau, less its quadrature, which the loop over all
- * nodes has counted. node: the collocation node if tau is that node itself, else p->n. sign is -1 for
- * the mirror image. */
+ * nodes has counted. node: the collocation node if tau is that node itself, else p->n. sign is -1
+ * for the mirror image. */
 static void correct(const struct bem_panels *p, size_t j, double complex tau, size_t node,
                     double sign, double *a, double *b, double *diagonal_a, double *diagonal_b) {
   size_t first = bem_stencil_first(p->n, j, BEM_STENCIL);
@@ -63,8 +62,8 @@ void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *
   b[k] -= diagonal_b;
 }
 
-/* The contour is closed, so f(tau) is the mean of f weighted with dt / (t - tau), and its derivative
- * the same mean of d f / dt, for f continuous along the contour. */
+/* The contour is closed, so f(tau) is the mean of f weighted with dt / (t - tau), and its
+ * derivative the same mean of d f / dt, for f continuous along the contour. */
 void bem_integrals_inside(const struct bem_panels *p, const double *f, const double *h,
                           double complex tau, double complex *value, double complex *slope) {
   double complex sum = 0, sum_slope = 0, winding = 0;

@@ -1,13 +1,13 @@
-/* Cauchy's integral over the surface and its mirror image, one collocation node at a time. With beta
- * at the node subtracted, sum over the contour of integral (beta(t) - beta_k) / (t - zeta_k) dt = 0;
- * its real part is an equation of the second kind for psi. */
+/* Cauchy's integral over the surface and its mirror image, one collocation node at a time. With
+ * beta at the node subtracted, sum over the contour of integral (beta(t) - beta_k) / (t - zeta_k)
+ * dt = 0; its real part is an equation of the second kind for psi. */
 #pragma once
 #include "bem/panels.h"
 
 /* The equation of node k: sum_m a[m] psi[m] = sum_m b[m] phi[m]; a, b: [p->n].
  * Panels nearer than a few of their lengths are integrated exactly (recursion from one complex
- * logarithm), the others by the fourth-order quadrature that their nodes carry: beta(t) - beta_k over
- * t - zeta_k is smooth there, and neither costs a logarithm. */
+ * logarithm), the others by the fourth-order quadrature that their nodes carry: beta(t) - beta_k
+ * over t - zeta_k is smooth there, and neither costs a logarithm. */
 void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *b);
 
 /* Value and derivative d/dzeta at any point tau inside or on a wall of the analytic function whose

@@ -10,10 +10,10 @@
  * 1, curvature/BEND and 1/(tip + GROWTH d), d the distance along the surface to the thin tip: a
  * function of the shape alone, so refining the resolution refines everything alike. */
 double BEND = 8, SHARPEST = 640;
-static const double GROWTH = 6;               /* 1/H */
-double SPREAD = 3;   /* implicit smoothing of the density over about sqrt(10) panels */
-double RELAX = 0.1;   /* sqrt(H/g), time in which misplaced nodes drift home */
-static const double OPEN = 0.15;   /* rad: a kink that turns less is not one any more */
+static const double GROWTH = 6;  /* 1/H */
+double SPREAD = 3;               /* implicit smoothing of the density over about sqrt(10) panels */
+double RELAX = 0.1;              /* sqrt(H/g), time in which misplaced nodes drift home */
+static const double OPEN = 0.15; /* rad: a kink that turns less is not one any more */
 static const size_t MOST = 6000, FEWEST = 7; /* nodes of a surface, of a piece */
 
 enum status bem_mesh_reserve(struct bem_mesh *m, size_t n) {
@@ -51,7 +51,8 @@ static void density(const struct bem_mesh *m, const struct bem_surface *s, const
     rho[j] = sqrt(1 + 0.5 * (bend[j] + bend[j + 1]) / (BEND * BEND) + near * near);
     distance += l;
   }
-  for (size_t j = 0; j + 1 < n; j++) { /* (1 - SPREAD delta^2) smooth = rough, nothing lost at ends */
+  for (size_t j = 0; j + 1 < n;
+       j++) { /* (1 - SPREAD delta^2) smooth = rough, nothing lost at ends */
     double side = (j > 0 ? SPREAD : 0) + (j + 2 < n ? SPREAD : 0), low = j > 0 ? SPREAD : 0;
     double pivot = 1 + side - (j > 0 ? low * upper[j - 1] : 0);
     upper[j] = SPREAD / pivot;
@@ -61,8 +62,8 @@ static void density(const struct bem_mesh *m, const struct bem_surface *s, const
   for (size_t j = 0; j + 1 < n; j++) rho[j] *= m->resolution;
 }
 
-/* On the piece from node a to node b: keeps the number of nodes up to each point, counted by density,
- * at its share of the whole. */
+/* On the piece from node a to node b: keeps the number of nodes up to each point, counted by
+ * density, at its share of the whole. */
 static void piece_velocity(size_t a, size_t b, const double *x, const double *y, const double *u,
                            const double *v, const double *rho, double *q) {
   double whole = 0, growth = 0;
@@ -100,8 +101,8 @@ void bem_mesh_velocity(struct bem_mesh *m, const struct bem_surface *s, const do
 
 static double kink(const struct bem_surface *s) {
   const double *x = s->state + s->corner, *y = x + s->n;
-  return fabs(remainder(atan2(y[1] - y[0], x[1] - x[0]) - atan2(y[0] - y[-1], x[0] - x[-1]),
-                        2 * M_PI));
+  return fabs(
+      remainder(atan2(y[1] - y[0], x[1] - x[0]) - atan2(y[0] - y[-1], x[0] - x[-1]), 2 * M_PI));
 }
 
 bool bem_mesh_is_poor(struct bem_mesh *m, const struct bem_surface *s) {
@@ -143,7 +144,8 @@ enum status bem_mesh_regrid(struct bem_mesh *m, struct bem_surface *s) {
       arc[j + 1] = arc[j] + l;
       whole += rho[j] * l;
     }
-    CHECK(whole < (double)MOST, ERR_SOLVER, "the surface has become too rough: it asks for %.3g nodes", whole);
+    CHECK(whole < (double)MOST, ERR_SOLVER,
+          "the surface has become too rough: it asks for %.3g nodes", whole);
     fresh[i] = (size_t)fmax(ceil(whole), (double)FEWEST);
     total += fresh[i];
   }
@@ -172,7 +174,8 @@ enum status bem_mesh_regrid(struct bem_mesh *m, struct bem_surface *s) {
           count += here;
           j++;
         }
-        out[k] = bem_spline_value(nodes, arc + a, f, second, arc[j] + (wanted - count) / rho[j], &from);
+        out[k] =
+            bem_spline_value(nodes, arc + a, f, second, arc[j] + (wanted - count) / rho[j], &from);
       }
       out[0] = f[0];
       out[fresh[i]] = f[nodes - 1];

@@ -13,8 +13,8 @@ struct bem_mesh {
 enum status bem_mesh_reserve(struct bem_mesh *m, size_t n);
 void bem_mesh_destroy(struct bem_mesh *m);
 
-/* Tangential velocity of every node relative to the water. u, v: velocity of the water; tx, ty: unit
- * tangents (output); q: output; all [n]. state: x[n], y[n], of a surface like *s. */
+/* Tangential velocity of every node relative to the water. u, v: velocity of the water; tx, ty:
+ * unit tangents (output); q: output; all [n]. state: x[n], y[n], of a surface like *s. */
 void bem_mesh_velocity(struct bem_mesh *m, const struct bem_surface *s, const double *state,
                        const double *u, const double *v, double *tx, double *ty, double *q);
 

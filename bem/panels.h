@@ -1,9 +1,9 @@
 /* The boundary as the integral equation sees it: the free surface in the plane of the map
  *     zeta = sin^2(pi (L - z) / (2 L)),   z = x + i y,
- * which opens the tank 0 < x < L, y > 0 into the lower half plane: the bed becomes 0 <= zeta <= 1, the
- * left wall zeta >= 1, the right wall zeta <= 0. There beta = phi + i psi with psi = 0 on the walls
- * continues to the upper half plane by Schwarz reflection, beta(conj zeta) = conj beta(zeta), so the
- * surface and its mirror image close the contour and walls need no nodes.
+ * which opens the tank 0 < x < L, y > 0 into the lower half plane: the bed becomes 0 <= zeta <= 1,
+ * the left wall zeta >= 1, the right wall zeta <= 0. There beta = phi + i psi with psi = 0 on the
+ * walls continues to the upper half plane by Schwarz reflection, beta(conj zeta) = conj beta(zeta),
+ * so the surface and its mirror image close the contour and walls need no nodes.
  *
  * On the panel between nodes j and j+1 beta is the complex polynomial in zeta through BEM_STENCIL
  * neighbouring nodes (Vinje & Brevig 1981 use two; with four the velocity is of fourth order). */
@@ -27,8 +27,8 @@ struct bem_panels {
   double complex *middle; /* of the chord of a panel, [n - 1] */
   double complex *half;   /* half its chord: t = middle + half s, -1 <= s <= 1, [n - 1] */
   double complex (*basis)[BEM_STENCIL][BEM_STENCIL]; /* [n - 1][node][power of s] */
-  double complex (*weight)[BEM_STENCIL]; /* integral of the node's basis function dt, [n - 1] */
-  double *weight_re, *weight_im;         /* the same summed at each node, [n] */
+  double complex (*weight)[BEM_STENCIL];   /* integral of the node's basis function dt, [n - 1] */
+  double *weight_re, *weight_im;           /* the same summed at each node, [n] */
   double complex (*slope)[BEM_DERIVATIVE]; /* d/dzeta at a node from its stencil, [n] */
 };
 
@@ -40,7 +40,8 @@ double complex bem_map(double length, double complex z);
 double complex bem_map_slope(double length, double complex z); /* d zeta / d z */
 
 /* Takes over n nodes (x, y in H) for a map that closes a tank of the given length. */
-void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y, double length);
+void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y,
+                    double length);
 
 /* Complex velocity w = u - i v = d beta / dz at every node. */
 void bem_panels_velocity(const struct bem_panels *p, const double *phi, const double *psi,

@@ -14,17 +14,21 @@ extern void dgetrf_(const int *m, const int *n, double *a, const int *lda, int *
 extern void dgetrs_(const char *trans, const int *n, const int *nrhs, const double *a,
                     const int *lda, const int *pivot, double *b, const int *ldb, int *info);
 
-enum { KRYLOV = 80, RESTARTS = 3, SLOW = 8 /* iterations beyond the first solve's that are worth a
-                                              new near-field factorisation */ };
+enum {
+  KRYLOV = 80,
+  RESTARTS = 3,
+  SLOW = 8 /* iterations beyond the first solve's that are worth a
+              new near-field factorisation */
+};
 
 struct bem_solve {
   struct bem_solve_options options;
   struct bem_solve_counts count;
-  size_t n, room;       /* unknowns, allocated for */
-  double *a;            /* matrix by rows, [n][n] */
-  double *b;            /* coefficients of phi by rows, [n][n + 2], when kept */
-  double *row;          /* scratch, two rows a thread */
-  double *f, *x;        /* right-hand side and solution, [n] */
+  size_t n, room;                  /* unknowns, allocated for */
+  double *a;                       /* matrix by rows, [n][n] */
+  double *b;                       /* coefficients of phi by rows, [n][n + 2], when kept */
+  double *row;                     /* scratch, two rows a thread */
+  double *f, *x;                   /* right-hand side and solution, [n] */
   const struct bem_panels *panels; /* of the last assembly */
   int dense, *pivot;
 
@@ -190,7 +194,8 @@ static enum status factorise_near(struct bem_solve *s) {
   s->column[n] = (int)count;
   if (s->factor) umfpack_di_free_numeric(&s->factor);
   void *symbolic = NULL;
-  int failed = umfpack_di_symbolic((int)n, (int)n, s->column, s->entry, s->near, &symbolic, NULL, NULL);
+  int failed =
+      umfpack_di_symbolic((int)n, (int)n, s->column, s->entry, s->near, &symbolic, NULL, NULL);
   if (failed == UMFPACK_OK)
     failed = umfpack_di_numeric(s->column, s->entry, s->near, symbolic, &s->factor, NULL, NULL);
   umfpack_di_free_symbolic(&symbolic);
@@ -209,7 +214,8 @@ static enum status iterate(struct bem_solve *s) {
     return OK;
   }
   CHECK(isfinite(norm), ERR_DIVERGED, "the right-hand side of the boundary system is not finite");
-  int failed = SUNLinSolSolve(s->gmres, NULL, s->vector_x, s->vector_f, s->options.tolerance * norm);
+  int failed =
+      SUNLinSolSolve(s->gmres, NULL, s->vector_x, s->vector_f, s->options.tolerance * norm);
   int iterations = SUNLinSolNumIters(s->gmres);
   s->count.iterations += iterations;
   CHECK(failed == 0, ERR_SOLVER, "GMRES stopped after %d iterations at a relative residual of %.2g",

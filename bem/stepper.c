@@ -82,24 +82,28 @@ static void ignore(int code, const char *module, const char *function, char *mes
 enum status bem_stepper_restart(struct bem_stepper *s, double time) {
   close_integrator(s);
   TRY(bem_flow_reserve(s->flow, s->flow->surface.n));
-  s->state = N_VMake_Serial((sunindextype)(3 * s->flow->surface.n), s->flow->surface.state, s->context);
+  s->state =
+      N_VMake_Serial((sunindextype)(3 * s->flow->surface.n), s->flow->surface.state, s->context);
   s->view = s->state ? N_VCloneEmpty(s->state) : NULL;
   s->iteration = s->state ? SUNNonlinSol_FixedPoint(s->state, 0, s->context) : NULL;
   s->cvode = CVodeCreate(CV_ADAMS, s->context);
   CHECK(s->view && s->iteration && s->cvode, ERR_MEMORY, "no memory for CVODE");
   CVodeSetErrHandlerFn(s->cvode, ignore, NULL);
-  int failed = CVodeInit(s->cvode, rates, time, s->state) || CVodeSStolerances(s->cvode, 0, s->tolerance) ||
-               CVodeSetUserData(s->cvode, s) || CVodeSetNonlinearSolver(s->cvode, s->iteration) ||
+  int failed = CVodeInit(s->cvode, rates, time, s->state) ||
+               CVodeSStolerances(s->cvode, 0, s->tolerance) || CVodeSetUserData(s->cvode, s) ||
+               CVodeSetNonlinearSolver(s->cvode, s->iteration) ||
                CVodeRootInit(s->cvode, BEM_ROOTS, roots);
   int direction[BEM_ROOTS];
   for (int i = 0; i < BEM_ROOTS; i++) direction[i] = -1;
-  failed = failed || CVodeSetRootDirection(s->cvode, direction) || CVodeSetNoInactiveRootWarn(s->cvode);
+  failed =
+      failed || CVodeSetRootDirection(s->cvode, direction) || CVodeSetNoInactiveRootWarn(s->cvode);
   CHECK(!failed, ERR_SOLVER, "CVODE cannot be started");
   s->count.initialisations++;
   return OK;
 }
 
-enum status bem_stepper_step(struct bem_stepper *s, double *time, double *dt, int found[BEM_ROOTS]) {
+enum status bem_stepper_step(struct bem_stepper *s, double *time, double *dt,
+                             int found[BEM_ROOTS]) {
   double before = *time;
   memset(found, 0, BEM_ROOTS * sizeof *found);
   s->flow->status = OK;
@@ -114,6 +118,7 @@ enum status bem_stepper_step(struct bem_stepper *s, double *time, double *dt, in
 enum status bem_stepper_interpolate(struct bem_stepper *s, double time, double *state) {
   N_VSetArrayPointer(state, s->view);
   int code = CVodeGetDky(s->cvode, time, 0, s->view);
-  CHECK(code == CV_SUCCESS, ERR_SOLVER, "CVODE cannot interpolate to time %.6g (status %d)", time, code);
+  CHECK(code == CV_SUCCESS, ERR_SOLVER, "CVODE cannot interpolate to time %.6g (status %d)", time,
+        code);
   return OK;
 }

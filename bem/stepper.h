@@ -3,7 +3,8 @@
 #include "bem/flow.h"
 
 enum { BEM_ROOTS = 4 };
-typedef void bem_root_function(void *data, double time, const double *state, double root[BEM_ROOTS]);
+typedef void bem_root_function(void *data, double time, const double *state,
+                               double root[BEM_ROOTS]);
 
 struct bem_stepper; /* opaque: handles of SUNDIALS */
 
@@ -11,7 +12,8 @@ struct bem_stepper_counts {
   double steps, evaluations, initialisations;
 };
 
-/* The stepper advances flow->surface.state. tolerance: absolute, of x, y (H) and phi (H sqrt(gH)). */
+/* The stepper advances flow->surface.state. tolerance: absolute, of x, y (H) and phi (H sqrt(gH)).
+ */
 enum status bem_stepper_create(struct bem_flow *flow, double tolerance, bem_root_function *roots,
                                void *data, struct bem_stepper **s);
 void bem_stepper_destroy(struct bem_stepper *s);

@@ -74,8 +74,8 @@ static void panel_basis(size_t at, double s, double value[FOUR], double slope[FO
 struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *psi) {
   static const double point[FOUR] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
                                      0.93056815579702629};
-  static const double weight[FOUR] = {0.17392742256872693, 0.32607257743127307,
-                                      0.32607257743127307, 0.17392742256872693};
+  static const double weight[FOUR] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                      0.17392742256872693};
   const double *x = s->state, *y = x + s->n, *phi = y + s->n;
   double value[3][FOUR][FOUR], slope[3][FOUR][FOUR];
   for (size_t at = 0; at < 3; at++)

@@ -10,13 +10,13 @@ enum bem_end { BEM_END_WALL, BEM_END_BED }; /* what the last node slides along *
 
 struct bem_surface {
   size_t n, room;
-  double *state;     /* x[n], y[n], phi[n]: H, H, H sqrt(gH); owned */
-  size_t corner;     /* node where the outline has a kink; 0: none */
+  double *state; /* x[n], y[n], phi[n]: H, H, H sqrt(gH); owned */
+  size_t corner; /* node where the outline has a kink; 0: none */
   enum bem_end right;
-  double tip;        /* the last node is the thin tip of a sheet: spacing there over that of the smooth
-                        surface; 0: it is not */
-  double tank;       /* length of the tank, H */
-  double length;     /* of the tank that the map closes: longer until the tip has met the wall, H */
+  double tip;    /* the last node is the thin tip of a sheet: spacing there over that of the smooth
+                    surface; 0: it is not */
+  double tank;   /* length of the tank, H */
+  double length; /* of the tank that the map closes: longer until the tip has met the wall, H */
 };
 
 struct bem_totals {

@@ -1,9 +1,10 @@
 #include "cli/registry.h"
 
+#include "bem/solver.h"
 #include "common/wave_solver.h"
 #include "sph/solver.h"
 
-static const struct solver *const solvers[] = {&sph_solver, &wave_solver};
+static const struct solver *const solvers[] = {&bem_solver, &sph_solver, &wave_solver};
 
 const struct registry registry = {
     .solvers = solvers,

@@ -1,0 +1,10 @@
+/* What a run of this solver may set; the table behind it is in solver.c. */
+#pragma once
+
+struct bem_options {
+  double tolerance;         /* of CVODE */
+  double gmres;             /* relative residual of the boundary system */
+  int dense;                /* nodes solved by dense factorisation */
+  double film;              /* thickness below which the film on the wall is cut, m */
+  double filter, smoothing; /* rates, 1/sqrt(H/g) */
+};

@@ -1,0 +1,175 @@
+#include "bem/output.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/gauge.h"
+
+void bem_output_destroy(struct bem_output *o) {
+  bem_pressure_destroy(&o->pressure);
+  geo_lines_destroy(&o->line);
+  free(o->state);
+}
+
+static enum status reserve(struct bem_output *o, size_t n) {
+  if (n > o->most_nodes) o->most_nodes = n;
+  if (n <= o->room) return OK;
+  double *state = malloc(8 * n * sizeof *state);
+  CHECK(state, ERR_MEMORY, "no memory for an output of %zu nodes", n);
+  free(o->state);
+  o->state = state;
+  o->field = state + 3 * n;
+  o->room = n;
+  return OK;
+}
+
+/* The surface in SI units, without the part that has run through the right wall before it is cut.
+ */
+static enum status polyline(struct bem_output *o, const struct bem_surface *s,
+                            const double *state) {
+  const struct case_file *c = o->c;
+  const double *x = state, *y = state + s->n;
+  geo_lines_clear(&o->line);
+  TRY(geo_lines_begin(&o->line, false));
+  for (size_t k = 0; k < s->n; k++) {
+    double px = x[k], py = y[k];
+    bool beyond = px > s->tank;
+    if (beyond && k > 0) {
+      double a = (s->tank - x[k - 1]) / (x[k] - x[k - 1]);
+      px = s->tank;
+      py = y[k - 1] + a * (y[k] - y[k - 1]);
+    }
+    TRY(geo_lines_add(&o->line, c->tank.min[0] + c->H * px, c->tank.min[1] + c->H * py));
+    if (beyond) break;
+  }
+  return OK;
+}
+
+static enum status write_surface(struct bem_output *o, struct bem_flow *f, const double *state,
+                                 double seconds) {
+  const struct case_file *c = o->c;
+  const size_t n = f->surface.n;
+  double velocity = sqrt(c->gravity * c->H);
+  TRY(bem_flow_solve(f, state, 0));
+  double *x = o->field, *y = x + n, *phi = y + n, *u = phi + n, *v = u + n;
+  for (size_t k = 0; k < n; k++) {
+    x[k] = c->tank.min[0] + c->H * state[k];
+    y[k] = c->tank.min[1] + c->H * state[n + k];
+    phi[k] = c->H * velocity * state[2 * n + k];
+    u[k] = velocity * f->u[k];
+    v[k] = velocity * f->v[k];
+  }
+  const struct result_field fields[] = {
+      {"velocity", "m s-1", "velocity of the water", u, v},
+      {"potential", "m2 s-1", "velocity potential", phi, NULL},
+  };
+  TRY(result_points(o->file, seconds, n, x, y, RESULT_LINE, sizeof fields / sizeof *fields,
+                    fields));
+  TRY(polyline(o, &f->surface, state));
+  TRY(result_surface(o->file, seconds, &o->line));
+  return result_flush(o->file);
+}
+
+enum status bem_output_surfaces(struct bem_output *o, struct bem_flow *f,
+                                struct bem_stepper *stepper, double time) {
+  const struct case_file *c = o->c;
+  TRY(reserve(o, f->surface.n));
+  for (;; o->next_output++) {
+    double seconds = (double)o->next_output * c->every, at = seconds / o->time_scale;
+    if (seconds > c->end * (1 + 1e-12) || at > time) return OK;
+    if (stepper) TRY(bem_stepper_interpolate(stepper, at, o->state));
+    TRY(write_surface(o, f, stepper ? o->state : f->surface.state, seconds));
+  }
+}
+
+/* Mean over the length of the sensor along its wall. */
+static double probe_pressure(const struct bem_output *o, const struct bem_flow *f,
+                             const struct case_probe *p) {
+  enum { PARTS = 16 };
+  const struct case_file *c = o->c;
+  double near = 1e-6 * (c->tank.max[0] - c->tank.min[0]), sum = 0;
+  bool upright = fabs(p->x - c->tank.min[0]) < near || fabs(p->x - c->tank.max[0]) < near;
+  int parts = p->size > 0 ? PARTS : 1;
+  for (int i = 0; i < parts; i++) {
+    double s = p->size * ((i + 0.5) / parts - 0.5);
+    double x = p->x - c->tank.min[0] + (upright ? 0 : s),
+           y = p->y - c->tank.min[1] + (upright ? s : 0);
+    sum += bem_pressure_at(&o->pressure, f, f->surface.state, x / c->H, y / c->H);
+  }
+  return c->density * c->gravity * c->H * sum / parts;
+}
+
+enum status bem_output_series(struct bem_output *o, struct bem_flow *f,
+                              const struct bem_stepper *stepper, double time, double dt) {
+  const struct case_file *c = o->c;
+  const double *state = f->surface.state;
+  double seconds = time * o->time_scale;
+  if (seconds < (double)o->next_sample * c->sample) return OK;
+  o->next_sample = (size_t)floor(seconds / c->sample) + 1;
+  TRY(bem_flow_solve(f, state, c->n_probes > 0));
+  struct bem_totals t = bem_surface_totals(&f->surface, f->psi);
+  o->volume = t.volume + o->removed_volume;
+  o->energy = t.kinetic + t.potential + o->removed_energy;
+  if (time == 0) o->first_energy = o->energy;
+  o->drift = o->first_energy != 0 ? o->energy / o->first_energy - 1 : 0;
+
+  double area = c->H * c->H, joule = c->density * c->gravity * area * c->H;
+  double lift =
+      c->density * c->gravity * area * c->tank.min[1]; /* of the bed above y = 0, by volume */
+  struct result_energy e = {.time = seconds,
+                            .kinetic = joule * t.kinetic,
+                            .potential = joule * t.potential + lift * t.volume,
+                            .removed = joule * o->removed_energy + lift * o->removed_volume};
+  e.total = e.kinetic + e.potential;
+  struct bem_stepper_counts n = bem_stepper_count(stepper);
+  struct result_step step = {.time = seconds,
+                             .dt = dt * o->time_scale,
+                             .evaluations = n.evaluations,
+                             .wall_time = progress_wall_clock() - o->start,
+                             .volume = area * t.volume,
+                             .removed_volume = area * o->removed_volume};
+  TRY(result_energy(o->file, &e));
+  TRY(result_step(o->file, &step));
+  if (c->n_probes > 0) TRY(bem_pressure_solve(&o->pressure, f, state));
+  for (size_t i = 0; i < c->n_probes; i++)
+    TRY(result_probe(o->file, i, seconds, probe_pressure(o, f, &c->probes[i])));
+  if (c->n_gauges > 0) TRY(polyline(o, &f->surface, state));
+  for (size_t i = 0; i < c->n_gauges; i++)
+    TRY(result_gauge(o->file, i, seconds,
+                     gauge_elevation(&o->line, c->gauges[i].x, c->tank.min[1])));
+  return OK;
+}
+
+enum status bem_output_event(struct bem_output *o, const char *name, double time, double x,
+                             double y) {
+  const struct case_file *c = o->c;
+  return result_event(o->file, name, time * o->time_scale, c->tank.min[0] + c->H * x,
+                      c->tank.min[1] + c->H * y);
+}
+
+enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f,
+                                  const struct bem_stepper *stepper) {
+  struct bem_stepper_counts n = bem_stepper_count(stepper);
+  struct bem_solve_counts s = bem_solve_count(f->solve);
+  const struct {
+    const char *name;
+    double value;
+    const char *help;
+  } all[] = {
+      {"cvode_steps", n.steps, "internal steps of CVODE"},
+      {"evaluations", n.evaluations, "of the right-hand side by CVODE"},
+      {"initialisations", n.initialisations,
+       "of CVODE: the first and one after every new mesh or cut"},
+      {"matrix_assemblies", s.assemblies, "of the boundary system, outputs included"},
+      {"linear_solves", s.solves, "with these matrices"},
+      {"gmres_iterations", s.iterations, "of all linear solves together"},
+      {"dense_factorisations", s.dense_factorisations, "by LAPACK"},
+      {"near_field_factorisations", s.near_factorisations, "by UMFPACK, for the preconditioner"},
+      {"nodes_most", (double)o->most_nodes, "of the surface at any output"},
+      {"nodes_last", (double)f->surface.n, "of the surface at the end"},
+  };
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    TRY(result_statistic(o->file, all[i].name, all[i].value, all[i].help));
+  return OK;
+}

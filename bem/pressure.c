@@ -1,0 +1,50 @@
+#include "bem/pressure.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bem/integrals.h"
+
+void bem_pressure_destroy(struct bem_pressure *p) {
+  free(p->phi_t);
+  *p = (struct bem_pressure){0};
+}
+
+enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const double *state) {
+  const size_t n = f->surface.n;
+  if (n > p->room) {
+    double *both = calloc(2 * n, sizeof *both);
+    CHECK(both, ERR_MEMORY, "no memory for the pressure at %zu nodes", n);
+    free(p->phi_t);
+    p->phi_t = both;
+    p->psi_t = both + n;
+    p->room = n;
+  }
+  for (size_t k = 0; k < n; k++) {
+    double u = f->u[k], v = f->v[k];
+    p->phi_t[k] = -0.5 * (u * u + v * v) - (state[n + k] - f->level);
+  }
+  return bem_solve_again(f->solve, p->phi_t, p->psi_t);
+}
+
+/* Whether a point of the boundary of the tank is under water. */
+static bool wet(const struct bem_surface *s, const double *state, double x, double y) {
+  const size_t n = s->n;
+  const double near = 1e-9;
+  if (x < near) return y < state[n];
+  if (x > s->tank - near) return s->right == BEM_END_WALL && y < state[2 * n - 1];
+  return y < near && (s->right == BEM_END_WALL || x < state[n - 1]);
+}
+
+double bem_pressure_at(const struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                       double x, double y) {
+  const struct bem_surface *s = &f->surface;
+  if (!wet(s, state, x, y)) return 0;
+  double complex z = CMPLX(x, y), tau = bem_map(s->length, z), value, slope;
+  tau = creal(tau); /* a wall is on the real axis */
+  bem_integrals_inside(&f->panels, state + 2 * s->n, f->psi, tau, &value, &slope);
+  double complex w = slope * bem_map_slope(s->length, z);
+  bem_integrals_inside(&f->panels, p->phi_t, p->psi_t, tau, &value, &slope);
+  return -creal(value) - 0.5 * creal(w * conj(w)) - (y - f->level);
+}

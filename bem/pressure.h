@@ -1,0 +1,19 @@
+/* Pressure on the walls: the rate of change of the potential is harmonic too and known on the
+ * surface by Bernoulli's equation, so the system just solved for psi gives it with another
+ * right-hand side. */
+#pragma once
+#include "bem/flow.h"
+
+struct bem_pressure {
+  size_t room;
+  double *phi_t, *psi_t; /* rate of change of phi and psi at the nodes, g H, [n], owned */
+};
+
+void bem_pressure_destroy(struct bem_pressure *p);
+
+/* Call after bem_flow_solve(f, state, keep = 1). */
+enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const double *state);
+
+/* Pressure (rho g H) at a point of a wall of the same state; 0 where the wall is dry. */
+double bem_pressure_at(const struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                       double x, double y);

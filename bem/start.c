@@ -1,0 +1,98 @@
+#include "bem/start.h"
+
+#include <math.h>
+
+static const double TOE = 0.15;  /* of the released column, see struct bem_surface */
+static const double NEAR = 1e-9; /* of the tank: lengths that count as equal */
+enum { FEWEST = 8 };             /* nodes that a surface needs */
+
+static bool is_rectangle(const struct geo_lines *l, const struct geo_box *b) {
+  if (l->pieces != 1 || l->points != 4) return false;
+  double near = NEAR * (b->max[0] - b->min[0]);
+  for (size_t k = 0; k < 4; k++)
+    for (int d = 0; d < 2; d++)
+      if (fabs(l->p[k][d] - b->min[d]) > near && fabs(l->p[k][d] - b->max[d]) > near) return false;
+  return true;
+}
+
+void bem_start_check(const struct case_file *c, const struct case_run *r,
+                     struct problems *problems) {
+  if (!c->rectangular)
+    problems_add(
+        problems, r->line,
+        "run %s: solver bem needs a rectangular tank: one wall down the left side, along a "
+        "flat bed, up the right side",
+        r->name);
+  double width = c->tank.max[0] - c->tank.min[0], near = NEAR * width;
+  if (c->wave.kind != CASE_WAVE_NONE) {
+    double halves = 2 * width / c->wave.wavelength;
+    if (fabs(halves - round(halves)) > 1e-6 * halves)
+      problems_add(
+          problems, r->line,
+          "run %s: the tank is %.6g half wavelengths wide; solver bem needs a whole number",
+          r->name, halves);
+    if (width / c->H * r->resolution < FEWEST)
+      problems_add(
+          problems, r->line,
+          "run %s: resolution %.6g gives the surface %.3g nodes; solver bem needs at least %d",
+          r->name, r->resolution, width / c->H * r->resolution, FEWEST);
+    return;
+  }
+  if (c->water.pieces != 1) {
+    problems_add(problems, r->line, "run %s: solver bem needs exactly one water region, found %zu",
+                 r->name, c->water.pieces);
+    return;
+  }
+  struct geo_box b = geo_lines_box(&c->water);
+  if (!is_rectangle(&c->water, &b) || fabs(b.min[0] - c->tank.min[0]) > near ||
+      fabs(b.min[1] - c->tank.min[1]) > near)
+    problems_add(
+        problems, r->line,
+        "run %s: solver bem needs a rectangle of water that stands on the bed against the left "
+        "wall",
+        r->name);
+  if (c->velocity[0] != 0 || c->velocity[1] != 0)
+    problems_add(problems, r->line, "run %s: solver bem starts from rest; remove water.velocity",
+                 r->name);
+  double shortest = fmin(b.max[0] - b.min[0], b.max[1] - b.min[1]) / c->H;
+  if (shortest * r->resolution < FEWEST)
+    problems_add(
+        problems, r->line,
+        "run %s: resolution %.6g gives the shorter side of the water %.3g nodes; solver bem "
+        "needs at least %d",
+        r->name, r->resolution, shortest * r->resolution, FEWEST);
+}
+
+enum status bem_start_surface(const struct case_file *c, const struct case_run *r,
+                              struct bem_flow *f) {
+  struct bem_surface *s = &f->surface;
+  struct geo_box b = geo_lines_box(&c->water);
+  double tank = (c->tank.max[0] - c->tank.min[0]) / c->H;
+  double wide = tank, high = c->wave.depth / c->H;
+  if (c->wave.kind == CASE_WAVE_NONE) {
+    wide = (b.max[0] - b.min[0]) / c->H;
+    high = (b.max[1] - b.min[1]) / c->H;
+  }
+  bool released = wide < tank * (1 - NEAR);
+  f->mesh.resolution = r->resolution;
+  f->level = wide * high / tank;
+  s->tank = tank;
+  s->right = released ? BEM_END_BED : BEM_END_WALL;
+  s->length = released ? 2 * tank : tank;
+  s->tip = released ? TOE : 0;
+  size_t top = (size_t)ceil(wide * r->resolution),
+         side = released ? (size_t)ceil(high * r->resolution) : 0;
+  s->corner = released ? top : 0;
+  TRY(bem_surface_reserve(s, top + side + 1));
+  double *x = s->state, *y = x + s->n, *phi = y + s->n;
+  double wave = 2 * M_PI * c->H / c->wave.wavelength, amplitude = c->wave.amplitude / c->H;
+  for (size_t k = 0; k < s->n; k++) {
+    x[k] = k < top ? wide * (double)k / (double)top : wide;
+    y[k] = k <= top ? high : high * (double)(s->n - 1 - k) / (double)side;
+    phi[k] = 0;
+    if (c->wave.kind != CASE_WAVE_NONE) y[k] += amplitude * cos(wave * x[k]);
+  }
+  if (released) /* the spacing at the toe is found by repetition */
+    for (int i = 0; i < 4; i++) TRY(bem_mesh_regrid(&f->mesh, s));
+  return OK;
+}

@@ -1,0 +1,11 @@
+/* From the case to the surface at t = 0, and what this solver cannot start from. */
+#pragma once
+#include "bem/flow.h"
+#include "common/case.h"
+
+void bem_start_check(const struct case_file *c, const struct case_run *r,
+                     struct problems *problems);
+
+/* Sets f->surface, f->mesh.resolution and f->level. */
+enum status bem_start_surface(const struct case_file *c, const struct case_run *r,
+                              struct bem_flow *f);
