@@ -1,0 +1,372 @@
+#include "compare/comparison.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/outline.h"
+
+/* Outputs this close (in sqrt(H/g)) count as simultaneous. */
+static const double simultaneous = 0.01;
+/* An outline that encloses less or more than the run's own volume by this fraction is not trusted. */
+static const double enclosed_tolerance = 0.2;
+
+/* ---- what is compared where and when ---- */
+
+static int ascending(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static enum status times_set(struct comparison *c) {
+  const struct case_file *s = c->settings;
+  size_t room = s->compare.n_times + s->compare.n_tolerances + 3, n = 0;
+  c->times = malloc(room * sizeof *c->times);
+  CHECK(c->times, ERR_MEMORY, "no memory for %zu comparison times", room);
+  for (size_t i = 0; i < s->compare.n_times; i++)
+    c->times[n++] = s->compare.times[i] / c->scales.T;
+  for (size_t i = 0; i < s->compare.n_tolerances; i++)
+    if (isfinite(s->compare.tolerances[i].at))
+      c->times[n++] = s->compare.tolerances[i].at / c->scales.T;
+  const struct cmp_data *ref = &c->ref.data;
+  if (!n && ref->n) /* nothing asked: thirds of the reference's time */
+    for (size_t k = 1; k <= 3; k++) c->times[n++] = ref->t[(ref->n - 1) * k / 3];
+  qsort(c->times, n, sizeof *c->times, ascending);
+  c->n_times = 0;
+  for (size_t i = 0; i < n; i++)
+    if (!c->n_times || c->times[i] - c->times[c->n_times - 1] > 1e-6)
+      c->times[c->n_times++] = c->times[i];
+  return OK;
+}
+
+static void box_join(struct geo_box *a, const struct geo_box *b) {
+  for (int k = 0; k < 2; k++) {
+    a->min[k] = fmin(a->min[k], b->min[k]);
+    a->max[k] = fmax(a->max[k], b->max[k]);
+  }
+}
+
+static void window_set(struct comparison *c) {
+  struct geo_box all = geo_lines_box(&c->ref.data.walls);
+  for (size_t r = 0; r <= c->n_runs; r++) {
+    const struct cmp_data *d = r < c->n_runs ? &c->run[r].data : &c->ref.data;
+    for (size_t i = 0; i < d->n; i++)
+      if (d->surface[i].points) {
+        struct geo_box box = geo_lines_box(&d->surface[i]);
+        box_join(&all, &box);
+      }
+  }
+  c->window_whole = true;
+  const struct geo_box *asked = &c->settings->compare.window;
+  for (int k = 0; k < 2; k++) {
+    c->window.min[k] = asked->min[k] / c->scales.H;
+    c->window.max[k] = asked->max[k] / c->scales.H;
+    if (c->window.min[k] > all.min[k] || c->window.max[k] < all.max[k]) c->window_whole = false;
+    c->window.min[k] = fmax(c->window.min[k], all.min[k] - 1);
+    c->window.max[k] = fmin(c->window.max[k], all.max[k] + 1);
+  }
+}
+
+static void labels_make_unique(struct comparison *c) {
+  for (size_t r = 0; r < c->n_runs; r++) {
+    char *label = c->run[r].data.label;
+    size_t room = sizeof c->run[r].data.label;
+    unsigned copies = 1;
+    if (!strcmp(c->ref.data.file->run, c->run[r].data.file->run)) copies++;
+    for (size_t q = 0; q < r; q++)
+      if (!strcmp(c->run[q].data.file->run, c->run[r].data.file->run)) copies++;
+    if (copies > 1) snprintf(label, room, "%.60s (%u)", c->run[r].data.file->run,
+                             copies);
+  }
+}
+
+/* ---- surfaces ---- */
+
+static void unavailable(struct cmp_at *at, struct cmp_value why) {
+  at->hausdorff = at->frechet = at->mean = at->largest = at->area = why;
+}
+
+/* The volume enclosed by an outline must be the run's, or the outline is not what it seems. */
+static bool encloses(const struct cmp_data *d, double t, const struct cmp_outline *o,
+                     struct cmp_value *why) {
+  struct cmp_signal volume = cmp_series_signal(&d->volume);
+  double expected = cmp_signal_at(&volume, t), found = cmp_outline_enclosed(o);
+  if (!isfinite(expected) || fabs(found - expected) <= enclosed_tolerance * expected) return true;
+  *why = cmp_unknown("the outline of %.40s encloses %.0f %% of its water", d->label,
+                     100 * found / expected);
+  return false;
+}
+
+/* `all`: also what is costly, the Hausdorff and Frechet distances. */
+static enum status surfaces_compare(const struct comparison *c, struct cmp_geos *g,
+                                    const struct cmp_run *run, struct cmp_at *at, bool all) {
+  enum status status = OK;
+  const struct cmp_data *a = &run->data, *b = &c->ref.data;
+  struct cmp_outline *p = NULL, *q = NULL;
+  struct cmp_distance distance;
+  unavailable(at, cmp_unknown("not computed"));
+  double step = fmax(a->dx / 2, 1e-3);
+  ATTEMPT(cmp_outline_create(g, &a->surface[at->output], &a->walls, &c->window, step, &p));
+  ATTEMPT(cmp_outline_create(g, &b->surface[at->ref_output], &b->walls, &c->window, step, &q));
+  ATTEMPT(cmp_outline_distance(p, q, &distance, &at->mean, &at->largest));
+  memcpy(at->where, distance.at, sizeof at->where);
+  at->noise_area = run->noise * cmp_outline_length(q);
+  if (encloses(a, at->t, p, &at->area) && encloses(b, at->ref_t, q, &at->area))
+    ATTEMPT(cmp_outline_area(p, q, &at->area));
+  if (all) {
+    ATTEMPT(cmp_outline_hausdorff(p, q, &at->hausdorff));
+    ATTEMPT(cmp_outline_frechet(p, q, &at->frechet));
+  }
+done:
+  cmp_outline_destroy(p);
+  cmp_outline_destroy(q);
+  return status;
+}
+
+/* One bad surface must not cost the report: it says why there is no number. */
+static void surfaces_measure(const struct comparison *c, struct cmp_geos *g,
+                             const struct cmp_run *run, struct cmp_at *at, bool all) {
+  if (surfaces_compare(c, g, run, at, all) != OK)
+    unavailable(at, cmp_unknown("%.100s", status_message()));
+}
+
+static void at_choose(const struct comparison *c, const struct cmp_run *run, double t,
+                      struct cmp_at *at) {
+  const struct cmp_data *a = &run->data, *b = &c->ref.data;
+  *at = (struct cmp_at){.t = NAN, .ref_t = NAN, .where = {NAN, NAN}, .noise_area = NAN};
+  at->output = cmp_data_output(a, t, 0.5 * cmp_data_interval(a) + 1e-9);
+  at->ref_output = SIZE_MAX;
+  if (at->output == SIZE_MAX) {
+    unavailable(at, !a->n ? cmp_unknown("%.60s has no surfaces", a->label)
+                          : cmp_unknown("%.40s has no surface near t* = %.4g (its last: %.4g)",
+                                        a->label, t, a->t[a->n - 1]));
+    return;
+  }
+  at->t = a->t[at->output];
+  at->ref_output = cmp_data_output(b, at->t, 0.5 * cmp_data_interval(b) + 1e-9);
+  if (at->ref_output == SIZE_MAX)
+    unavailable(at, !b->n ? cmp_unknown("%.60s has no surfaces", b->label)
+                          : cmp_unknown("%.40s has no surface near t* = %.4g (its last: %.4g)",
+                                        b->label, at->t, b->t[b->n - 1]));
+  else
+    at->ref_t = b->t[at->ref_output];
+}
+
+static enum status evolution_measure(const struct comparison *c, struct cmp_run *run) {
+  struct cmp_evolution *e = &run->evolution;
+  size_t n = run->data.n;
+  e->t = calloc(n + 1, sizeof *e->t);
+  e->mean = calloc(n + 1, sizeof *e->mean);
+  e->largest = calloc(n + 1, sizeof *e->largest);
+  e->area = calloc(n + 1, sizeof *e->area);
+  struct cmp_at *at = calloc(n + 1, sizeof *at);
+  if (!e->t || !e->mean || !e->largest || !e->area || !at) {
+    free(at);
+    return status_raise(ERR_MEMORY, "no memory for %zu outputs", n);
+  }
+  for (size_t i = 0; i < n; i++) {
+    size_t j = cmp_data_output(&c->ref.data, run->data.t[i], simultaneous);
+    if (j == SIZE_MAX) continue;
+    at[e->n] = (struct cmp_at){i, j, .t = run->data.t[i], .ref_t = c->ref.data.t[j]};
+    e->t[e->n++] = run->data.t[i];
+  }
+#pragma omp parallel
+  {
+    struct cmp_geos *g = cmp_geos_create();
+#pragma omp for schedule(dynamic)
+    for (size_t i = 0; i < e->n; i++) {
+      unavailable(&at[i], cmp_unknown("no memory for GEOS"));
+      if (g) surfaces_measure(c, g, run, &at[i], false);
+      e->mean[i] = at[i].mean.value;
+      e->largest[i] = at[i].largest.value;
+      e->area[i] = at[i].area.value;
+    }
+    cmp_geos_destroy(g);
+  }
+  free(at);
+  return OK;
+}
+
+/* Until when the mean distance stays within one particle spacing, linear between outputs. */
+static void agreement_measure(struct cmp_run *run) {
+  const struct cmp_evolution *e = &run->evolution;
+  double limit = 2 * run->noise, before_t = NAN, before = NAN;
+  run->agreement = cmp_unknown("no surfaces at common times");
+  for (size_t i = 0; i < e->n; i++) {
+    if (!isfinite(e->mean[i])) continue;
+    if (e->mean[i] > limit) {
+      double t = e->t[i];
+      if (isfinite(before)) t = before_t + (limit - before) / (e->mean[i] - before) * (t - before_t);
+      run->agreement = cmp_number(t);
+      return;
+    }
+    before = e->mean[i];
+    before_t = e->t[i];
+  }
+  if (isfinite(before_t)) run->agreement = cmp_unknown("it never leaves it");
+}
+
+/* ---- front, energy, volume ---- */
+
+static void front_measure(const struct comparison *c, struct cmp_run *run) {
+  struct cmp_signal ref = cmp_series_signal(&c->ref.data.front);
+  const struct cmp_series *a = &run->data.front;
+  const struct cmp_value *impact = &c->ref.data.impact.time;
+  double until = cmp_known(impact) ? impact->value : INFINITY, worst = -1, when = NAN;
+  for (size_t i = 0; i < a->n && a->t[i] <= until; i++) {
+    double d = fabs(a->value[i] - cmp_signal_at(&ref, a->t[i]));
+    if (d > worst) {
+      worst = d;
+      when = a->t[i];
+    }
+  }
+  run->front = worst >= 0 ? cmp_number(worst) : cmp_unknown("no front at common times");
+  run->front_time = worst >= 0 ? cmp_number(when) : run->front;
+}
+
+static struct cmp_value largest_magnitude(const struct cmp_series *s, double until) {
+  double worst = -1;
+  for (size_t i = 0; i < s->n && s->t[i] <= until; i++) {
+    if (!isfinite(s->value[i])) return cmp_unknown("the energy budget has gaps");
+    worst = fmax(worst, fabs(s->value[i]));
+  }
+  return worst >= 0 ? cmp_number(worst) : cmp_unknown("the file has no energies");
+}
+
+static void budget_measure(const struct comparison *c, struct cmp_run *run) {
+  const struct cmp_value *impact = &c->ref.data.impact.time;
+  run->closure = largest_magnitude(&run->data.closure, INFINITY);
+  run->closure_before = cmp_known(impact)
+                            ? largest_magnitude(&run->data.closure, impact->value)
+                            : cmp_unknown("the reference has no event wall_impact");
+  const struct cmp_series *v = &run->data.volume;
+  double worst = 0;
+  for (size_t i = 0; i < v->n; i++) worst = fmax(worst, fabs(v->value[i] / v->value[0] - 1));
+  run->volume = v->n ? cmp_number(worst) : cmp_unknown("the file has no volumes");
+}
+
+/* ---- signals ---- */
+
+static void pair_add(struct cmp_run *run, const struct cmp_series *a, const struct cmp_series *b,
+                     size_t experiment, enum cmp_quantity quantity) {
+  struct cmp_pair *pair = &run->pairs[run->n_pairs++];
+  *pair = (struct cmp_pair){.a = a, .b = b, .experiment = experiment, .quantity = quantity};
+  struct cmp_signal x = cmp_series_signal(a), y = cmp_series_signal(b);
+  cmp_signal_compare(&x, &y, CMP_ONSET, CMP_SHIFT_REACH, &pair->m);
+}
+
+static enum status pairs_measure(const struct comparison *c, struct cmp_run *run) {
+  const struct cmp_data *ref = &c->ref.data, *d = &run->data;
+  run->pairs = calloc(d->n_probes + d->n_gauges + ref->n_experiments + 1, sizeof *run->pairs);
+  CHECK(run->pairs, ERR_MEMORY, "no memory for the comparison of signals");
+  for (int kind = 0; kind < 2 && run != &c->ref; kind++) {
+    const struct cmp_series *mine = kind ? d->gauges : d->probes;
+    const struct cmp_series *its = kind ? ref->gauges : ref->probes;
+    for (size_t k = 0; k < (kind ? d->n_gauges : d->n_probes); k++) {
+      const struct cmp_series *b =
+          cmp_series_find(its, kind ? ref->n_gauges : ref->n_probes, mine[k].name);
+      if (b) pair_add(run, &mine[k], b, SIZE_MAX, kind ? CMP_ELEVATION : CMP_PRESSURE);
+    }
+  }
+  for (size_t k = 0; k < ref->n_experiments; k++) {
+    const char *target = ref->file->experiments[k].target;
+    const struct cmp_series *probe = cmp_series_find(d->probes, d->n_probes, target);
+    const struct cmp_series *gauge = cmp_series_find(d->gauges, d->n_gauges, target);
+    if (probe)
+      pair_add(run, probe, &ref->experiments[k], k, CMP_PRESSURE);
+    else if (gauge)
+      pair_add(run, gauge, &ref->experiments[k], k, CMP_ELEVATION);
+    else if (!strcmp(target, "front"))
+      pair_add(run, &d->front, &ref->experiments[k], k, CMP_FRONT);
+  }
+  return OK;
+}
+
+/* ---- all of it ---- */
+
+static enum status run_measure(struct comparison *c, struct cmp_geos *g, struct cmp_run *run) {
+  run->noise = run->data.dx / 2;
+  run->at = calloc(c->n_times + 1, sizeof *run->at);
+  CHECK(run->at, ERR_MEMORY, "no memory for %zu comparison times", c->n_times);
+  for (size_t k = 0; k < c->n_times; k++) {
+    at_choose(c, run, c->times[k], &run->at[k]);
+    if (run->at[k].ref_output != SIZE_MAX) surfaces_measure(c, g, run, &run->at[k], true);
+  }
+  TRY(evolution_measure(c, run));
+  agreement_measure(run);
+  front_measure(c, run);
+  budget_measure(c, run);
+  return pairs_measure(c, run);
+}
+
+static enum status same_scales(const struct result_file *ref, const struct result_file *run) {
+  CHECK(fabs(run->H / ref->H - 1) < 1e-9 && fabs(run->g / ref->g - 1) < 1e-9 &&
+            fabs(run->density / ref->density - 1) < 1e-9,
+        ERR_INPUT,
+        "%s has H = %g m, g = %g m/s^2, density = %g kg/m^3, but the reference %s has %g, %g and "
+        "%g: they are not of the same case",
+        run->path, run->H, run->g, run->density, ref->path, ref->H, ref->g, ref->density);
+  return OK;
+}
+
+enum status comparison_create(const struct case_file *settings, const struct result_file *ref,
+                              size_t n, struct result_file *const *runs, struct comparison **out) {
+  enum status status = OK;
+  struct cmp_geos *g = NULL;
+  struct comparison *c = calloc(1, sizeof *c);
+  *out = NULL;
+  CHECK(c, ERR_MEMORY, "no memory for a comparison");
+  c->settings = settings;
+  c->run = calloc(n + 1, sizeof *c->run);
+  g = cmp_geos_create();
+  if (!c->run || !g) {
+    status = status_raise(ERR_MEMORY, "no memory for a comparison of %zu runs", n);
+    goto done;
+  }
+  ATTEMPT(cmp_scales_set(ref, &c->scales));
+  double coarsest = 0;
+  for (size_t r = 0; r < n; r++) {
+    ATTEMPT(same_scales(ref, runs[r]));
+    coarsest = fmax(coarsest, runs[r]->spacing / c->scales.H);
+  }
+  c->depth = 2 * (n ? coarsest : ref->spacing / c->scales.H);
+  ATTEMPT(cmp_data_create(ref, &c->scales, c->depth, &c->ref.data));
+  for (size_t r = 0; r < n; r++) {
+    c->n_runs = r + 1;
+    ATTEMPT(cmp_data_create(runs[r], &c->scales, c->depth, &c->run[r].data));
+  }
+  labels_make_unique(c);
+  ATTEMPT(times_set(c));
+  window_set(c);
+  c->ref.noise = c->ref.data.dx / 2;
+  budget_measure(c, &c->ref);
+  ATTEMPT(pairs_measure(c, &c->ref));
+  for (size_t r = 0; r < n; r++) ATTEMPT(run_measure(c, g, &c->run[r]));
+done:
+  cmp_geos_destroy(g);
+  if (status != OK) {
+    comparison_destroy(c);
+    c = NULL;
+  }
+  *out = c;
+  return status;
+}
+
+static void run_destroy(struct cmp_run *run) {
+  cmp_data_destroy(&run->data);
+  free(run->at);
+  free(run->evolution.t);
+  free(run->evolution.mean);
+  free(run->evolution.largest);
+  free(run->evolution.area);
+  free(run->pairs);
+}
+
+void comparison_destroy(struct comparison *c) {
+  if (!c) return;
+  run_destroy(&c->ref);
+  for (size_t r = 0; c->run && r < c->n_runs; r++) run_destroy(&c->run[r]);
+  free(c->run);
+  free(c->times);
+  free(c);
+}

@@ -1,0 +1,59 @@
+/* Everything that is measured between runs and the reference; all dimensionless (compare/data.h). */
+#pragma once
+#include "common/case.h"
+#include "compare/data.h"
+
+/* A pressure of this many rho g H marks the arrival of the water at a probe, an elevation of this
+ * many H its arrival at a gauge. */
+#define CMP_ONSET 0.05
+#define CMP_SHIFT_REACH 0.5 /* sqrt(H/g): largest time shift tried */
+
+struct cmp_at { /* one run and the reference at one comparison time */
+  size_t output, ref_output; /* SIZE_MAX: none */
+  double t, ref_t;           /* of those outputs */
+  struct cmp_value hausdorff, frechet, mean, largest, area;
+  double where[2];           /* of the largest distance */
+  double noise_area;         /* noise floor of the area */
+};
+
+struct cmp_evolution { /* at every output of the run at which the reference has one too */
+  size_t n;
+  double *t, *mean, *largest, *area; /* [n]; NaN: not available */
+};
+
+struct cmp_pair { /* a signal of a run against the same of the reference or of an experiment */
+  const struct cmp_series *a, *b;
+  size_t experiment; /* index in the reference's experiments; SIZE_MAX: b is the reference's */
+  enum cmp_quantity { CMP_PRESSURE, CMP_ELEVATION, CMP_FRONT } quantity;
+  struct cmp_signal_pair m;
+};
+
+struct cmp_run {
+  struct cmp_data data;
+  struct cmp_at *at; /* [comparison.n_times] */
+  struct cmp_evolution evolution;
+  double noise;                         /* of lengths, H: half a particle spacing */
+  struct cmp_value front, front_time;   /* largest difference until the impact, and when */
+  struct cmp_value agreement;           /* t* until which the mean distance stays within one dx */
+  struct cmp_value closure, closure_before; /* of the energy budget: whole run, until impact */
+  struct cmp_value volume;              /* largest change, relative */
+  size_t n_pairs;
+  struct cmp_pair *pairs;
+};
+
+struct comparison {
+  const struct case_file *settings;
+  struct cmp_scales scales;
+  struct geo_box window; /* finite */
+  bool window_whole;     /* the window leaves nothing out */
+  double depth;          /* at which fronts are taken; the least overhang of a jet */
+  struct cmp_run ref;    /* at, evolution unused; pairs: against experiments */
+  size_t n_runs;
+  struct cmp_run *run;
+  size_t n_times;
+  double *times; /* t*, ascending */
+};
+
+enum status comparison_create(const struct case_file *settings, const struct result_file *ref,
+                              size_t n, struct result_file *const *runs, struct comparison **out);
+void comparison_destroy(struct comparison *c);

@@ -1,0 +1,237 @@
+#include "compare/data.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/gauge.h"
+
+enum status cmp_scales_set(const struct result_file *reference, struct cmp_scales *s) {
+  const struct result_file *f = reference;
+  CHECK(f->H > 0 && f->g > 0 && f->density > 0, ERR_INPUT,
+        "%s: H = %g m, g = %g m/s^2 and density = %g kg/m^3 must be positive", f->path, f->H, f->g,
+        f->density);
+  *s = (struct cmp_scales){.H = f->H, .T = sqrt(f->H / f->g), .p = f->density * f->g * f->H};
+  s->rest = f->rest_potential;
+  s->E = s->p * s->H * s->H;
+  if (f->n_energy) {
+    const struct result_energy *e = &f->energy[0];
+    s->E = e->kinetic + e->potential - s->rest;
+    s->at_rest = !(s->E > 1e-6 * fabs(e->potential));
+    if (s->at_rest) {
+      s->E = e->potential;
+      s->rest = 0;
+    }
+  }
+  if (!(s->E > 0)) s->E = s->p * s->H * s->H;
+  return OK;
+}
+
+/* ---- series ---- */
+
+static enum status series_room(struct cmp_series *s, const char *name, size_t n) {
+  s->name = name;
+  s->t = calloc(n + 1, sizeof *s->t);
+  s->value = calloc(n + 1, sizeof *s->value);
+  CHECK(s->t && s->value, ERR_MEMORY, "no memory for a series of %zu rows", n);
+  return OK;
+}
+
+static void series_free(struct cmp_series *s) {
+  free(s->t);
+  free(s->value);
+}
+
+static void series_add(struct cmp_series *s, double t, double value) {
+  if (s->n && !(t > s->t[s->n - 1])) return; /* a row at the same instant says nothing new */
+  s->t[s->n] = t;
+  s->value[s->n++] = value;
+}
+
+static enum status series_scaled(const char *name, size_t n, const double *t, const double *value,
+                                 double T, double unit, struct cmp_series *s) {
+  TRY(series_room(s, name, n));
+  for (size_t i = 0; i < n; i++) series_add(s, t[i] / T, value[i] / unit);
+  return OK;
+}
+
+static enum status series_list(const struct result_series *from, size_t n,
+                               const struct cmp_scales *s, double unit, struct cmp_series **to) {
+  *to = calloc(n + 1, sizeof **to);
+  CHECK(*to, ERR_MEMORY, "no memory for %zu series", n);
+  for (size_t k = 0; k < n; k++) {
+    TRY(series_scaled(from[k].name, from[k].n, from[k].t, from[k].value, s->T, unit,
+                      &(*to)[k]));
+    (*to)[k].x = from[k].x / s->H;
+    (*to)[k].y = from[k].y / s->H;
+  }
+  return OK;
+}
+
+const struct cmp_series *cmp_series_find(const struct cmp_series *s, size_t n, const char *name) {
+  for (size_t k = 0; k < n; k++)
+    if (!strcmp(s[k].name, name)) return &s[k];
+  return NULL;
+}
+
+/* ---- the parts of a file ---- */
+
+static double budget(const struct result_energy *e) {
+  return e->kinetic + e->potential + e->internal + e->viscosity + e->diffusion + e->walls +
+         e->removed;
+}
+
+static enum status energies(const struct result_file *f, const struct cmp_scales *s,
+                            struct cmp_data *d) {
+  struct cmp_series *all[] = {&d->kinetic,   &d->potential, &d->mechanical, &d->internal,
+                              &d->viscosity, &d->diffusion, &d->closure};
+  static const char *const names[] = {"kinetic",   "potential", "mechanical", "internal",
+                                      "viscosity", "diffusion", "closure"};
+  enum { SERIES = sizeof all / sizeof *all };
+  for (size_t k = 0; k < SERIES; k++) TRY(series_room(all[k], names[k], f->n_energy));
+  for (size_t i = 0; i < f->n_energy; i++) {
+    const struct result_energy *e = &f->energy[i];
+    double value[SERIES] = {e->kinetic,
+                            e->potential - s->rest,
+                            e->kinetic + e->potential + e->removed - s->rest,
+                            e->internal,
+                            e->viscosity,
+                            e->diffusion,
+                            budget(e) - budget(&f->energy[0])};
+    for (size_t k = 0; k < SERIES; k++) series_add(all[k], e->time / s->T, value[k] / s->E);
+  }
+  TRY(series_room(&d->volume, "volume", f->n_steps));
+  for (size_t i = 0; i < f->n_steps; i++)
+    series_add(&d->volume, f->steps[i].time / s->T,
+               (f->steps[i].volume + f->steps[i].removed_volume) / (s->H * s->H));
+  return OK;
+}
+
+static enum status lines_scaled(const struct geo_lines *from, double H, struct geo_lines *to) {
+  TRY(geo_lines_copy(to, from));
+  for (size_t i = 0; i < to->points; i++) {
+    to->p[i][0] /= H;
+    to->p[i][1] /= H;
+  }
+  return OK;
+}
+
+static enum status surfaces(const struct result_file *f, const struct cmp_scales *s, double depth,
+                            struct cmp_data *d) {
+  size_t n = f->n_surfaces;
+  d->t = calloc(n + 1, sizeof *d->t);
+  d->surface = calloc(n + 1, sizeof *d->surface);
+  d->jet = calloc(n + 1, sizeof *d->jet);
+  CHECK(d->t && d->surface && d->jet, ERR_MEMORY, "no memory for %zu surfaces", n);
+  TRY(series_room(&d->front, "front", n));
+  for (size_t i = 0; i < n; i++) {
+    double t = f->surface_time[i] / s->T;
+    if (d->n && !(t > d->t[d->n - 1])) continue;
+    d->t[d->n] = t;
+    TRY(lines_scaled(&f->surface[i], s->H, &d->surface[d->n++]));
+    const struct geo_lines *surface = &d->surface[d->n - 1];
+    cmp_jet_find(surface, 1, depth, &d->jet[d->n - 1]);
+    double front = gauge_front(surface, d->bed, depth);
+    if (isfinite(front)) series_add(&d->front, t, front);
+  }
+  return OK;
+}
+
+static bool event_take(const struct result_file *f, const struct cmp_scales *s, const char *name,
+                       struct cmp_instant *instant) {
+  for (size_t k = 0; k < f->n_events; k++)
+    if (!strcmp(f->events[k].name, name)) {
+      const struct result_event_read *e = &f->events[k];
+      *instant = (struct cmp_instant){cmp_number(e->time / s->T), 0, {e->x / s->H, e->y / s->H}};
+      return true;
+    }
+  return false;
+}
+
+static void instants(const struct result_file *f, const struct cmp_scales *s, struct cmp_data *d) {
+  if (!event_take(f, s, "wall_impact", &d->impact))
+    d->impact =
+        (struct cmp_instant){cmp_unknown("the file has no event wall_impact"), NAN, {NAN, NAN}};
+  if (!event_take(f, s, "overturning", &d->overturning))
+    cmp_jet_overturning(d->jet, d->t, d->n, &d->overturning);
+  if (!event_take(f, s, "touchdown", &d->touchdown))
+    cmp_jet_touchdown(d->jet, d->t, d->n, &d->touchdown);
+}
+
+static enum status experiments(const struct result_file *f, const struct cmp_scales *s,
+                               struct cmp_data *d) {
+  d->n_experiments = f->n_experiments;
+  d->experiments = calloc(f->n_experiments + 1, sizeof *d->experiments);
+  CHECK(d->experiments, ERR_MEMORY, "no memory for %zu experiments", f->n_experiments);
+  for (size_t k = 0; k < f->n_experiments; k++) {
+    const struct case_experiment *e = &f->experiments[k];
+    double unit = cmp_series_find(d->probes, d->n_probes, e->target) ? s->p : s->H;
+    TRY(series_scaled(e->label, e->n, e->t, e->value, s->T, unit, &d->experiments[k]));
+  }
+  return OK;
+}
+
+enum status cmp_data_create(const struct result_file *f, const struct cmp_scales *s, double depth,
+                            struct cmp_data *d) {
+  *d = (struct cmp_data){.file = f, .dx = f->spacing / s->H};
+  CHECK(f->spacing > 0, ERR_INPUT, "%s: its spacing is %g m; it must be positive", f->path,
+        f->spacing);
+  snprintf(d->label, sizeof d->label, "%s", f->run);
+  TRY(lines_scaled(&f->walls, s->H, &d->walls));
+  d->bed = geo_lines_box(&d->walls).min[1];
+  TRY(surfaces(f, s, depth, d));
+  TRY(energies(f, s, d));
+  d->n_probes = f->n_probes;
+  TRY(series_list(f->probes, f->n_probes, s, s->p, &d->probes));
+  d->n_gauges = f->n_gauges;
+  TRY(series_list(f->gauges, f->n_gauges, s, s->H, &d->gauges));
+  TRY(experiments(f, s, d));
+  instants(f, s, d);
+  return OK;
+}
+
+void cmp_data_destroy(struct cmp_data *d) {
+  if (!d) return;
+  for (size_t i = 0; d->surface && i < d->n; i++) geo_lines_destroy(&d->surface[i]);
+  free(d->t);
+  free(d->surface);
+  free(d->jet);
+  geo_lines_destroy(&d->walls);
+  struct cmp_series *single[] = {&d->kinetic,   &d->potential, &d->mechanical,
+                                 &d->internal,  &d->viscosity, &d->diffusion,
+                                 &d->closure,   &d->volume,    &d->front};
+  for (size_t k = 0; k < sizeof single / sizeof *single; k++) series_free(single[k]);
+  struct {
+    struct cmp_series *s;
+    size_t n;
+  } list[] = {{d->probes, d->n_probes}, {d->gauges, d->n_gauges},
+              {d->experiments, d->n_experiments}};
+  for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+    for (size_t i = 0; list[k].s && i < list[k].n; i++) series_free(&list[k].s[i]);
+    free(list[k].s);
+  }
+}
+
+size_t cmp_data_output(const struct cmp_data *d, double t, double slack) {
+  size_t best = SIZE_MAX;
+  for (size_t i = 0; i < d->n; i++)
+    if (fabs(d->t[i] - t) <= slack && (best == SIZE_MAX || fabs(d->t[i] - t) < fabs(d->t[best] - t)))
+      best = i;
+  return best;
+}
+
+static int ascending(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+double cmp_data_interval(const struct cmp_data *d) {
+  if (d->n < 2) return 0;
+  double *gap = malloc(d->n * sizeof *gap), median = (d->t[d->n - 1] - d->t[0]) / (double)(d->n - 1);
+  if (!gap) return median;
+  for (size_t i = 0; i + 1 < d->n; i++) gap[i] = d->t[i + 1] - d->t[i];
+  qsort(gap, d->n - 1, sizeof *gap, ascending);
+  median = gap[(d->n - 1) / 2];
+  free(gap);
+  return median;
+}

@@ -1,0 +1,62 @@
+/* A result file as the comparator uses it: without dimensions. Lengths in H, times in sqrt(H/g),
+ * pressures in rho g H, energies in the initial mechanical energy of the reference relative to the
+ * water at rest. Dimensionless times are written t* in what users read. */
+#pragma once
+#include "common/result.h"
+#include "compare/jet.h"
+#include "compare/series.h"
+
+struct cmp_scales {
+  double H, T, p; /* m, s, Pa */
+  double E, rest; /* J/m: energies are (value - rest)/E, rest for the potential energy only */
+  bool at_rest;   /* the water starts (almost) at rest in equilibrium: E is its potential energy */
+};
+
+/* ERR_INPUT when the file lacks what scales need. */
+enum status cmp_scales_set(const struct result_file *reference, struct cmp_scales *s);
+
+struct cmp_series {
+  const char *name; /* borrowed from the file */
+  double x, y;
+  size_t n;
+  double *t, *value; /* owned */
+};
+
+struct cmp_data {
+  const struct result_file *file; /* borrowed */
+  char label[96];                 /* unique among what is compared */
+  double dx;
+
+  size_t n;                  /* outputs with a surface */
+  double *t;                 /* [n] */
+  struct geo_lines *surface; /* [n] */
+  struct geo_lines walls;
+  double bed; /* y of the lowest wall point */
+
+  /* Each on the energy series' own times. mechanical = kinetic + potential + removed, relative to
+   * rest; closure = sum of the budget minus its first value. */
+  struct cmp_series kinetic, potential, mechanical, internal, viscosity, diffusion, closure;
+  struct cmp_series volume; /* with what was removed added back, in H^2 */
+
+  size_t n_probes, n_gauges, n_experiments;
+  struct cmp_series *probes, *gauges;
+  struct cmp_series *experiments; /* name: the label; see file->experiments for the rest */
+
+  struct cmp_series front; /* at every output that has one */
+  struct cmp_jet *jet;     /* [n] */
+  struct cmp_instant impact, overturning, touchdown;
+};
+
+/* `depth` (in H): the front is where the depth falls to it, and the least overhang of a jet. */
+enum status cmp_data_create(const struct result_file *file, const struct cmp_scales *s,
+                            double depth, struct cmp_data *d);
+void cmp_data_destroy(struct cmp_data *d);
+
+static inline struct cmp_signal cmp_series_signal(const struct cmp_series *s) {
+  return (struct cmp_signal){s->n, s->t, s->value};
+}
+
+/* The output nearest to t; SIZE_MAX when none is within `slack`. */
+size_t cmp_data_output(const struct cmp_data *d, double t, double slack);
+double cmp_data_interval(const struct cmp_data *d); /* median time between outputs */
+const struct cmp_series *cmp_series_find(const struct cmp_series *s, size_t n, const char *name);

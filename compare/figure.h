@@ -1,0 +1,60 @@
+/* Figures drawn by gnuplot: each is a script and its data in DIR/figures, drawn as SVG, PDF and PNG.
+ * gnuplot is started directly (no shell) and sees only files named here. */
+#pragma once
+#include <limits.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "common/status.h"
+
+enum cmp_section { /* of the report, in its order */
+  CMP_SECTION_DISTANCE,
+  CMP_SECTION_OVERLAY,
+  CMP_SECTION_JET,
+  CMP_SECTION_FRONT,
+  CMP_SECTION_ENERGY,
+  CMP_SECTION_PRESSURE,
+  CMP_SECTION_GAUGE,
+  CMP_SECTIONS
+};
+
+struct cmp_figure {
+  char name[80];     /* of its files, without suffix */
+  char caption[512]; /* one or two sentences, plain text */
+  enum cmp_section section;
+  bool raster;       /* heavy: the report shows the PNG, not the SVG */
+  int width, height; /* px of a screen */
+  FILE *script;      /* open between begin and end */
+};
+
+struct cmp_figures {
+  char dir[PATH_MAX], temporary[PATH_MAX];
+  size_t n, room;
+  struct cmp_figure *figure;
+};
+
+enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f);
+/* Draws everything (two at a time), checks and puts it in place. ERR_IO with gnuplot's first complaint. */
+enum status cmp_figures_draw(struct cmp_figures *f);
+void cmp_figures_close(struct cmp_figures *f); /* removes what is temporary */
+
+/* Starts a figure: the caller writes gnuplot commands to figure->script. What comes after
+ * cmp_figure_formats is executed once per format (the variable fmt is svg, pdf or png); the script
+ * runs in the folder of its data. The pointer is good until the next begin. */
+enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bool raster,
+                             int width, int height, struct cmp_figure **figure, const char *name,
+                             ...) __attribute__((format(printf, 7, 8)));
+void cmp_figure_formats(struct cmp_figure *figure);
+enum status cmp_figure_end(struct cmp_figure *figure);
+
+/* A data file beside the script: "NAME" + suffix. */
+enum status cmp_figure_data(struct cmp_figures *f, const struct cmp_figure *figure,
+                            const char *suffix, FILE **stream);
+enum status cmp_figure_data_end(const struct cmp_figure *figure, FILE *stream);
+
+/* `text` as a gnuplot string, quoted, whatever it holds. */
+void cmp_gnuplot_string(FILE *script, const char *text);
+/* `text` as a CSV field. */
+void cmp_csv_string(FILE *data, const char *text);
+/* Letters, digits, - and _ of `text`, others as '-'. */
+void cmp_slug(const char *text, char *out, size_t room);

@@ -1,0 +1,150 @@
+#include "compare/series.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Index i of the row with t[i] <= t < t[i + 1]; n - 1 at the very end. */
+static size_t row_before(const struct cmp_signal *s, double t) {
+  size_t low = 0, high = s->n;
+  while (high - low > 1) {
+    size_t middle = low + (high - low) / 2;
+    if (s->t[middle] <= t)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+double cmp_signal_at(const struct cmp_signal *s, double t) {
+  if (!s->n || !(t >= s->t[0]) || t > s->t[s->n - 1]) return NAN;
+  size_t i = row_before(s, t);
+  if (i + 1 == s->n || s->t[i] == t) return s->value[i];
+  double u = (t - s->t[i]) / (s->t[i + 1] - s->t[i]);
+  return s->value[i] + u * (s->value[i + 1] - s->value[i]);
+}
+
+static void peak_find(const struct cmp_signal *s, double from, double to,
+                      struct cmp_signal_alone *m) {
+  double peak = -INFINITY, time = NAN;
+  for (size_t i = 0; i < s->n; i++)
+    if (s->t[i] >= from && s->t[i] <= to && s->value[i] > peak) {
+      peak = s->value[i];
+      time = s->t[i];
+    }
+  for (int end = 0; end < 2; end++) { /* the ends of the range lie between rows */
+    double t = end ? to : from, v = cmp_signal_at(s, t);
+    if (v > peak) {
+      peak = v;
+      time = t;
+    }
+  }
+  m->peak = isfinite(peak) ? cmp_number(peak) : cmp_unknown("no values in the common time range");
+  m->peak_time = isfinite(peak) ? cmp_number(time) : m->peak;
+}
+
+static double impulse(const struct cmp_signal *s, double from, double to) {
+  double sum = 0, t = from, v = cmp_signal_at(s, from);
+  for (size_t i = 0; i < s->n; i++) {
+    if (s->t[i] <= from) continue;
+    double next = fmin(s->t[i], to), w = cmp_signal_at(s, next);
+    sum += (next - t) * (v + w) / 2;
+    t = next;
+    v = w;
+    if (next >= to) break;
+  }
+  return sum;
+}
+
+static struct cmp_value onset(const struct cmp_signal *s, double threshold) {
+  for (size_t i = 0; i < s->n; i++) {
+    if (!(s->value[i] >= threshold)) continue;
+    if (i == 0 || !(s->value[i - 1] < threshold)) return cmp_number(s->t[i]);
+    double u = (threshold - s->value[i - 1]) / (s->value[i] - s->value[i - 1]);
+    return cmp_number(s->t[i - 1] + u * (s->t[i] - s->t[i - 1]));
+  }
+  return cmp_unknown("it never reaches the threshold");
+}
+
+void cmp_signal_measure(const struct cmp_signal *s, double from, double to, double threshold,
+                        struct cmp_signal_alone *m) {
+  peak_find(s, from, to, m);
+  double sum = impulse(s, from, to);
+  m->impulse = isfinite(sum) ? cmp_number(sum) : cmp_unknown("the signal has gaps");
+  m->onset = onset(s, threshold);
+}
+
+/* rms of a(t + shift) - b(t) over [from, to], trapezoidal on `points` instants; NaN when fewer than
+ * four fifths of them have both. */
+static double rms_shifted(const struct cmp_signal *a, const struct cmp_signal *b, double from,
+                          double to, double shift, size_t points) {
+  double sum = 0, weight = 0;
+  for (size_t i = 0; i < points; i++) {
+    double t = from + (to - from) * (double)i / (double)(points - 1);
+    double d = cmp_signal_at(a, t + shift) - cmp_signal_at(b, t);
+    double w = i == 0 || i + 1 == points ? 0.5 : 1;
+    if (!isfinite(d)) continue;
+    sum += w * d * d;
+    weight += w;
+  }
+  return weight >= 0.8 * (double)(points - 1) ? sqrt(sum / weight) : NAN;
+}
+
+static void best_shift(const struct cmp_signal *a, const struct cmp_signal *b, double reach,
+                       struct cmp_signal_pair *pair) {
+  enum { COARSE = 100, POINTS = 800 };
+  pair->shift = cmp_unknown("the signals share too little time");
+  pair->rms_after = pair->shift;
+  double step = reach / COARSE, best = 0, least = INFINITY;
+  for (int k = -COARSE; k <= COARSE; k++) {
+    double r = rms_shifted(a, b, pair->from, pair->to, k * step, POINTS);
+    if (r < least || (r == least && abs(k) * step < fabs(best))) {
+      least = r;
+      best = k * step;
+    }
+  }
+  if (!isfinite(least)) return;
+  if (fabs(best) >= reach * (1 - 0.5 / COARSE)) {
+    pair->shift = cmp_unknown("no best shift within +- the largest tried");
+    pair->rms_after = pair->shift;
+    return;
+  }
+  double low = best - step, high = best + step;
+  const double golden = (sqrt(5) - 1) / 2;
+  for (int k = 0; k < 25; k++) {
+    double u = high - golden * (high - low), v = low + golden * (high - low);
+    double fu = rms_shifted(a, b, pair->from, pair->to, u, POINTS);
+    double fv = rms_shifted(a, b, pair->from, pair->to, v, POINTS);
+    if (fu < fv)
+      high = v;
+    else
+      low = u;
+  }
+  double refined = (low + high) / 2, r = rms_shifted(a, b, pair->from, pair->to, refined, POINTS);
+  if (r < least) { /* else the coarse one, exactly zero for identical signals */
+    best = refined;
+    least = r;
+  }
+  pair->shift = cmp_number(best);
+  pair->rms_after = cmp_number(least);
+}
+
+void cmp_signal_compare(const struct cmp_signal *a, const struct cmp_signal *b, double threshold,
+                        double reach, struct cmp_signal_pair *pair) {
+  memset(pair, 0, sizeof *pair);
+  double from = a->n && b->n ? fmax(a->t[0], b->t[0]) : NAN;
+  double to = a->n && b->n ? fmin(a->t[a->n - 1], b->t[b->n - 1]) : NAN;
+  pair->from = from;
+  pair->to = to;
+  if (!(to > from)) {
+    struct cmp_value none = cmp_unknown("no time in common");
+    pair->a = pair->b = (struct cmp_signal_alone){none, none, none, none};
+    pair->rms = pair->shift = pair->rms_after = none;
+    return;
+  }
+  cmp_signal_measure(a, from, to, threshold, &pair->a);
+  cmp_signal_measure(b, from, to, threshold, &pair->b);
+  double r = rms_shifted(a, b, from, to, 0, 4001);
+  pair->rms = isfinite(r) ? cmp_number(r) : cmp_unknown("too many gaps in the signals");
+  best_shift(a, b, reach, pair);
+}
