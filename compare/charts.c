@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/text.h"
+
 /* Okabe and Ito's colours, yellow left out: it is lost on white. The reference is black. */
 const char *cmp_colour(size_t r) {
   static const char *const palette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
@@ -376,16 +378,19 @@ static enum status probe_chart(const struct comparison *c, struct cmp_figures *f
     instants_mark(c, fig, panel);
     fprintf(fig->script, "set yrange [%.6g:%.6g]\nset ylabel 'p / (ρ g H)'\n", low - room,
             high + room);
-    /* every curve has its name in the last panel's key */
-    bool first = true, last = panel + 1 == panels;
+    bool first = true, last = panel + 1 == panels; /* whose key names every curve */
     experiments_plot(c, fig, family, &first, last);
-    for (size_t r = 0; r < c->n_runs; r++) {
-      if (!family->run[r] || (r != panel && !last)) continue;
-      struct curve k = {r, r == panel ? 4 : 5, c->run[r].data.label, cmp_colour(r), 1, 0, 0};
-      curve_plot(fig, first, &k);
+    if (panel < c->n_runs && family->run[panel]) {
+      const char *name = last ? c->run[panel].data.label : NULL;
+      curve_plot(fig, first, &(struct curve){panel, 4, name, cmp_colour(panel), 1, 0, 0});
       first = false;
     }
     reference_plot(c, fig, family, &first, last);
+    for (size_t r = 0; r + 1 < c->n_runs && last; r++) {
+      fprintf(fig->script, ", \\\n  keyentry with lines linewidth 1.2 linecolor '%s' title ",
+              cmp_colour(r));
+      cmp_gnuplot_string(fig->script, c->run[r].data.label);
+    }
     end_plot(fig);
   }
   return chart_end(fig);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "common/gauge.h"
+#include "compare/text.h"
 
 enum status cmp_scales_set(const struct result_file *reference, struct cmp_scales *s) {
   const struct result_file *f = reference;
@@ -177,6 +178,7 @@ enum status cmp_data_create(const struct result_file *f, const struct cmp_scales
   CHECK(f->spacing > 0, ERR_INPUT, "%s: its spacing is %g m; it must be positive", f->path,
         f->spacing);
   snprintf(d->label, sizeof d->label, "%s", f->run);
+  cmp_text_clean(d->label); /* also of a character cut in half */
   TRY(lines_scaled(&f->walls, s->H, &d->walls));
   d->bed = geo_lines_box(&d->walls).min[1];
   TRY(surfaces(f, s, depth, d));

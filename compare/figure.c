@@ -1,6 +1,5 @@
 #include "compare/figure.h"
 
-#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -13,33 +12,6 @@
 #include "compare/output.h"
 
 enum { WORKERS = 2 }; /* gnuplots at a time */
-
-/* ---- text that gnuplot and CSV readers take literally ---- */
-
-void cmp_gnuplot_string(FILE *script, const char *text) {
-  fputc('\'', script); /* nothing is expanded in single quotes; a quote is doubled */
-  for (; *text; text++) {
-    if (*text == '\'') fputc('\'', script);
-    fputc((unsigned char)*text < ' ' ? ' ' : *text, script);
-  }
-  fputc('\'', script);
-}
-
-void cmp_csv_string(FILE *data, const char *text) {
-  fputc('"', data);
-  for (; *text; text++) {
-    if (*text == '"') fputc('"', data);
-    fputc((unsigned char)*text < ' ' ? ' ' : *text, data);
-  }
-  fputc('"', data);
-}
-
-void cmp_slug(const char *text, char *out, size_t room) {
-  size_t n = 0;
-  for (; *text && n + 1 < room; text++)
-    out[n++] = isalnum((unsigned char)*text) || *text == '_' ? *text : '-';
-  out[n] = 0;
-}
 
 /* ---- the set of figures ---- */
 

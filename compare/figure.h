@@ -51,10 +51,3 @@ enum status cmp_figure_end(struct cmp_figure *figure);
 enum status cmp_figure_data(struct cmp_figures *f, const struct cmp_figure *figure,
                             const char *suffix, FILE **stream);
 enum status cmp_figure_data_end(const struct cmp_figure *figure, FILE *stream);
-
-/* `text` as a gnuplot string, quoted, whatever it holds. */
-void cmp_gnuplot_string(FILE *script, const char *text);
-/* `text` as a CSV field. */
-void cmp_csv_string(FILE *data, const char *text);
-/* Letters, digits, - and _ of `text`, others as '-'. */
-void cmp_slug(const char *text, char *out, size_t room);

@@ -1,0 +1,261 @@
+#include "compare/html.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/html_sections.h"
+#include "compare/output.h"
+#include "compare/style.h"
+#include "compare/summary.h"
+
+#define SECTIONS(X)                                                                                \
+  X(summary, "Summary")                                                                            \
+  X(checks, "Checks")                                                                              \
+  X(distance, "Distance against time")                                                             \
+  X(overlays, "Overlays")                                                                          \
+  X(jet, "Plunging jet")                                                                           \
+  X(front, "Front")                                                                                \
+  X(energy, "Energy")                                                                              \
+  X(pressure, "Pressure")                                                                          \
+  X(gauges, "Water height")                                                                        \
+  X(runs, "Runs and provenance")                                                                   \
+  X(method, "How it is measured")
+
+static void section(struct page *p, const char *id, const char *title) {
+  page_open(p, "h2", NULL);
+  page_attribute(p, "id", id);
+  page_text(p, "%s", title);
+  page_close(p);
+}
+
+static void contents(struct page *p) {
+  page_open(p, "nav", NULL);
+  page_element(p, "b", NULL, "plunge report");
+#define X(name, title)                                                                             \
+  page_open(p, "a", NULL);                                                                         \
+  page_attribute(p, "href", "#" #name);                                                            \
+  page_text(p, "%s", title);                                                                       \
+  page_close(p);
+  SECTIONS(X)
+#undef X
+  page_close(p);
+}
+
+static void head(struct page *p, const char *title) {
+  page_open(p, "html", NULL);
+  page_attribute(p, "lang", "en");
+  page_open(p, "head", NULL);
+  page_raw(p, "<meta charset=\"utf-8\"/>"
+              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>");
+  page_element(p, "title", NULL, "%s", title);
+  page_open(p, "style", NULL);
+  page_raw(p, report_style);
+  page_close(p);
+  page_close(p);
+}
+
+/* ---- summary ---- */
+
+static void agreement_cell(struct page *p, const struct cmp_run *run, struct html_reasons *why) {
+  double shared = cmp_summary_shared(run);
+  if (cmp_known(&run->agreement) || !isfinite(shared))
+    html_value(p, &run->agreement, why);
+  else
+    html_cell(p, NULL, "%.4g (end)", shared);
+}
+
+static void summary_row(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
+                        size_t r, struct html_reasons *why) {
+  const struct cmp_run *run = &c->run[r];
+  page_open(p, "tr", NULL);
+  html_run(p, c, r);
+  html_cell(p, NULL, "%.4g", run->data.dx);
+  agreement_cell(p, run, why);
+  for (size_t k = 0; k < c->n_times; k++) {
+    const struct cmp_value *v = &run->at[k].mean;
+    if (cmp_known(v) && v->value < run->noise)
+      html_cell(p, "below", "%.3g", v->value);
+    else
+      html_value(p, v, why);
+  }
+  static const char *const once[] = {"front", "touchdown_time", "probe_rms", "experiment_probe_rms"};
+  for (size_t k = 0; k < sizeof once / sizeof *once; k++)
+    html_value(p, &cmp_rows_find(rows, once[k], r, SIZE_MAX)->value, why);
+  if (c->n_times)
+    html_value(p, &cmp_rows_find(rows, "decay", r, c->n_times - 1)->value, why);
+  html_value(p, &run->closure_before, why);
+  page_close(p);
+}
+
+static enum status summary(struct page *p, const struct comparison *c, const struct cmp_rows *rows) {
+  struct html_reasons why = {0};
+  size_t *order;
+  TRY(cmp_summary_order(c, &order));
+  section(p, "summary", "Summary");
+  html_table_open(p);
+  page_open(p, "tr", NULL);
+  page_element(p, "th", "t", "run");
+  page_element(p, "th", NULL, "dx / H");
+  page_element(p, "th", NULL, "within one dx until t*");
+  for (size_t k = 0; k < c->n_times; k++)
+    page_element(p, "th", NULL, "mean distance / H at %.4g", c->times[k]);
+  static const char *const headings[] = {"front / H", "touchdown t*", "probe rms",
+                                         "rms to experiment"};
+  for (size_t k = 0; k < sizeof headings / sizeof *headings; k++)
+    page_element(p, "th", NULL, "%s", headings[k]);
+  if (c->n_times) page_element(p, "th", NULL, "energy lost at %.4g", c->times[c->n_times - 1]);
+  page_element(p, "th", NULL, "budget until impact");
+  page_close(p);
+  for (size_t k = 0; k < c->n_runs; k++) summary_row(p, c, rows, order[k], &why);
+  html_table_close(p);
+  html_reasons_list(p, &why);
+  page_open(p, "p", "soft");
+  page_text(p, "All against %s. Distances in H, times in √(H/g), pressures in ρgH (the worst "
+               "probe), energies in E0; grey: below the noise floor of half a particle spacing.",
+            c->ref.data.label);
+  page_close(p);
+  free(order);
+  return OK;
+}
+
+/* ---- checks ---- */
+
+static void check_row(struct page *p, const struct comparison *c, const struct cmp_row *row,
+                      struct html_reasons *why) {
+  page_open(p, "tr", NULL);
+  html_run(p, c, row->run);
+  html_cell(p, "t", "%s", row->measure->name);
+  html_cell(p, NULL, row->time == SIZE_MAX ? "all" : "%.4g",
+            row->time == SIZE_MAX ? 0. : c->times[row->time]);
+  html_value(p, &row->value, why);
+  html_cell(p, NULL, "%.4g", row->limit);
+  if (isfinite(row->noise))
+    html_cell(p, NULL, "%.3g", row->noise);
+  else
+    html_cell(p, NULL, "–");
+  html_cell(p, "t", "%s", row->measure->units);
+  html_cell(p, "t", "%s", row->detail);
+  const char *outcome = row->outcome == CMP_PASS ? "PASS" : "FAIL";
+  html_cell(p, outcome, "%s", outcome);
+  page_close(p);
+}
+
+static void checks(struct page *p, const struct comparison *c, const struct cmp_rows *rows) {
+  struct html_reasons why = {0};
+  section(p, "checks", "Checks");
+  if (!rows->passed && !rows->failed) {
+    page_element(p, "p", NULL,
+                 "The case sets no tolerance for what was compared, so nothing passes or fails. Put "
+                 "tolerances under compare.tolerances, for instance {measure: mean_distance, max: "
+                 "0.02}; the measures are listed at the end of this page.");
+    return;
+  }
+  html_table_open(p);
+  html_headings(p, (const char *const[]){"run", "measure", "t*", "value", "limit", "noise floor",
+                                         "units", "where", "verdict", NULL});
+  for (int pass = 0; pass < 2; pass++) /* failures first */
+    for (size_t i = 0; i < rows->n; i++)
+      if (rows->row[i].outcome == (pass ? CMP_PASS : CMP_FAIL))
+        check_row(p, c, &rows->row[i], &why);
+  html_table_close(p);
+  html_reasons_list(p, &why);
+  if (rows->unused)
+    page_element(p, "p", "soft",
+                 "%zu of the case's tolerances concern runs that are not compared here.",
+                 rows->unused);
+}
+
+/* ---- the page ---- */
+
+static enum status body(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
+                        const struct cmp_figures *figures) {
+  TRY(summary(p, c, rows));
+  checks(p, c, rows);
+
+  section(p, "distance", "Distance against time");
+  TRY(html_figures(p, figures, CMP_SECTION_DISTANCE));
+  html_measures(p, c, rows, (const char *const[]){"mean_distance", "largest_distance", "hausdorff",
+                                                  "frechet", "area", NULL});
+  section(p, "overlays", "Overlays");
+  TRY(html_figures(p, figures, CMP_SECTION_OVERLAY));
+
+  section(p, "jet", "Plunging jet");
+  html_jets(p, c);
+  TRY(html_figures(p, figures, CMP_SECTION_JET));
+  page_element(p, "h3", NULL, "Differences from the reference");
+  html_measures(p, c, rows,
+                (const char *const[]){"jet_tip", "jet_direction", "jet_thickness", "jet_cavity",
+                                      "overturning_time", "touchdown_time", NULL});
+
+  section(p, "front", "Front");
+  TRY(html_figures(p, figures, CMP_SECTION_FRONT));
+  html_measures(p, c, rows, (const char *const[]){"front", NULL});
+
+  section(p, "energy", "Energy");
+  TRY(html_figures(p, figures, CMP_SECTION_ENERGY));
+  html_measures(p, c, rows,
+                (const char *const[]){"kinetic", "potential", "mechanical", "decay", "budget",
+                                      "budget_before_impact", "volume", NULL});
+
+  section(p, "pressure", "Pressure");
+  TRY(html_figures(p, figures, CMP_SECTION_PRESSURE));
+  html_signals(p, c, CMP_PRESSURE);
+
+  section(p, "gauges", "Water height");
+  TRY(html_figures(p, figures, CMP_SECTION_GAUGE));
+  html_signals(p, c, CMP_ELEVATION);
+
+  section(p, "runs", "Runs and provenance");
+  html_provenance(p, c);
+  section(p, "method", "How it is measured");
+  html_method(p, c);
+  return OK;
+}
+
+static enum status page_write(struct page *p, const struct comparison *c,
+                              const struct cmp_rows *rows, const struct cmp_figures *figures,
+                              const char *sentence) {
+  const char *title = c->ref.data.file->title;
+  head(p, title && *title ? title : "plunge report");
+  page_open(p, "body", NULL);
+  contents(p);
+  page_open(p, "main", NULL);
+  page_element(p, "h1", NULL, "%s", title && *title ? title : "plunge report");
+  page_element(p, "p",
+               rows->failed   ? "lead fail"
+               : rows->passed ? "lead pass"
+                              : "lead",
+               "%s", sentence);
+  TRY(body(p, c, rows, figures));
+  page_close(p);
+  page_close(p);
+  page_close(p);
+  return OK;
+}
+
+enum status cmp_html_write(const struct comparison *c, const struct cmp_rows *rows,
+                           const struct cmp_figures *figures, const char *sentence,
+                           const char *path) {
+  enum status status = OK;
+  struct cmp_output out = {0};
+  struct page *p = NULL;
+  ATTEMPT(cmp_output_open(path, &out));
+  p = page_create(out.stream);
+  if (!p) {
+    status = status_raise(ERR_MEMORY, "no memory for %s", path);
+    goto done;
+  }
+  ATTEMPT(page_write(p, c, rows, figures, sentence));
+  if (!page_finish(p)) {
+    status = status_raise(ERR_IO, "cannot write %s; is the disk full?", path);
+    goto done;
+  }
+  page_destroy(p);
+  p = NULL;
+  ATTEMPT(cmp_output_commit(&out));
+done:
+  page_destroy(p);
+  cmp_output_abandon(&out);
+  return status;
+}

@@ -1,0 +1,313 @@
+#include "compare/html_sections.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "compare/outline.h"
+#include "revision.h"
+
+/* ---- measures ---- */
+
+static void measure_cells(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
+                          const char *name, size_t time, struct html_reasons *why) {
+  for (size_t r = 0; r < c->n_runs; r++) {
+    const struct cmp_row *row = cmp_rows_find(rows, name, r, time);
+    if (row) html_value(p, &row->value, why);
+  }
+}
+
+static const struct measure *measure_named(const char *name) {
+  for (size_t m = 0; m < cmp_n_measures; m++)
+    if (!strcmp(cmp_measures[m].name, name)) return &cmp_measures[m];
+  return NULL;
+}
+
+void html_measures(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
+                   const char *const *names) {
+  struct html_reasons why = {0};
+  html_table_open(p);
+  page_open(p, "tr", NULL);
+  page_element(p, "th", "t", "measure");
+  page_element(p, "th", NULL, "t*");
+  for (size_t r = 0; r < c->n_runs; r++) html_run(p, c, r);
+  page_close(p);
+  for (size_t k = 0; names[k]; k++) {
+    const struct measure *m = measure_named(names[k]);
+    bool whole = cmp_rows_find(rows, m->name, 0, SIZE_MAX) != NULL;
+    size_t n = whole ? 1 : c->n_times;
+    for (size_t i = 0; i < n; i++) {
+      page_open(p, "tr", NULL);
+      if (i == 0) {
+        char span[16];
+        page_open(p, "th", "t");
+        snprintf(span, sizeof span, "%zu", n);
+        page_attribute(p, "rowspan", span);
+        page_attribute(p, "title", m->help);
+        page_text(p, "%s [%s]", m->name, m->units);
+        page_close(p);
+      }
+      html_cell(p, NULL, whole ? "all" : "%.4g", whole ? 0. : c->times[i]);
+      measure_cells(p, c, rows, m->name, whole ? SIZE_MAX : i, &why);
+      page_close(p);
+    }
+  }
+  html_table_close(p);
+  html_reasons_list(p, &why);
+}
+
+/* ---- the jet ---- */
+
+static void jet_cells(struct page *p, const struct cmp_jet *jet, struct html_reasons *why) {
+  html_cell(p, NULL, "%.4f", jet->tip[0]);
+  html_cell(p, NULL, "%.4f", jet->tip[1]);
+  html_value(p, &jet->direction, why);
+  for (size_t k = 0; k < CMP_JET_STATIONS; k++) html_value(p, &jet->thickness[k], why);
+  html_value(p, &jet->cavity, why);
+}
+
+static const struct cmp_jet *jet_of(const struct comparison *c, size_t time, size_t r) {
+  for (size_t q = r == SIZE_MAX ? 0 : r; q < c->n_runs; q++) {
+    const struct cmp_at *at = &c->run[q].at[time];
+    const struct cmp_data *d = r == SIZE_MAX ? &c->ref.data : &c->run[q].data;
+    size_t output = r == SIZE_MAX ? at->ref_output : at->output;
+    if (output != SIZE_MAX && d->jet[output].found) return &d->jet[output];
+    if (r != SIZE_MAX) break;
+  }
+  return NULL;
+}
+
+static void jets_table(struct page *p, const struct comparison *c) {
+  struct html_reasons why = {0};
+  bool any = false;
+  for (size_t k = 0; k < c->n_times; k++)
+    for (size_t r = 0; r <= c->n_runs; r++)
+      any = any || jet_of(c, k, r < c->n_runs ? r : SIZE_MAX) != NULL;
+  if (!any) {
+    page_element(p, "p", NULL,
+                 "No surface overhangs by more than %.3g H at the comparison times.", c->depth);
+    return;
+  }
+  html_table_open(p);
+  html_headings(p, (const char *const[]){"run", "t*", "tip x/H", "tip y/H", "direction [deg]",
+                                         "thickness at 0.05 H", "at 0.1 H", "at 0.2 H",
+                                         "cavity / H²", NULL});
+  for (size_t k = 0; k < c->n_times; k++)
+    for (size_t i = 0; i <= c->n_runs; i++) {
+      size_t r = i == 0 ? SIZE_MAX : i - 1;
+      const struct cmp_jet *jet = jet_of(c, k, r);
+      if (!jet) continue;
+      page_open(p, "tr", NULL);
+      html_run(p, c, r);
+      html_cell(p, NULL, "%.4g", c->times[k]);
+      jet_cells(p, jet, &why);
+      page_close(p);
+    }
+  html_table_close(p);
+  html_reasons_list(p, &why);
+}
+
+static void instant_cells(struct page *p, const struct cmp_instant *i, struct html_reasons *why) {
+  if (!cmp_known(&i->time)) {
+    html_value(p, &i->time, why);
+    html_cell(p, NULL, " ");
+    return;
+  }
+  if (i->error > 0)
+    html_cell(p, NULL, "%.3f ± %.2g", i->time.value, i->error);
+  else
+    html_cell(p, NULL, "%.4f", i->time.value);
+  if (isfinite(i->at[0]))
+    html_cell(p, NULL, "(%.3f, %.3f)", i->at[0], i->at[1]);
+  else
+    html_cell(p, NULL, " ");
+}
+
+void html_jets(struct page *p, const struct comparison *c) {
+  struct html_reasons why = {0};
+  page_element(p, "h3", NULL, "Instants");
+  html_table_open(p);
+  html_headings(p, (const char *const[]){"run", "wall impact t*", "at (x, y)/H", "overturning t*",
+                                         "at (x, y)/H", "touchdown t*", "at (x, y)/H", NULL});
+  for (size_t i = 0; i <= c->n_runs; i++) {
+    size_t r = i == 0 ? SIZE_MAX : i - 1;
+    const struct cmp_data *d = &cmp_run_or_ref(c, r)->data;
+    page_open(p, "tr", NULL);
+    html_run(p, c, r);
+    instant_cells(p, &d->impact, &why);
+    instant_cells(p, &d->overturning, &why);
+    instant_cells(p, &d->touchdown, &why);
+    page_close(p);
+  }
+  html_table_close(p);
+  html_reasons_list(p, &why);
+  page_element(p, "p", "soft",
+               "A time with ± was read off the sequence of surfaces, and ± is the half width of the "
+               "interval between outputs that holds it; one without was located by the solver.");
+  page_element(p, "h3", NULL, "Shape");
+  jets_table(p, c);
+}
+
+/* ---- signals ---- */
+
+void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity quantity) {
+  struct html_reasons why = {0};
+  html_table_open(p);
+  html_headings(p, (const char *const[]){"run", "signal", "against", "common t*", "arrival t*",
+                                         "theirs", "peak", "theirs", "at t*", "theirs", "impulse",
+                                         "theirs", "rms", "best shift", "rms if shifted", NULL});
+  for (size_t i = 0; i <= c->n_runs; i++) {
+    size_t r = i == 0 ? SIZE_MAX : i - 1;
+    const struct cmp_run *run = cmp_run_or_ref(c, r);
+    for (size_t k = 0; k < run->n_pairs; k++) {
+      const struct cmp_pair *pair = &run->pairs[k];
+      if (pair->quantity != quantity) continue;
+      const struct cmp_signal_alone *a = &pair->m.a, *b = &pair->m.b;
+      page_open(p, "tr", NULL);
+      html_run(p, c, r);
+      html_cell(p, "t", "%s", pair->a->name);
+      html_cell(p, "t", "%s", pair->experiment == SIZE_MAX ? c->ref.data.label : pair->b->name);
+      html_cell(p, NULL, "%.3g–%.3g", pair->m.from, pair->m.to);
+      const struct cmp_value *cells[] = {&a->onset,     &b->onset,     &a->peak,
+                                         &b->peak,      &a->peak_time, &b->peak_time,
+                                         &a->impulse,   &b->impulse,   &pair->m.rms,
+                                         &pair->m.shift, &pair->m.rms_after};
+      for (size_t v = 0; v < sizeof cells / sizeof *cells; v++) html_value(p, cells[v], &why);
+      page_close(p);
+    }
+  }
+  html_table_close(p);
+  html_reasons_list(p, &why);
+}
+
+/* ---- provenance ---- */
+
+static void provenance_row(struct page *p, const struct comparison *c, size_t r) {
+  const struct cmp_data *d = &cmp_run_or_ref(c, r)->data;
+  const struct result_file *f = d->file;
+  page_open(p, "tr", NULL);
+  html_run(p, c, r);
+  html_cell(p, "t", "%s%s", f->solver, f->complete ? "" : " (unfinished)");
+  html_cell(p, NULL, "%.4g", 1 / d->dx);
+  html_cell(p, NULL, "%zu", d->n);
+  html_cell(p, NULL, "%.4g", d->n ? d->t[d->n - 1] : 0.);
+  html_cell(p, NULL, "%.0f", f->n_steps ? f->steps[f->n_steps - 1].evaluations : 0.);
+  html_cell(p, NULL, "%.1f", f->n_steps ? f->steps[f->n_steps - 1].wall_time : 0.);
+  html_cell(p, "t", "%s, %s", f->version, f->revision);
+  html_cell(p, "t", "%.12s", f->fingerprint);
+  html_cell(p, "w", "%s", f->path);
+  page_close(p);
+}
+
+static void statistics_list(struct page *p, const struct comparison *c, size_t r) {
+  const struct cmp_data *d = &cmp_run_or_ref(c, r)->data;
+  if (!d->file->n_statistics) return;
+  page_open(p, "details", NULL);
+  page_element(p, "summary", NULL, "What %s counted", d->label);
+  html_table_open(p);
+  for (size_t k = 0; k < d->file->n_statistics; k++) {
+    const struct result_statistic_read *s = &d->file->statistics[k];
+    page_open(p, "tr", NULL);
+    page_element(p, "th", "t", "%s", s->name);
+    html_cell(p, NULL, "%.6g", s->value);
+    html_cell(p, "w", "%s", s->help);
+    page_close(p);
+  }
+  html_table_close(p);
+  page_close(p);
+}
+
+static void case_text(struct page *p, const struct comparison *c, size_t r) {
+  const struct cmp_data *d = &cmp_run_or_ref(c, r)->data;
+  const struct result_file *first = c->ref.data.file;
+  if (r != SIZE_MAX && !strcmp(first->case_text, d->file->case_text)) return;
+  page_open(p, "details", NULL);
+  page_element(p, "summary", NULL, "The case as run by %s%s", d->label,
+               r == SIZE_MAX ? " (and by every run not listed with its own)" : "");
+  page_open(p, "pre", NULL);
+  page_text(p, "%s", d->file->case_text);
+  page_close(p);
+  page_close(p);
+}
+
+void html_provenance(struct page *p, const struct comparison *c) {
+  html_table_open(p);
+  html_headings(p, (const char *const[]){"run", "solver", "H/spacing", "outputs", "last t*",
+                                         "evaluations", "clock [s]", "program", "fingerprint",
+                                         "file", NULL});
+  for (size_t i = 0; i <= c->n_runs; i++) provenance_row(p, c, i == 0 ? SIZE_MAX : i - 1);
+  html_table_close(p);
+  page_element(p, "p", "soft", "This report was made by plunge %s, revision %s.", PLUNGE_VERSION,
+               PLUNGE_REVISION);
+  for (size_t i = 0; i <= c->n_runs; i++) statistics_list(p, c, i == 0 ? SIZE_MAX : i - 1);
+  for (size_t i = 0; i <= c->n_runs; i++) case_text(p, c, i == 0 ? SIZE_MAX : i - 1);
+  const struct result_file *f = c->ref.data.file;
+  if (f->n_experiments) {
+    page_element(p, "h3", NULL, "Experiments");
+    page_open(p, "ul", NULL);
+    for (size_t k = 0; k < f->n_experiments; k++)
+      page_element(p, "li", NULL, "%s (%s): %s", f->experiments[k].label,
+                   f->experiments[k].target, f->experiments[k].source);
+    page_close(p);
+  }
+}
+
+/* ---- method ---- */
+
+void html_method(struct page *p, const struct comparison *c) {
+  page_open(p, "ul", NULL);
+  page_element(p, "li", NULL,
+               "Scales: lengths in H = %.4g m, times t* in √(H/g) = %.4g s, pressures in ρgH = %.4g "
+               "Pa, energies in E0 = %.4g J/m, %s.",
+               c->scales.H, c->scales.T, c->scales.p, c->scales.E,
+               c->scales.at_rest
+                   ? "the initial potential energy (the water starts at rest)"
+                   : "the reference's initial mechanical energy relative to the same water at rest");
+  page_element(p, "li", NULL,
+               "Noise floor: the surface of a cloud of particles is known to about half a particle "
+               "spacing, dx/2; for the area, dx/2 times the length of the reference's surface in the "
+               "window. Values below it are shown in grey: they are zero as far as can be told.");
+  page_element(p, "li", NULL,
+               "Main surface: pieces at least %g %% as long as the longest. Shorter ones are spray "
+               "and bubbles; they count in the Hausdorff distance and in the area only.",
+               100 * CMP_MAIN_FRACTION);
+  page_element(p, "li", NULL,
+               "Distances are taken from points every dx/2 along one surface, inside the window, to "
+               "the whole other surface, in both directions. Hausdorff and discrete Fréchet "
+               "distances are those of GEOS on the same points.");
+  page_element(p, "li", NULL,
+               "Area: free surfaces are closed along the tank into regions of water; the area is "
+               "that of their symmetric difference within the window. It is withheld when an outline "
+               "encloses less or more than the run's volume by a fifth.");
+  page_element(p, "li", NULL,
+               "Front: the largest x at which the water standing on the bed is deeper than %.4g H "
+               "(two spacings of the coarsest run), the same depth in every run, until the reference "
+               "reaches the wall.",
+               c->depth);
+  page_element(p, "li", NULL,
+               "Jet: where the longest piece turns back by more than %.4g H. The tip is its point "
+               "furthest along the jet's own direction, which runs from the middle of the section at "
+               "0.1 H to the tip; thickness is the distance between the points where circles about "
+               "the tip cut its two sides; the cavity is closed by the vertical through the tip. "
+               "Direction is counted counter-clockwise from +x.",
+               c->depth);
+  page_element(p, "li", NULL,
+               "Signals are compared over the time both cover, interpolated linearly. Arrival: first "
+               "time at %g ρgH (pressure) or %g H (height). The best shift is the one within ±%g "
+               "√(H/g) with the smallest rms; positive: the run is late. It is never applied.",
+               CMP_ONSET, CMP_ONSET, CMP_SHIFT_REACH);
+  page_element(p, "li", NULL,
+               "Energy: mechanical = kinetic + potential + the energy of water that a solver took "
+               "out of its computation. The budget is kinetic + potential + elastic + viscous and "
+               "diffusive losses + work on walls + removed; its closure is its change since t = 0.");
+  if (!c->window_whole)
+    page_element(p, "li", NULL, "Window: x/H from %.4g to %.4g, y/H from %.4g to %.4g.",
+                 c->window.min[0], c->window.max[0], c->window.min[1], c->window.max[1]);
+  page_close(p);
+  page_element(p, "h3", NULL, "The measures that compare.tolerances may name");
+  page_open(p, "dl", NULL);
+  for (size_t m = 0; m < cmp_n_measures; m++) {
+    page_element(p, "dt", NULL, "%s [%s]", cmp_measures[m].name, cmp_measures[m].units);
+    page_element(p, "dd", NULL, "%s", cmp_measures[m].help);
+  }
+  page_close(p);
+}

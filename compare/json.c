@@ -1,0 +1,252 @@
+#include "compare/json.h"
+
+#include <jansson.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "compare/output.h"
+#include "compare/text.h"
+#include "revision.h"
+
+/* jansson takes a NULL value as a failure and frees what it was given; one check at the end (a
+ * failed member makes json_object_set_new fail, which `ok` remembers) is enough. */
+struct maker {
+  bool ok;
+};
+
+static void set(struct maker *m, json_t *object, const char *key, json_t *value) {
+  if (json_object_set_new(object, key, value) != 0) m->ok = false;
+}
+
+static void add(struct maker *m, json_t *array, json_t *value) {
+  if (json_array_append_new(array, value) != 0) m->ok = false;
+}
+
+static json_t *number(double value) {
+  return isfinite(value) ? json_real(value) : json_null();
+}
+
+static json_t *text(const char *string) {
+  char *copy = cmp_text_copy(string);
+  json_t *value = copy ? json_string(copy) : NULL;
+  free(copy);
+  return value;
+}
+
+/* KEY: the number or null, and then KEY_unavailable: why. */
+static void set_value(struct maker *m, json_t *object, const char *key, const struct cmp_value *v) {
+  char why[64];
+  set(m, object, key, number(v->value));
+  if (cmp_known(v)) return;
+  snprintf(why, sizeof why, "%s_unavailable", key);
+  set(m, object, why, text(v->why));
+}
+
+static json_t *point(struct maker *m, const double *p) {
+  json_t *pair = json_array();
+  add(m, pair, number(p[0]));
+  add(m, pair, number(p[1]));
+  return pair;
+}
+
+static json_t *numbers(struct maker *m, const double *v, size_t n) {
+  json_t *array = json_array();
+  for (size_t i = 0; i < n; i++) add(m, array, number(v[i]));
+  return array;
+}
+
+static json_t *instant(struct maker *m, const struct cmp_instant *i) {
+  json_t *object = json_object();
+  set_value(m, object, "t_star", &i->time);
+  set(m, object, "error", number(i->error));
+  set(m, object, "at", point(m, i->at));
+  return object;
+}
+
+static json_t *jet(struct maker *m, const struct cmp_jet *j) {
+  if (!j->found) return json_null();
+  json_t *object = json_object(), *thickness = json_array();
+  set(m, object, "tip", point(m, j->tip));
+  set(m, object, "cavity_end", point(m, j->root));
+  set(m, object, "overhang", number(j->overhang));
+  set(m, object, "gap_below_tip", number(j->gap));
+  set_value(m, object, "direction_degrees", &j->direction);
+  set_value(m, object, "cavity_area", &j->cavity);
+  for (size_t k = 0; k < CMP_JET_STATIONS; k++) {
+    json_t *at = json_object();
+    set(m, at, "behind_tip", number(cmp_jet_station[k]));
+    set_value(m, at, "thickness", &j->thickness[k]);
+    add(m, thickness, at);
+  }
+  set(m, object, "thickness", thickness);
+  return object;
+}
+
+static json_t *alone(struct maker *m, const struct cmp_signal_alone *s) {
+  json_t *object = json_object();
+  set_value(m, object, "peak", &s->peak);
+  set_value(m, object, "peak_time", &s->peak_time);
+  set_value(m, object, "impulse", &s->impulse);
+  set_value(m, object, "onset", &s->onset);
+  return object;
+}
+
+static json_t *pairs(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
+  static const char *const units[] = {"rho g H", "H", "H"};
+  json_t *array = json_array();
+  for (size_t k = 0; k < run->n_pairs; k++) {
+    const struct cmp_pair *p = &run->pairs[k];
+    bool experiment = p->experiment != SIZE_MAX;
+    json_t *object = json_object();
+    set(m, object, "signal", text(p->a->name));
+    set(m, object, "against", text(experiment ? p->b->name : c->ref.data.label));
+    set(m, object, "experiment", json_boolean(experiment));
+    set(m, object, "units", text(units[p->quantity]));
+    set(m, object, "from", number(p->m.from));
+    set(m, object, "to", number(p->m.to));
+    set(m, object, "run", alone(m, &p->m.a));
+    set(m, object, "other", alone(m, &p->m.b));
+    set_value(m, object, "rms", &p->m.rms);
+    set_value(m, object, "best_shift", &p->m.shift);
+    set_value(m, object, "rms_if_shifted", &p->m.rms_after);
+    add(m, array, object);
+  }
+  return array;
+}
+
+static json_t *provenance(struct maker *m, const struct cmp_data *d) {
+  const struct result_file *f = d->file;
+  json_t *object = json_object(), *statistics = json_object();
+  set(m, object, "label", text(d->label));
+  set(m, object, "run", text(f->run));
+  set(m, object, "solver", text(f->solver));
+  set(m, object, "file", text(f->path));
+  set(m, object, "complete", json_boolean(f->complete));
+  set(m, object, "program_version", text(f->version));
+  set(m, object, "program_revision", text(f->revision));
+  set(m, object, "fingerprint", text(f->fingerprint));
+  set(m, object, "spacing", number(d->dx));
+  set(m, object, "outputs", json_integer((json_int_t)d->n));
+  if (d->n) set(m, object, "last_output", number(d->t[d->n - 1]));
+  if (f->n_steps) {
+    const struct result_step *last = &f->steps[f->n_steps - 1];
+    set(m, object, "evaluations", number(last->evaluations));
+    set(m, object, "wall_time_s", number(last->wall_time));
+  }
+  for (size_t k = 0; k < f->n_statistics; k++) {
+    char *key = cmp_text_copy(f->statistics[k].name);
+    if (!key) m->ok = false;
+    else set(m, statistics, key, number(f->statistics[k].value));
+    free(key);
+  }
+  set(m, object, "statistics", statistics);
+  set(m, object, "wall_impact", instant(m, &d->impact));
+  set(m, object, "overturning", instant(m, &d->overturning));
+  set(m, object, "touchdown", instant(m, &d->touchdown));
+  return object;
+}
+
+static json_t *run_object(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
+  json_t *object = provenance(m, &run->data), *evolution = json_object(), *jets = json_array();
+  const struct cmp_evolution *e = &run->evolution;
+  set(m, object, "noise_floor", number(run->noise));
+  if (run != &c->ref) {
+    set_value(m, object, "within_one_spacing_until", &run->agreement);
+    set(m, evolution, "t_star", numbers(m, e->t, e->n));
+    set(m, evolution, "mean_distance", numbers(m, e->mean, e->n));
+    set(m, evolution, "largest_distance", numbers(m, e->largest, e->n));
+    set(m, evolution, "area", numbers(m, e->area, e->n));
+    set(m, object, "against_time", evolution);
+    for (size_t k = 0; k < c->n_times; k++) {
+      const struct cmp_at *at = &run->at[k];
+      json_t *entry = json_object();
+      set(m, entry, "t_star_asked", number(c->times[k]));
+      set(m, entry, "t_star", number(at->t));
+      set(m, entry, "t_star_reference", number(at->ref_t));
+      set(m, entry, "largest_distance_at", point(m, at->where));
+      set(m, entry, "jet", at->output == SIZE_MAX ? json_null() : jet(m, &run->data.jet[at->output]));
+      set(m, entry, "jet_reference",
+          at->ref_output == SIZE_MAX ? json_null() : jet(m, &c->ref.data.jet[at->ref_output]));
+      add(m, jets, entry);
+    }
+    set(m, object, "at_times", jets);
+  } else {
+    json_decref(evolution);
+    json_decref(jets);
+  }
+  set_value(m, object, "budget_closure", &run->closure);
+  set_value(m, object, "budget_closure_before_impact", &run->closure_before);
+  set_value(m, object, "volume_change", &run->volume);
+  set(m, object, "signals", pairs(m, c, run));
+  return object;
+}
+
+static json_t *row_object(struct maker *m, const struct comparison *c, const struct cmp_row *row) {
+  static const char *const outcomes[] = {"no limit", "pass", "fail"};
+  json_t *object = json_object();
+  set(m, object, "measure", text(row->measure->name));
+  set(m, object, "units", text(row->measure->units));
+  set(m, object, "run", text(c->run[row->run].data.label));
+  set(m, object, "t_star", row->time == SIZE_MAX ? json_null() : number(c->times[row->time]));
+  set_value(m, object, "value", &row->value);
+  if (row->detail[0]) set(m, object, "detail", text(row->detail));
+  if (isfinite(row->noise)) set(m, object, "noise_floor", number(row->noise));
+  if (isfinite(row->limit)) set(m, object, "limit", number(row->limit));
+  set(m, object, "outcome", text(outcomes[row->outcome]));
+  return object;
+}
+
+static json_t *scales(struct maker *m, const struct comparison *c) {
+  json_t *object = json_object();
+  set(m, object, "H_m", number(c->scales.H));
+  set(m, object, "time_s", number(c->scales.T));
+  set(m, object, "pressure_Pa", number(c->scales.p));
+  set(m, object, "E0_J_per_m", number(c->scales.E));
+  set(m, object, "energy_at_rest_J_per_m", number(c->scales.rest));
+  return object;
+}
+
+enum status cmp_json_write(const struct comparison *c, const struct cmp_rows *rows,
+                           const char *sentence, const char *path) {
+  struct maker maker = {true}, *m = &maker;
+  json_t *root = json_object(), *runs = json_array(), *measures = json_array();
+  json_t *window = json_array();
+  set(m, root, "format", text("plunge report"));
+  set(m, root, "program_version", text(PLUNGE_VERSION));
+  set(m, root, "program_revision", text(PLUNGE_REVISION));
+  set(m, root, "title", text(c->ref.data.file->title));
+  set(m, root, "sentence", text(sentence));
+  set(m, root, "verdict",
+      text(rows->failed ? "fail" : rows->passed ? "pass" : "no tolerances"));
+  set(m, root, "passed", json_integer((json_int_t)rows->passed));
+  set(m, root, "failed", json_integer((json_int_t)rows->failed));
+  set(m, root, "scales", scales(m, c));
+  add(m, window, point(m, c->window.min));
+  add(m, window, point(m, c->window.max));
+  set(m, root, "window", window);
+  set(m, root, "front_depth", number(c->depth));
+  set(m, root, "times", numbers(m, c->times, c->n_times));
+  set(m, root, "reference", run_object(m, c, &c->ref));
+  for (size_t r = 0; r < c->n_runs; r++) add(m, runs, run_object(m, c, &c->run[r]));
+  set(m, root, "runs", runs);
+  for (size_t i = 0; i < rows->n; i++) add(m, measures, row_object(m, c, &rows->row[i]));
+  set(m, root, "measures", measures);
+
+  enum status status = OK;
+  struct cmp_output out = {0};
+  if (!m->ok || !root) {
+    status = status_raise(ERR_MEMORY, "no memory for %s", path);
+    goto done;
+  }
+  ATTEMPT(cmp_output_open(path, &out));
+  if (json_dumpf(root, out.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) != 0)
+    status = status_raise(ERR_IO, "cannot write %s; is the disk full?", path);
+  if (status == OK) {
+    fputc('\n', out.stream);
+    status = cmp_output_commit(&out);
+  }
+done:
+  cmp_output_abandon(&out);
+  json_decref(root);
+  return status;
+}

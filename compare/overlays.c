@@ -1,0 +1,367 @@
+#include "compare/overlays.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/charts.h"
+#include "compare/outline.h"
+#include "compare/polyline.h"
+#include "compare/text.h"
+
+enum { WIDTH = 900, LEFT = 62, RIGHT = 96, TOP = 8, TITLE = 24, BOTTOM = 52, GAP = 26 };
+
+/* Nine colours of matplotlib's viridis (public domain, CC0): perceptually uniform, safe for
+ * colour-blind readers. */
+static const char palette[] =
+    "set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', "
+    "5 '#27ad81', 6 '#5cc863', 7 '#aadc32', 8 '#fde725')\n";
+
+/* ---- particles ---- */
+
+struct cloud { /* the particles of one run at one time, dimensionless */
+  size_t n;
+  double (*p)[2];
+  double *pressure;
+};
+
+static void cloud_free(struct cloud *cloud) {
+  free(cloud->p);
+  free(cloud->pressure);
+  *cloud = (struct cloud){0};
+}
+
+/* Empty when the file has no particles then, or none that fill the water (boundary nodes do not). */
+static void cloud_read(const struct comparison *c, const struct cmp_run *run, double t,
+                       struct cloud *cloud) {
+  const struct result_file *f = run->data.file;
+  *cloud = (struct cloud){0};
+  size_t output = SIZE_MAX;
+  for (size_t i = 0; i < f->n_outputs; i++)
+    if (fabs(f->output_time[i] / c->scales.T - t) < 1e-6) output = i;
+  if (output == SIZE_MAX ||
+      result_read_points(f->path, output, "pressure", &cloud->n, &cloud->p, &cloud->pressure) != OK)
+    return;
+  double area = (double)cloud->n * run->data.dx * run->data.dx;
+  if (run->data.volume.n && fabs(area / run->data.volume.value[0] - 1) > 0.5) {
+    cloud_free(cloud);
+    return;
+  }
+  for (size_t i = 0; i < cloud->n; i++) {
+    cloud->p[i][0] /= c->scales.H;
+    cloud->p[i][1] /= c->scales.H;
+    cloud->pressure[i] /= c->scales.p;
+  }
+}
+
+static int ascending(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* The pressure that all but one particle in a hundred stay below. */
+static double cloud_top(const struct cloud *cloud) {
+  double *v = malloc((cloud->n + 1) * sizeof *v), top = 0;
+  if (v && cloud->n) {
+    memcpy(v, cloud->pressure, cloud->n * sizeof *v);
+    qsort(v, cloud->n, sizeof *v, ascending);
+    top = v[cloud->n - 1 - cloud->n / 100];
+  }
+  free(v);
+  return top;
+}
+
+/* ---- data files ---- */
+
+static enum status cloud_write(const struct cloud *cloud, struct cmp_figures *f,
+                               const struct cmp_figure *fig, size_t r) {
+  FILE *data;
+  char suffix[48];
+  snprintf(suffix, sizeof suffix, "-particles-%zu.csv", r + 1);
+  TRY(cmp_figure_data(f, fig, suffix, &data));
+  fputs("x [H],y [H],pressure [rho g H]\n", data);
+  for (size_t i = 0; i < cloud->n; i++)
+    fprintf(data, "%.6g,%.6g,%.5g\n", cloud->p[i][0], cloud->p[i][1], cloud->pressure[i]);
+  return cmp_figure_data_end(fig, data);
+}
+
+/* Pieces are kept apart by an empty line, which CSV readers skip and gnuplot needs. */
+static void lines_write(FILE *data, size_t id, const char *name, const struct geo_lines *l) {
+  for (size_t k = 0; k < l->pieces; k++) {
+    size_t a = l->first[k], n = l->first[k + 1] - a;
+    for (size_t i = 0; i < n + l->closed[k] && n; i++) {
+      fprintf(data, "%zu,", id);
+      cmp_csv_string(data, name);
+      fprintf(data, ",%zu,%.8g,%.8g\n", k, l->p[a + i % n][0], l->p[a + i % n][1]);
+    }
+    fputc('\n', data);
+  }
+}
+
+/* Walls are series n_runs + 1, the reference n_runs, run r is r. */
+static enum status surfaces_write(const struct comparison *c, struct cmp_figures *f,
+                                  const struct cmp_figure *fig, size_t time) {
+  FILE *data;
+  TRY(cmp_figure_data(f, fig, "-surfaces.csv", &data));
+  fputs("series,name,piece,x [H],y [H]\n", data);
+  lines_write(data, c->n_runs + 1, "tank", &c->ref.data.walls);
+  bool reference = false;
+  for (size_t r = 0; r < c->n_runs; r++) {
+    const struct cmp_at *at = &c->run[r].at[time];
+    if (at->output != SIZE_MAX)
+      lines_write(data, r, c->run[r].data.label, &c->run[r].data.surface[at->output]);
+    if (at->ref_output == SIZE_MAX || reference) continue;
+    lines_write(data, c->n_runs, c->ref.data.label, &c->ref.data.surface[at->ref_output]);
+    reference = true;
+  }
+  return cmp_figure_data_end(fig, data);
+}
+
+static void surface_plot(const struct cmp_figure *fig, size_t id, const char *style) {
+  fprintf(fig->script,
+          ", \\\n  '%s-surfaces.csv' skip 1 using ($1==%zu?$4:NaN):5 with lines %s notitle",
+          fig->name, id, style);
+}
+
+/* ---- what is seen ---- */
+
+static void view_include(const struct geo_lines *surface, struct geo_box *view) {
+  struct geo_lines main = {0};
+  if (cmp_lines_main(surface, CMP_MAIN_FRACTION, &main) == OK && main.points) {
+    struct geo_box box = geo_lines_box(&main);
+    view->max[1] = fmax(view->max[1], box.max[1]);
+  }
+  geo_lines_destroy(&main);
+}
+
+/* The tank's width, up to a little above the main surfaces; spray may fly out of the picture. */
+static struct geo_box view_choose(const struct comparison *c, size_t time) {
+  struct geo_box view = geo_lines_box(&c->ref.data.walls);
+  double top = view.max[1];
+  view.max[1] = view.min[1] + 0.3;
+  for (size_t r = 0; r < c->n_runs; r++) {
+    const struct cmp_at *at = &c->run[r].at[time];
+    if (at->output != SIZE_MAX) view_include(&c->run[r].data.surface[at->output], &view);
+    if (at->ref_output != SIZE_MAX) view_include(&c->ref.data.surface[at->ref_output], &view);
+  }
+  for (int k = 0; k < 2; k++) { /* a window narrower than the tank is what matters */
+    view.min[k] = fmax(view.min[k], c->window.min[k]);
+    if (k == 0) view.max[k] = fmin(view.max[k], c->window.max[k]);
+  }
+  view.max[1] = fmin(fmax(top, 0.5), view.max[1] + 0.08);
+  return view;
+}
+
+struct layout {
+  size_t columns, rows;
+  double width, height; /* of a panel, px */
+  int total;            /* height of the figure, px */
+};
+
+static struct layout layout_choose(const struct geo_box *view, size_t panels) {
+  double aspect = (view->max[0] - view->min[0]) / (view->max[1] - view->min[1]);
+  struct layout l = {.columns = aspect > 2 || panels < 2 ? 1 : 2};
+  l.rows = (panels + l.columns - 1) / l.columns;
+  l.width = (WIDTH - LEFT - RIGHT - 30.0 * (double)(l.columns - 1)) / (double)l.columns;
+  l.height = l.width / aspect;
+  l.total = (int)ceil(TOP + BOTTOM + (double)l.rows * (l.height + TITLE) +
+                      GAP * (double)(l.rows - 1));
+  return l;
+}
+
+static void panel_place(const struct cmp_figure *fig, const struct layout *l, size_t k) {
+  double left = LEFT + (double)(k % l->columns) * (l->width + 30);
+  double top = TOP + TITLE + (double)(k / l->columns) * (l->height + TITLE + GAP);
+  fprintf(fig->script,
+          "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
+          "set bmargin at screen %.5f\n",
+          left / fig->width, (left + l->width) / fig->width, 1 - top / fig->height,
+          1 - (top + l->height) / fig->height);
+}
+
+/* ---- overlays ---- */
+
+/* Particles are drawn once into a transparent picture of the panel's size, which the three formats
+ * then share: as vectors twenty thousand discs a panel would make files of a hundred megabytes. */
+static void layers_draw(const struct cmp_figure *fig, const struct layout *l,
+                        const struct geo_box *view, const struct comparison *c,
+                        const struct cloud *cloud, double top) {
+  int w = (int)lround(2 * l->width), h = (int)lround(2 * l->height);
+  fprintf(fig->script,
+          "%sset cbrange [0:%g]\nset style fill solid 1 noborder\n"
+          "set terminal pngcairo transparent size %d,%d\nset margins 0,0,0,0\n"
+          "unset border\nunset tics\nunset colorbox\nunset key\n"
+          "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n",
+          palette, top, w, h, view->min[0], view->max[0], view->min[1], view->max[1]);
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (cloud[r].n)
+      fprintf(fig->script,
+              "set output '%s.layer%zu.png'\nplot '%s-particles-%zu.csv' skip 1 using 1:2:(%.6g):3 "
+              "with circles linecolor palette\n",
+              fig->name, r, fig->name, r + 1, c->run[r].data.dx / 2);
+  fputs("unset output\nreset\nset datafile separator ','\n", fig->script);
+}
+
+static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
+                       const struct layout *l, const struct geo_box *view,
+                       const struct cloud *cloud, size_t time, size_t r) {
+  const struct cmp_run *run = &c->run[r];
+  const struct cmp_at *at = &run->at[time];
+  FILE *s = fig->script;
+  panel_place(fig, l, r);
+  char title[192];
+  int n = snprintf(title, sizeof title, "%.60s", run->data.label);
+  if (at->output == SIZE_MAX)
+    snprintf(title + n, sizeof title - (size_t)n, ": no output at this time");
+  else if (at->ref_output == SIZE_MAX)
+    snprintf(title + n, sizeof title - (size_t)n, "   t* = %.4g, no %.60s then", at->t,
+             c->ref.data.label);
+  else if (fabs(at->t - at->ref_t) > 1e-6 || fabs(at->t - c->times[time]) > 1e-6)
+    snprintf(title + n, sizeof title - (size_t)n, "   t* = %.4g, %.60s at %.4g", at->t,
+             c->ref.data.label, at->ref_t);
+  else
+    snprintf(title + n, sizeof title - (size_t)n, "   t* = %.4g", at->t);
+  fputs("unset label\nset label 1 ", s);
+  cmp_gnuplot_string(s, title);
+  fputs(" at graph 0, graph 1 offset 0, character 0.7 left noenhanced\n", s);
+  fputs(r / l->columns + 1 == l->rows || r + l->columns >= c->n_runs
+            ? "set format x\nset xlabel 'x / H'\n"
+            : "set format x ''\nunset xlabel\n",
+        s);
+  fputs(r % l->columns == 0 ? "set format y\nset ylabel 'y / H'\n"
+                            : "set format y ''\nunset ylabel\n",
+        s);
+  fputs(r == 0 ? "set colorbox\n" : "unset colorbox\n", s);
+  /* one point of the palette, so that the colour box appears */
+  fputs("plot '+' using (-1e9):(-1e9):(0) with points pointtype 0 linecolor palette notitle", s);
+  if (cloud->n)
+    fprintf(s,
+            ", \\\n  '%s.layer%zu.png' binary filetype=png origin=(%.8g,%.8g) dx=%.8g dy=%.8g with "
+            "rgbalpha notitle",
+            fig->name, r, view->min[0], view->min[1],
+            (view->max[0] - view->min[0]) / round(2 * l->width),
+            (view->max[1] - view->min[1]) / round(2 * l->height));
+  surface_plot(fig, c->n_runs + 1, "linewidth 1.6 linecolor '#666666'");
+  surface_plot(fig, r, "linewidth 0.8 linecolor '#d55e00'");
+  if (at->ref_output != SIZE_MAX) {
+    surface_plot(fig, c->n_runs, "linewidth 2.6 linecolor '#ffffff'");
+    surface_plot(fig, c->n_runs, "linewidth 1.2 linecolor '#000000'");
+  }
+  fputc('\n', s);
+}
+
+static enum status overlay_draw(const struct comparison *c, struct cmp_figures *f, size_t time,
+                                const struct cloud *cloud) {
+  double top = 0;
+  for (size_t r = 0; r < c->n_runs; r++) top = fmax(top, cloud_top(&cloud[r]));
+  top = fmax(0.2, ceil(top * 5 - 1e-9) / 5);
+  struct geo_box view = view_choose(c, time);
+  struct layout l = layout_choose(&view, c->n_runs);
+  struct cmp_figure *fig;
+  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, WIDTH, l.total, &fig, "overlay-t%.4g",
+                       c->times[time]));
+  snprintf(fig->caption, sizeof fig->caption,
+           "t* = %.4g. Particles coloured by pressure (the same colours for every run), the run's own "
+           "free surface in thin orange, that of %.60s in black.",
+           c->times[time], c->ref.data.label);
+  TRY(surfaces_write(c, f, fig, time));
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (cloud[r].n) TRY(cloud_write(&cloud[r], f, fig, r));
+  layers_draw(fig, &l, &view, c, cloud, top);
+  cmp_figure_formats(fig);
+  fprintf(fig->script,
+          "%sset cbrange [0:%g]\nset cblabel 'p / (ρ g H)'\n"
+          "set colorbox user origin screen %.5f, screen %.5f size screen 0.016, screen %.5f\n"
+          "unset key\nunset grid\nset tics front\n"
+          "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset ytics 0.5\nset multiplot\n",
+          palette, top, 1 - (RIGHT - 16.0) / WIDTH, 1 - (TOP + TITLE + l.height) / fig->height,
+          l.height / fig->height, view.min[0], view.max[0], view.min[1], view.max[1]);
+  for (size_t r = 0; r < c->n_runs; r++) panel_draw(c, fig, &l, &view, &cloud[r], time, r);
+  fputs("unset multiplot\n", fig->script);
+  return cmp_figure_end(fig);
+}
+
+/* ---- the jet, close up ---- */
+
+static const struct cmp_jet *jet_at(const struct comparison *c, size_t time, size_t r) {
+  if (r < c->n_runs) {
+    const struct cmp_at *at = &c->run[r].at[time];
+    const struct cmp_jet *jet = at->output == SIZE_MAX ? NULL : &c->run[r].data.jet[at->output];
+    return jet && jet->found ? jet : NULL;
+  }
+  for (size_t q = 0; q < c->n_runs; q++) {
+    size_t output = c->run[q].at[time].ref_output;
+    if (output != SIZE_MAX && c->ref.data.jet[output].found) return &c->ref.data.jet[output];
+  }
+  return NULL;
+}
+
+static void view_around(const struct cmp_jet *jet, struct geo_box *view) {
+  const double *points[] = {jet->tip, jet->root, isfinite(jet->foot[0]) ? jet->foot : jet->tip};
+  *view = (struct geo_box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  for (size_t i = 0; i < 3; i++)
+    for (int k = 0; k < 2; k++) {
+      view->min[k] = fmin(view->min[k], points[i][k] - 0.25);
+      view->max[k] = fmax(view->max[k], points[i][k] + 0.25);
+    }
+}
+
+static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, size_t time) {
+  const struct cmp_jet *main = jet_at(c, time, c->n_runs);
+  for (size_t r = 0; r < c->n_runs && !main; r++) main = jet_at(c, time, r);
+  if (!main) return OK;
+  struct geo_box view;
+  view_around(main, &view);
+  double aspect = (view.max[0] - view.min[0]) / (view.max[1] - view.min[1]);
+  double height = fmin(620, (640 - LEFT - 20) / aspect), width = height * aspect;
+  int total_width = (int)(width + LEFT + 20), total = (int)(height + 20 + 84);
+  struct cmp_figure *fig;
+  TRY(cmp_figure_begin(f, CMP_SECTION_JET, false, total_width, total, &fig, "jet-t%.4g",
+                       c->times[time]));
+  snprintf(fig->caption, sizeof fig->caption,
+           "The plunging jet at t* = %.4g, same scale in both directions; crosses mark the tips.",
+           c->times[time]);
+  TRY(surfaces_write(c, f, fig, time));
+  cmp_figure_formats(fig);
+  FILE *s = fig->script;
+  fprintf(s,
+          "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
+          "set bmargin at screen %.5f\nset xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n"
+          "set xlabel 'x / H'\nset ylabel 'y / H'\n"
+          "set key at screen 0.5, screen 0.01 bottom center horizontal samplen 2 noenhanced\nplot ",
+          (double)LEFT / total_width, (LEFT + width) / total_width, 1 - 20.0 / total,
+          1 - (20 + height) / total, view.min[0], view.max[0], view.min[1], view.max[1]);
+  for (size_t k = 0; k <= c->n_runs; k++) {
+    fprintf(s,
+            "%s'%s-surfaces.csv' skip 1 using ($1==%zu?$4:NaN):5 with lines linewidth %g linecolor "
+            "'%s' title ",
+            k ? ", \\\n  " : "", fig->name, k, k < c->n_runs ? 1.1 : 1.5,
+            cmp_colour(k < c->n_runs ? k : SIZE_MAX));
+    cmp_gnuplot_string(s, cmp_run_or_ref(c, k < c->n_runs ? k : SIZE_MAX)->data.label);
+    const struct cmp_jet *jet = jet_at(c, time, k);
+    if (jet)
+      fprintf(s,
+              ", \\\n  '+' using (%.6g):(%.6g) every ::0::0 with points pointtype 2 pointsize 0.9 "
+              "linecolor '%s' notitle",
+              jet->tip[0], jet->tip[1], cmp_colour(k < c->n_runs ? k : SIZE_MAX));
+  }
+  surface_plot(fig, c->n_runs + 1, "linewidth 1.6 linecolor '#666666'");
+  fputc('\n', s);
+  return cmp_figure_end(fig);
+}
+
+enum status cmp_overlays_write(const struct comparison *c, struct cmp_figures *f) {
+  enum status status = OK;
+  struct cloud *cloud = calloc(c->n_runs + 1, sizeof *cloud);
+  CHECK(cloud, ERR_MEMORY, "no memory for the pictures");
+  for (size_t k = 0; k < c->n_times && c->n_runs; k++) {
+    for (size_t r = 0; r < c->n_runs; r++) cloud_read(c, &c->run[r], c->run[r].at[k].t, &cloud[r]);
+    ATTEMPT(overlay_draw(c, f, k, cloud));
+    for (size_t r = 0; r < c->n_runs; r++) cloud_free(&cloud[r]);
+    ATTEMPT(jet_draw(c, f, k));
+  }
+done:
+  for (size_t r = 0; r < c->n_runs; r++) cloud_free(&cloud[r]);
+  free(cloud);
+  return status;
+}

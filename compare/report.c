@@ -1,0 +1,41 @@
+#include "compare/report.h"
+
+#include <string.h>
+
+#include "compare/charts.h"
+#include "compare/html.h"
+#include "compare/json.h"
+#include "compare/output.h"
+#include "compare/overlays.h"
+#include "compare/summary.h"
+
+enum status cmp_report(const struct case_file *settings, const struct result_file *reference,
+                       size_t n, struct result_file *const *runs, const char *out_dir,
+                       struct cmp_verdict *verdict) {
+  enum status status = OK;
+  struct comparison *c = NULL;
+  struct cmp_rows rows = {0};
+  struct cmp_figures figures = {0};
+  char html[PATH_MAX], json[PATH_MAX];
+  memset(verdict, 0, sizeof *verdict);
+  TRY(cmp_path_join(out_dir, "report.html", html));
+  TRY(cmp_path_join(out_dir, "report.json", json));
+  TRY(cmp_directory_make(out_dir));
+
+  ATTEMPT(comparison_create(settings, reference, n, runs, &c));
+  ATTEMPT(cmp_rows_create(c, &rows));
+  ATTEMPT(cmp_summary_sentence(c, &rows, verdict->sentence, sizeof verdict->sentence));
+  verdict->passed = rows.passed;
+  verdict->failed = rows.failed;
+  ATTEMPT(cmp_json_write(c, &rows, verdict->sentence, json));
+  ATTEMPT(cmp_figures_open(out_dir, &figures));
+  ATTEMPT(cmp_charts_write(c, &figures));
+  ATTEMPT(cmp_overlays_write(c, &figures));
+  ATTEMPT(cmp_figures_draw(&figures));
+  ATTEMPT(cmp_html_write(c, &rows, &figures, verdict->sentence, html));
+done:
+  cmp_figures_close(&figures);
+  cmp_rows_destroy(&rows);
+  comparison_destroy(c);
+  return status;
+}
