@@ -8,8 +8,8 @@
 
 /* Okabe and Ito's colours, yellow left out: it is lost on white. The reference is black. */
 const char *cmp_colour(size_t r) {
-  static const char *const palette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
-                                        "#56b4e9", "#7f7f7f"};
+  static const char *const palette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                        "#e69f00", "#56b4e9", "#7f7f7f"};
   return r == SIZE_MAX ? "#000000" : palette[r % (sizeof palette / sizeof *palette)];
 }
 
@@ -161,11 +161,12 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
   struct cmp_figure *fig;
   FILE *table;
   TRY(chart_begin(c, f, CMP_SECTION_DISTANCE, 720, "distance", &fig));
-  snprintf(fig->caption, sizeof fig->caption,
-           "Distance of each run's free surface from that of %.60s at every common output: mean and "
-           "largest distance of the main surfaces, and the area between them. Dashed: the noise "
-           "floor, half a particle spacing (times the surface's length for the area).",
-           c->ref.data.label);
+  snprintf(
+      fig->caption, sizeof fig->caption,
+      "Distance of each run's free surface from that of %.60s at every common output: mean and "
+      "largest distance of the main surfaces, and the area between them. Dashed: the noise "
+      "floor, half a particle spacing (times the surface's length for the area).",
+      c->ref.data.label);
   TRY(table_begin(f, fig, "t_star [sqrt(H/g)],mean_distance [H],largest_distance [H],area [H^2]",
                   &table));
   for (size_t r = 0; r < c->n_runs; r++) {
@@ -181,8 +182,9 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
     instants_mark(c, fig, panel);
     fprintf(fig->script, "set yrange [0:*]\nset ylabel '%s'\n", label[panel]);
     for (size_t r = 0; r < c->n_runs; r++)
-      curve_plot(fig, r == 0, &(struct curve){r, 4 + (int)panel, c->run[r].data.label,
-                                              cmp_colour(r), 1.3, 0, 0});
+      curve_plot(
+          fig, r == 0,
+          &(struct curve){r, 4 + (int)panel, c->run[r].data.label, cmp_colour(r), 1.3, 0, 0});
     for (size_t r = 0; r < c->n_runs && panel == 0; r++) {
       bool same = r > 0 && fabs(c->run[r].noise - c->run[r - 1].noise) < 1e-12;
       if (!same) level_plot(fig, c->run[r].noise, "#777777", NULL);
@@ -248,8 +250,7 @@ static void family_panel(const struct comparison *c, const struct cmp_figure *fi
   experiments_plot(c, fig, family, &first, true);
   for (size_t r = 0; r < c->n_runs; r++) {
     if (!family->run[r]) continue;
-    curve_plot(fig, first,
-               &(struct curve){r, 4, c->run[r].data.label, cmp_colour(r), 1.2, 0, 0});
+    curve_plot(fig, first, &(struct curve){r, 4, c->run[r].data.label, cmp_colour(r), 1.2, 0, 0});
     first = false;
   }
   reference_plot(c, fig, family, &first, true);
@@ -317,7 +318,8 @@ static enum status energy_charts(const struct comparison *c, struct cmp_figures 
       {"potential", "energy-potential", "potential [E0]", "(E_p − E_{rest}) / E_0", "*:*",
        "Potential energy relative to the same water at rest."},
       {"closure", "energy-budget", "closure [E0]", "budget error / E_0", "*:*",
-       "Closure of each energy budget: kinetic + potential + elastic + everything dissipated or taken "
+       "Closure of each energy budget: kinetic + potential + elastic + everything dissipated or "
+       "taken "
        "out, minus its value at t = 0. It is zero where every loss is accounted for."}};
   for (size_t k = 0; k < sizeof charts / sizeof *charts; k++) {
     struct family family = {.column = charts[k].column, .label = charts[k].label};
@@ -399,9 +401,8 @@ static enum status probe_chart(const struct comparison *c, struct cmp_figures *f
 static enum status signal_charts(const struct comparison *c, struct cmp_figures *f) {
   const struct cmp_data *ref = &c->ref.data;
   for (size_t k = 0; k < ref->n_probes; k++) {
-    struct family family = {.target = ref->probes[k].name,
-                            .column = "pressure [rho g H]",
-                            .label = "p / (ρ g H)"};
+    struct family family = {
+        .target = ref->probes[k].name, .column = "pressure [rho g H]", .label = "p / (ρ g H)"};
     enum status status = family_pick(c, pick_probe, ref->probes[k].name, &family);
     if (status == OK) status = probe_chart(c, f, &ref->probes[k], &family);
     free(family.run);
@@ -416,17 +417,17 @@ static enum status signal_charts(const struct comparison *c, struct cmp_figures 
              g->name, g->x);
     struct family family = {.target = g->name, .column = "elevation [H]", .label = "y / H"};
     enum status status = family_pick(c, pick_gauge, g->name, &family);
-    if (status == OK)
-      status = family_chart(c, f, CMP_SECTION_GAUGE, file, caption, "*:*", &family);
+    if (status == OK) status = family_chart(c, f, CMP_SECTION_GAUGE, file, caption, "*:*", &family);
     free(family.run);
     TRY(status);
   }
   struct family family = {.target = "front", .column = "front [H]", .label = "x_{front} / H"};
   char caption[256];
-  snprintf(caption, sizeof caption,
-           "Position of the front, where the water standing on the bed is %.3g H deep (two particle "
-           "spacings of the coarsest run).",
-           c->depth);
+  snprintf(
+      caption, sizeof caption,
+      "Position of the front, where the water standing on the bed is %.3g H deep (two particle "
+      "spacings of the coarsest run).",
+      c->depth);
   enum status status = family_pick(c, pick_own, "front", &family);
   if (status == OK && !family_empty(c, &family))
     status = family_chart(c, f, CMP_SECTION_FRONT, "front", caption, "*:*", &family);

@@ -8,7 +8,8 @@
 
 /* Outputs this close (in sqrt(H/g)) count as simultaneous. */
 static const double simultaneous = 0.01;
-/* An outline that encloses less or more than the run's own volume by this fraction is not trusted. */
+/* An outline that encloses less or more than the run's own volume by this fraction is not trusted.
+ */
 static const double enclosed_tolerance = 0.2;
 
 /* ---- what is compared where and when ---- */
@@ -23,8 +24,7 @@ static enum status times_set(struct comparison *c) {
   size_t room = s->compare.n_times + s->compare.n_tolerances + 3, n = 0;
   c->times = malloc(room * sizeof *c->times);
   CHECK(c->times, ERR_MEMORY, "no memory for %zu comparison times", room);
-  for (size_t i = 0; i < s->compare.n_times; i++)
-    c->times[n++] = s->compare.times[i] / c->scales.T;
+  for (size_t i = 0; i < s->compare.n_times; i++) c->times[n++] = s->compare.times[i] / c->scales.T;
   for (size_t i = 0; i < s->compare.n_tolerances; i++)
     if (isfinite(s->compare.tolerances[i].at))
       c->times[n++] = s->compare.tolerances[i].at / c->scales.T;
@@ -75,8 +75,7 @@ static void labels_make_unique(struct comparison *c) {
     if (!strcmp(c->ref.data.file->run, c->run[r].data.file->run)) copies++;
     for (size_t q = 0; q < r; q++)
       if (!strcmp(c->run[q].data.file->run, c->run[r].data.file->run)) copies++;
-    if (copies > 1) snprintf(label, room, "%.60s (%u)", c->run[r].data.file->run,
-                             copies);
+    if (copies > 1) snprintf(label, room, "%.60s (%u)", c->run[r].data.file->run, copies);
   }
 }
 
@@ -196,7 +195,8 @@ static void agreement_measure(struct cmp_run *run) {
     if (!isfinite(e->mean[i])) continue;
     if (e->mean[i] > limit) {
       double t = e->t[i];
-      if (isfinite(before)) t = before_t + (limit - before) / (e->mean[i] - before) * (t - before_t);
+      if (isfinite(before))
+        t = before_t + (limit - before) / (e->mean[i] - before) * (t - before_t);
       run->agreement = cmp_number(t);
       return;
     }
@@ -236,9 +236,8 @@ static struct cmp_value largest_magnitude(const struct cmp_series *s, double unt
 static void budget_measure(const struct comparison *c, struct cmp_run *run) {
   const struct cmp_value *impact = &c->ref.data.impact.time;
   run->closure = largest_magnitude(&run->data.closure, INFINITY);
-  run->closure_before = cmp_known(impact)
-                            ? largest_magnitude(&run->data.closure, impact->value)
-                            : cmp_unknown("the reference has no event wall_impact");
+  run->closure_before = cmp_known(impact) ? largest_magnitude(&run->data.closure, impact->value)
+                                          : cmp_unknown("the reference has no event wall_impact");
   const struct cmp_series *v = &run->data.volume;
   double worst = 0;
   for (size_t i = 0; i < v->n; i++) worst = fmax(worst, fabs(v->value[i] / v->value[0] - 1));

@@ -1,19 +1,20 @@
-/* Everything that is measured between runs and the reference; all dimensionless (compare/data.h). */
+/* Everything that is measured between runs and the reference; all dimensionless (compare/data.h).
+ */
 #pragma once
 #include "common/case.h"
 #include "compare/data.h"
 
 /* A pressure of this many rho g H marks the arrival of the water at a probe, an elevation of this
  * many H its arrival at a gauge. */
-#define CMP_ONSET 0.05
+#define CMP_ONSET       0.05
 #define CMP_SHIFT_REACH 0.5 /* sqrt(H/g): largest time shift tried */
 
-struct cmp_at { /* one run and the reference at one comparison time */
+struct cmp_at {              /* one run and the reference at one comparison time */
   size_t output, ref_output; /* SIZE_MAX: none */
   double t, ref_t;           /* of those outputs */
   struct cmp_value hausdorff, frechet, mean, largest, area;
-  double where[2];           /* of the largest distance */
-  double noise_area;         /* noise floor of the area */
+  double where[2];   /* of the largest distance */
+  double noise_area; /* noise floor of the area */
 };
 
 struct cmp_evolution { /* at every output of the run at which the reference has one too */
@@ -32,11 +33,11 @@ struct cmp_run {
   struct cmp_data data;
   struct cmp_at *at; /* [comparison.n_times] */
   struct cmp_evolution evolution;
-  double noise;                         /* of lengths, H: half a particle spacing */
-  struct cmp_value front, front_time;   /* largest difference until the impact, and when */
-  struct cmp_value agreement;           /* t* until which the mean distance stays within one dx */
+  double noise;                       /* of lengths, H: half a particle spacing */
+  struct cmp_value front, front_time; /* largest difference until the impact, and when */
+  struct cmp_value agreement;         /* t* until which the mean distance stays within one dx */
   struct cmp_value closure, closure_before; /* of the energy budget: whole run, until impact */
-  struct cmp_value volume;              /* largest change, relative */
+  struct cmp_value volume;                  /* largest change, relative */
   size_t n_pairs;
   struct cmp_pair *pairs;
 };

@@ -61,8 +61,7 @@ static enum status series_list(const struct result_series *from, size_t n,
   *to = calloc(n + 1, sizeof **to);
   CHECK(*to, ERR_MEMORY, "no memory for %zu series", n);
   for (size_t k = 0; k < n; k++) {
-    TRY(series_scaled(from[k].name, from[k].n, from[k].t, from[k].value, s->T, unit,
-                      &(*to)[k]));
+    TRY(series_scaled(from[k].name, from[k].n, from[k].t, from[k].value, s->T, unit, &(*to)[k]));
     (*to)[k].x = from[k].x / s->H;
     (*to)[k].y = from[k].y / s->H;
   }
@@ -199,15 +198,15 @@ void cmp_data_destroy(struct cmp_data *d) {
   free(d->surface);
   free(d->jet);
   geo_lines_destroy(&d->walls);
-  struct cmp_series *single[] = {&d->kinetic,   &d->potential, &d->mechanical,
-                                 &d->internal,  &d->viscosity, &d->diffusion,
-                                 &d->closure,   &d->volume,    &d->front};
+  struct cmp_series *single[] = {&d->kinetic,  &d->potential, &d->mechanical,
+                                 &d->internal, &d->viscosity, &d->diffusion,
+                                 &d->closure,  &d->volume,    &d->front};
   for (size_t k = 0; k < sizeof single / sizeof *single; k++) series_free(single[k]);
   struct {
     struct cmp_series *s;
     size_t n;
-  } list[] = {{d->probes, d->n_probes}, {d->gauges, d->n_gauges},
-              {d->experiments, d->n_experiments}};
+  } list[] = {
+      {d->probes, d->n_probes}, {d->gauges, d->n_gauges}, {d->experiments, d->n_experiments}};
   for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
     for (size_t i = 0; list[k].s && i < list[k].n; i++) series_free(&list[k].s[i]);
     free(list[k].s);
@@ -217,7 +216,8 @@ void cmp_data_destroy(struct cmp_data *d) {
 size_t cmp_data_output(const struct cmp_data *d, double t, double slack) {
   size_t best = SIZE_MAX;
   for (size_t i = 0; i < d->n; i++)
-    if (fabs(d->t[i] - t) <= slack && (best == SIZE_MAX || fabs(d->t[i] - t) < fabs(d->t[best] - t)))
+    if (fabs(d->t[i] - t) <= slack &&
+        (best == SIZE_MAX || fabs(d->t[i] - t) < fabs(d->t[best] - t)))
       best = i;
   return best;
 }
@@ -229,7 +229,8 @@ static int ascending(const void *a, const void *b) {
 
 double cmp_data_interval(const struct cmp_data *d) {
   if (d->n < 2) return 0;
-  double *gap = malloc(d->n * sizeof *gap), median = (d->t[d->n - 1] - d->t[0]) / (double)(d->n - 1);
+  double *gap = malloc(d->n * sizeof *gap),
+         median = (d->t[d->n - 1] - d->t[0]) / (double)(d->n - 1);
   if (!gap) return median;
   for (size_t i = 0; i + 1 < d->n; i++) gap[i] = d->t[i + 1] - d->t[i];
   qsort(gap, d->n - 1, sizeof *gap, ascending);

@@ -64,8 +64,8 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
     f->room = room;
   }
   struct cmp_figure *fig = &f->figure[f->n];
-  *fig = (struct cmp_figure){
-      .section = section, .raster = raster, .width = width, .height = height};
+  *fig =
+      (struct cmp_figure){.section = section, .raster = raster, .width = width, .height = height};
   va_list args;
   va_start(args, name);
   vsnprintf(fig->name, sizeof fig->name, name, args);
@@ -104,8 +104,8 @@ enum status cmp_figure_end(struct cmp_figure *fig) {
   return cmp_stream_close(script, fig->name);
 }
 
-enum status cmp_figure_data(struct cmp_figures *f, const struct cmp_figure *fig,
-                            const char *suffix, FILE **stream) {
+enum status cmp_figure_data(struct cmp_figures *f, const struct cmp_figure *fig, const char *suffix,
+                            FILE **stream) {
   return stream_open(f, fig->name, suffix, stream);
 }
 

@@ -1,5 +1,5 @@
-/* Figures drawn by gnuplot: each is a script and its data in DIR/figures, drawn as SVG, PDF and PNG.
- * gnuplot is started directly (no shell) and sees only files named here. */
+/* Figures drawn by gnuplot: each is a script and its data in DIR/figures, drawn as SVG, PDF and
+ * PNG. gnuplot is started directly (no shell) and sees only files named here. */
 #pragma once
 #include <limits.h>
 #include <stdbool.h>
@@ -8,14 +8,14 @@
 #include "common/status.h"
 
 enum cmp_section { /* of the report, in its order */
-  CMP_SECTION_DISTANCE,
-  CMP_SECTION_OVERLAY,
-  CMP_SECTION_JET,
-  CMP_SECTION_FRONT,
-  CMP_SECTION_ENERGY,
-  CMP_SECTION_PRESSURE,
-  CMP_SECTION_GAUGE,
-  CMP_SECTIONS
+                   CMP_SECTION_DISTANCE,
+                   CMP_SECTION_OVERLAY,
+                   CMP_SECTION_JET,
+                   CMP_SECTION_FRONT,
+                   CMP_SECTION_ENERGY,
+                   CMP_SECTION_PRESSURE,
+                   CMP_SECTION_GAUGE,
+                   CMP_SECTIONS
 };
 
 struct cmp_figure {
@@ -34,7 +34,8 @@ struct cmp_figures {
 };
 
 enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f);
-/* Draws everything (two at a time), checks and puts it in place. ERR_IO with gnuplot's first complaint. */
+/* Draws everything (two at a time), checks and puts it in place. ERR_IO with gnuplot's first
+ * complaint. */
 enum status cmp_figures_draw(struct cmp_figures *f);
 void cmp_figures_close(struct cmp_figures *f); /* removes what is temporary */
 

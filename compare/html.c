@@ -79,16 +79,17 @@ static void summary_row(struct page *p, const struct comparison *c, const struct
     else
       html_value(p, v, why);
   }
-  static const char *const once[] = {"front", "touchdown_time", "probe_rms", "experiment_probe_rms"};
+  static const char *const once[] = {"front", "touchdown_time", "probe_rms",
+                                     "experiment_probe_rms"};
   for (size_t k = 0; k < sizeof once / sizeof *once; k++)
     html_value(p, &cmp_rows_find(rows, once[k], r, SIZE_MAX)->value, why);
-  if (c->n_times)
-    html_value(p, &cmp_rows_find(rows, "decay", r, c->n_times - 1)->value, why);
+  if (c->n_times) html_value(p, &cmp_rows_find(rows, "decay", r, c->n_times - 1)->value, why);
   html_value(p, &run->closure_before, why);
   page_close(p);
 }
 
-static enum status summary(struct page *p, const struct comparison *c, const struct cmp_rows *rows) {
+static enum status summary(struct page *p, const struct comparison *c,
+                           const struct cmp_rows *rows) {
   struct html_reasons why = {0};
   size_t *order;
   TRY(cmp_summary_order(c, &order));
@@ -111,8 +112,9 @@ static enum status summary(struct page *p, const struct comparison *c, const str
   html_table_close(p);
   html_reasons_list(p, &why);
   page_open(p, "p", "soft");
-  page_text(p, "All against %s. Distances in H, times in √(H/g), pressures in ρgH (the worst "
-               "probe), energies in E0; grey: below the noise floor of half a particle spacing.",
+  page_text(p,
+            "All against %s. Distances in H, times in √(H/g), pressures in ρgH (the worst "
+            "probe), energies in E0; grey: below the noise floor of half a particle spacing.",
             c->ref.data.label);
   page_close(p);
   free(order);
@@ -145,10 +147,11 @@ static void checks(struct page *p, const struct comparison *c, const struct cmp_
   struct html_reasons why = {0};
   section(p, "checks", "Checks");
   if (!rows->passed && !rows->failed) {
-    page_element(p, "p", NULL,
-                 "The case sets no tolerance for what was compared, so nothing passes or fails. Put "
-                 "tolerances under compare.tolerances, for instance {measure: mean_distance, max: "
-                 "0.02}; the measures are listed at the end of this page.");
+    page_element(
+        p, "p", NULL,
+        "The case sets no tolerance for what was compared, so nothing passes or fails. Put "
+        "tolerances under compare.tolerances, for instance {measure: mean_distance, max: "
+        "0.02}; the measures are listed at the end of this page.");
     return;
   }
   html_table_open(p);
@@ -175,8 +178,9 @@ static enum status body(struct page *p, const struct comparison *c, const struct
 
   section(p, "distance", "Distance against time");
   TRY(html_figures(p, figures, CMP_SECTION_DISTANCE));
-  html_measures(p, c, rows, (const char *const[]){"mean_distance", "largest_distance", "hausdorff",
-                                                  "frechet", "area", NULL});
+  html_measures(p, c, rows,
+                (const char *const[]){"mean_distance", "largest_distance", "hausdorff", "frechet",
+                                      "area", NULL});
   section(p, "overlays", "Overlays");
   TRY(html_figures(p, figures, CMP_SECTION_OVERLAY));
 

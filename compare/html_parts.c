@@ -119,7 +119,6 @@ static enum status figure_show(struct page *p, const struct cmp_figures *figures
 enum status html_figures(struct page *p, const struct cmp_figures *figures,
                          enum cmp_section section) {
   for (size_t k = 0; k < figures->n; k++)
-    if (figures->figure[k].section == section)
-      TRY(figure_show(p, figures, &figures->figure[k]));
+    if (figures->figure[k].section == section) TRY(figure_show(p, figures, &figures->figure[k]));
   return OK;
 }

@@ -83,8 +83,8 @@ static void jets_table(struct page *p, const struct comparison *c) {
     for (size_t r = 0; r <= c->n_runs; r++)
       any = any || jet_of(c, k, r < c->n_runs ? r : SIZE_MAX) != NULL;
   if (!any) {
-    page_element(p, "p", NULL,
-                 "No surface overhangs by more than %.3g H at the comparison times.", c->depth);
+    page_element(p, "p", NULL, "No surface overhangs by more than %.3g H at the comparison times.",
+                 c->depth);
     return;
   }
   html_table_open(p);
@@ -140,9 +140,10 @@ void html_jets(struct page *p, const struct comparison *c) {
   }
   html_table_close(p);
   html_reasons_list(p, &why);
-  page_element(p, "p", "soft",
-               "A time with ± was read off the sequence of surfaces, and ± is the half width of the "
-               "interval between outputs that holds it; one without was located by the solver.");
+  page_element(
+      p, "p", "soft",
+      "A time with ± was read off the sequence of surfaces, and ± is the half width of the "
+      "interval between outputs that holds it; one without was located by the solver.");
   page_element(p, "h3", NULL, "Shape");
   jets_table(p, c);
 }
@@ -167,10 +168,9 @@ void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity 
       html_cell(p, "t", "%s", pair->a->name);
       html_cell(p, "t", "%s", pair->experiment == SIZE_MAX ? c->ref.data.label : pair->b->name);
       html_cell(p, NULL, "%.3g–%.3g", pair->m.from, pair->m.to);
-      const struct cmp_value *cells[] = {&a->onset,     &b->onset,     &a->peak,
-                                         &b->peak,      &a->peak_time, &b->peak_time,
-                                         &a->impulse,   &b->impulse,   &pair->m.rms,
-                                         &pair->m.shift, &pair->m.rms_after};
+      const struct cmp_value *cells[] = {
+          &a->onset,   &b->onset,   &a->peak,     &b->peak,       &a->peak_time,     &b->peak_time,
+          &a->impulse, &b->impulse, &pair->m.rms, &pair->m.shift, &pair->m.rms_after};
       for (size_t v = 0; v < sizeof cells / sizeof *cells; v++) html_value(p, cells[v], &why);
       page_close(p);
     }
@@ -245,8 +245,8 @@ void html_provenance(struct page *p, const struct comparison *c) {
     page_element(p, "h3", NULL, "Experiments");
     page_open(p, "ul", NULL);
     for (size_t k = 0; k < f->n_experiments; k++)
-      page_element(p, "li", NULL, "%s (%s): %s", f->experiments[k].label,
-                   f->experiments[k].target, f->experiments[k].source);
+      page_element(p, "li", NULL, "%s (%s): %s", f->experiments[k].label, f->experiments[k].target,
+                   f->experiments[k].source);
     page_close(p);
   }
 }
@@ -255,50 +255,58 @@ void html_provenance(struct page *p, const struct comparison *c) {
 
 void html_method(struct page *p, const struct comparison *c) {
   page_open(p, "ul", NULL);
-  page_element(p, "li", NULL,
-               "Scales: lengths in H = %.4g m, times t* in √(H/g) = %.4g s, pressures in ρgH = %.4g "
-               "Pa, energies in E0 = %.4g J/m, %s.",
-               c->scales.H, c->scales.T, c->scales.p, c->scales.E,
-               c->scales.at_rest
-                   ? "the initial potential energy (the water starts at rest)"
-                   : "the reference's initial mechanical energy relative to the same water at rest");
-  page_element(p, "li", NULL,
-               "Noise floor: the surface of a cloud of particles is known to about half a particle "
-               "spacing, dx/2; for the area, dx/2 times the length of the reference's surface in the "
-               "window. Values below it are shown in grey: they are zero as far as can be told.");
+  page_element(
+      p, "li", NULL,
+      "Scales: lengths in H = %.4g m, times t* in √(H/g) = %.4g s, pressures in ρgH = %.4g "
+      "Pa, energies in E0 = %.4g J/m, %s.",
+      c->scales.H, c->scales.T, c->scales.p, c->scales.E,
+      c->scales.at_rest
+          ? "the initial potential energy (the water starts at rest)"
+          : "the reference's initial mechanical energy relative to the same water at rest");
+  page_element(
+      p, "li", NULL,
+      "Noise floor: the surface of a cloud of particles is known to about half a particle "
+      "spacing, dx/2; for the area, dx/2 times the length of the reference's surface in the "
+      "window. Values below it are shown in grey: they are zero as far as can be told.");
   page_element(p, "li", NULL,
                "Main surface: pieces at least %g %% as long as the longest. Shorter ones are spray "
                "and bubbles; they count in the Hausdorff distance and in the area only.",
                100 * CMP_MAIN_FRACTION);
-  page_element(p, "li", NULL,
-               "Distances are taken from points every dx/2 along one surface, inside the window, to "
-               "the whole other surface, in both directions. Hausdorff and discrete Fréchet "
-               "distances are those of GEOS on the same points.");
-  page_element(p, "li", NULL,
-               "Area: free surfaces are closed along the tank into regions of water; the area is "
-               "that of their symmetric difference within the window. It is withheld when an outline "
-               "encloses less or more than the run's volume by a fifth.");
-  page_element(p, "li", NULL,
-               "Front: the largest x at which the water standing on the bed is deeper than %.4g H "
-               "(two spacings of the coarsest run), the same depth in every run, until the reference "
-               "reaches the wall.",
-               c->depth);
-  page_element(p, "li", NULL,
-               "Jet: where the longest piece turns back by more than %.4g H. The tip is its point "
-               "furthest along the jet's own direction, which runs from the middle of the section at "
-               "0.1 H to the tip; thickness is the distance between the points where circles about "
-               "the tip cut its two sides; the cavity is closed by the vertical through the tip. "
-               "Direction is counted counter-clockwise from +x.",
-               c->depth);
-  page_element(p, "li", NULL,
-               "Signals are compared over the time both cover, interpolated linearly. Arrival: first "
-               "time at %g ρgH (pressure) or %g H (height). The best shift is the one within ±%g "
-               "√(H/g) with the smallest rms; positive: the run is late. It is never applied.",
-               CMP_ONSET, CMP_ONSET, CMP_SHIFT_REACH);
-  page_element(p, "li", NULL,
-               "Energy: mechanical = kinetic + potential + the energy of water that a solver took "
-               "out of its computation. The budget is kinetic + potential + elastic + viscous and "
-               "diffusive losses + work on walls + removed; its closure is its change since t = 0.");
+  page_element(
+      p, "li", NULL,
+      "Distances are taken from points every dx/2 along one surface, inside the window, to "
+      "the whole other surface, in both directions. Hausdorff and discrete Fréchet "
+      "distances are those of GEOS on the same points.");
+  page_element(
+      p, "li", NULL,
+      "Area: free surfaces are closed along the tank into regions of water; the area is "
+      "that of their symmetric difference within the window. It is withheld when an outline "
+      "encloses less or more than the run's volume by a fifth.");
+  page_element(
+      p, "li", NULL,
+      "Front: the largest x at which the water standing on the bed is deeper than %.4g H "
+      "(two spacings of the coarsest run), the same depth in every run, until the reference "
+      "reaches the wall.",
+      c->depth);
+  page_element(
+      p, "li", NULL,
+      "Jet: where the longest piece turns back by more than %.4g H. The tip is its point "
+      "furthest along the jet's own direction, which runs from the middle of the section at "
+      "0.1 H to the tip; thickness is the distance between the points where circles about "
+      "the tip cut its two sides; the cavity is closed by the vertical through the tip. "
+      "Direction is counted counter-clockwise from +x.",
+      c->depth);
+  page_element(
+      p, "li", NULL,
+      "Signals are compared over the time both cover, interpolated linearly. Arrival: first "
+      "time at %g ρgH (pressure) or %g H (height). The best shift is the one within ±%g "
+      "√(H/g) with the smallest rms; positive: the run is late. It is never applied.",
+      CMP_ONSET, CMP_ONSET, CMP_SHIFT_REACH);
+  page_element(
+      p, "li", NULL,
+      "Energy: mechanical = kinetic + potential + the energy of water that a solver took "
+      "out of its computation. The budget is kinetic + potential + elastic + viscous and "
+      "diffusive losses + work on walls + removed; its closure is its change since t = 0.");
   if (!c->window_whole)
     page_element(p, "li", NULL, "Window: x/H from %.4g to %.4g, y/H from %.4g to %.4g.",
                  c->window.min[0], c->window.max[0], c->window.min[1], c->window.max[1]);

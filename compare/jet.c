@@ -7,7 +7,7 @@
 
 const double cmp_jet_station[CMP_JET_STATIONS] = {0.05, 0.1, 0.2};
 
-struct fold { /* between a right-hand and a left-hand vertical tangent of the piece */
+struct fold {         /* between a right-hand and a left-hand vertical tangent of the piece */
   size_t right, left; /* indices of those points, right < left along the piece */
   double overhang;
 };

@@ -135,8 +135,10 @@ static json_t *provenance(struct maker *m, const struct cmp_data *d) {
   }
   for (size_t k = 0; k < f->n_statistics; k++) {
     char *key = cmp_text_copy(f->statistics[k].name);
-    if (!key) m->ok = false;
-    else set(m, statistics, key, number(f->statistics[k].value));
+    if (!key)
+      m->ok = false;
+    else
+      set(m, statistics, key, number(f->statistics[k].value));
     free(key);
   }
   set(m, object, "statistics", statistics);
@@ -164,7 +166,8 @@ static json_t *run_object(struct maker *m, const struct comparison *c, const str
       set(m, entry, "t_star", number(at->t));
       set(m, entry, "t_star_reference", number(at->ref_t));
       set(m, entry, "largest_distance_at", point(m, at->where));
-      set(m, entry, "jet", at->output == SIZE_MAX ? json_null() : jet(m, &run->data.jet[at->output]));
+      set(m, entry, "jet",
+          at->output == SIZE_MAX ? json_null() : jet(m, &run->data.jet[at->output]));
       set(m, entry, "jet_reference",
           at->ref_output == SIZE_MAX ? json_null() : jet(m, &c->ref.data.jet[at->ref_output]));
       add(m, jets, entry);
@@ -216,8 +219,7 @@ enum status cmp_json_write(const struct comparison *c, const struct cmp_rows *ro
   set(m, root, "program_revision", text(PLUNGE_REVISION));
   set(m, root, "title", text(c->ref.data.file->title));
   set(m, root, "sentence", text(sentence));
-  set(m, root, "verdict",
-      text(rows->failed ? "fail" : rows->passed ? "pass" : "no tolerances"));
+  set(m, root, "verdict", text(rows->failed ? "fail" : rows->passed ? "pass" : "no tolerances"));
   set(m, root, "passed", json_integer((json_int_t)rows->passed));
   set(m, root, "failed", json_integer((json_int_t)rows->failed));
   set(m, root, "scales", scales(m, c));

@@ -189,24 +189,29 @@ static struct cmp_value apart(const struct cmp_value *a, const struct cmp_value 
 
 static struct cmp_value pair_number(const struct cmp_pair *p, enum number which) {
   switch (which) {
-  case PEAK: return apart(&p->m.a.peak, &p->m.b.peak);
-  case PEAK_TIME: return apart(&p->m.a.peak_time, &p->m.b.peak_time);
-  case ONSET: return apart(&p->m.a.onset, &p->m.b.onset);
-  case IMPULSE: return apart(&p->m.a.impulse, &p->m.b.impulse);
+  case PEAK:
+    return apart(&p->m.a.peak, &p->m.b.peak);
+  case PEAK_TIME:
+    return apart(&p->m.a.peak_time, &p->m.b.peak_time);
+  case ONSET:
+    return apart(&p->m.a.onset, &p->m.b.onset);
+  case IMPULSE:
+    return apart(&p->m.a.impulse, &p->m.b.impulse);
   case SHIFT: {
     struct cmp_value v = p->m.shift;
     if (cmp_known(&v)) v.value = fabs(v.value);
     return v;
   }
-  default: return p->m.rms;
+  default:
+    return p->m.rms;
   }
 }
 
 /* The worst over the pairs wanted; one that is not available makes the whole unavailable. */
 static struct cmp_value worst_pair(struct look *l, bool experiment, bool pressure,
                                    enum number which) {
-  struct cmp_value worst = cmp_unknown(experiment ? "no experiment to compare with"
-                                                  : "no such signal in both files");
+  struct cmp_value worst =
+      cmp_unknown(experiment ? "no experiment to compare with" : "no such signal in both files");
   for (size_t k = 0; k < l->run->n_pairs; k++) {
     const struct cmp_pair *p = &l->run->pairs[k];
     if ((p->experiment != SIZE_MAX) != experiment || (p->quantity == CMP_PRESSURE) != pressure)
@@ -277,7 +282,7 @@ static struct cmp_row row_make(const struct comparison *c, size_t m, size_t r, s
   const struct cmp_at *at = time == SIZE_MAX ? NULL : &run->at[time];
   struct look look = {c, run, at, at ? c->times[time] : NAN, row.detail, sizeof row.detail};
   row.value = evaluators[m].value(&look);
-  row.noise = evaluators[m].noise == LENGTH             ? run->noise
+  row.noise = evaluators[m].noise == LENGTH               ? run->noise
               : evaluators[m].noise == AREA && at != NULL ? at->noise_area
                                                           : NAN;
   return row;

@@ -10,8 +10,7 @@
     "mean distance between the main surfaces, sampled by arc length, average of both directions")  \
   X(largest_distance, "H", AT, LENGTH,                                                             \
     "largest distance between the main surfaces, either direction")                                \
-  X(hausdorff, "H", AT, LENGTH,                                                                    \
-    "Hausdorff distance of all pieces, spray and bubbles included")                                \
+  X(hausdorff, "H", AT, LENGTH, "Hausdorff distance of all pieces, spray and bubbles included")    \
   X(frechet, "H", AT, LENGTH,                                                                      \
     "discrete Frechet distance of the longest pieces: respects the order along the surface")       \
   X(area, "H^2", AT, AREA, "area that is water in one and air in the other")                       \
@@ -31,8 +30,7 @@
   X(mechanical, "E0", AT, NONE, "difference of kinetic + potential energy")                        \
   X(decay, "E0", AT, NONE, "kinetic + potential energy lost since the start (not a difference)")   \
   X(budget, "E0", ONCE, NONE, "largest error of closure of the run's energy budget")               \
-  X(budget_before_impact, "E0", ONCE, NONE,                                                        \
-    "the same until the reference reaches the wall")                                               \
+  X(budget_before_impact, "E0", ONCE, NONE, "the same until the reference reaches the wall")       \
   X(volume, "1", ONCE, NONE, "largest relative change of the run's volume")                        \
   X(probe_rms, "rho g H", ONCE, NONE, "rms difference of pressure, worst probe")                   \
   X(probe_peak, "rho g H", ONCE, NONE, "difference of peak pressure, worst probe")                 \

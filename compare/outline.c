@@ -131,7 +131,8 @@ static GEOSGeometry *polygon(struct cmp_geos *g, const struct geo_lines *l, size
 }
 
 /* Union of the rings of one sense: clockwise ones are water, counter-clockwise ones cavities. */
-static GEOSGeometry *rings_union(struct cmp_geos *g, const struct geo_lines *rings, bool clockwise) {
+static GEOSGeometry *rings_union(struct cmp_geos *g, const struct geo_lines *rings,
+                                 bool clockwise) {
   GEOSGeometry **part = calloc(rings->pieces + 1, sizeof(GEOSGeometry *));
   if (!part) return NULL;
   size_t n = 0;
@@ -151,7 +152,6 @@ static GEOSGeometry *rings_union(struct cmp_geos *g, const struct geo_lines *rin
 static GEOSGeometry *box_geometry(struct cmp_geos *g, const struct geo_box *b) {
   return GEOSGeom_createRectangle_r(g->handle, b->min[0], b->min[1], b->max[0], b->max[1]);
 }
-
 
 /* ---- one outline ---- */
 
@@ -175,11 +175,10 @@ static enum status water_region(struct cmp_outline *o, const struct geo_lines *s
   ATTEMPT(cmp_lines_close(surface, walls, 2 * o->spacing, &rings));
   GEOS("join the water", water = rings_union(g, &rings, true));
   GEOS("join the cavities", cavities = rings_union(g, &rings, false));
-  GEOS("take the cavities out",
-       all = polygonal(g, GEOSDifference_r(g->handle, water, cavities)));
+  GEOS("take the cavities out", all = polygonal(g, GEOSDifference_r(g->handle, water, cavities)));
   GEOS("measure the water", GEOSArea_r(g->handle, all, &o->enclosed));
   GEOS("make the window", box = box_geometry(g, window));
-  GEOS("cut the water by the window", 
+  GEOS("cut the water by the window",
        o->water = polygonal(g, GEOSIntersection_r(g->handle, all, box)));
 done:
   for (size_t i = 0; i < 4; i++) {
@@ -321,8 +320,7 @@ enum status cmp_outline_area(const struct cmp_outline *a, const struct cmp_outli
   struct cmp_geos *g = a->geos;
   double area = 0;
   GEOSGeometry *difference = NULL;
-  GEOS("subtract two regions",
-       difference = GEOSSymDifference_r(g->handle, a->water, b->water));
+  GEOS("subtract two regions", difference = GEOSSymDifference_r(g->handle, a->water, b->water));
   GEOS("measure an area", GEOSArea_r(g->handle, difference, &area));
   *v = cmp_number(area);
 done:

@@ -8,7 +8,7 @@
  * Hausdorff distance and in the area, not in the mean, largest and Frechet distances. */
 #define CMP_MAIN_FRACTION 0.1
 
-struct cmp_geos; /* one a thread */
+struct cmp_geos;                        /* one a thread */
 struct cmp_geos *cmp_geos_create(void); /* NULL: no memory */
 void cmp_geos_destroy(struct cmp_geos *g);
 
@@ -36,7 +36,8 @@ enum status cmp_outline_distance(const struct cmp_outline *a, const struct cmp_o
                                  struct cmp_value *largest);
 enum status cmp_outline_hausdorff(const struct cmp_outline *a, const struct cmp_outline *b,
                                   struct cmp_value *v);
-/* Discrete Frechet distance of the longest connected parts in the window, points every `spacing`. */
+/* Discrete Frechet distance of the longest connected parts in the window, points every `spacing`.
+ */
 enum status cmp_outline_frechet(const struct cmp_outline *a, const struct cmp_outline *b,
                                 struct cmp_value *v);
 /* Area of water that is in one and not in the other, within the window. */

@@ -31,7 +31,8 @@ static void cloud_free(struct cloud *cloud) {
   *cloud = (struct cloud){0};
 }
 
-/* Empty when the file has no particles then, or none that fill the water (boundary nodes do not). */
+/* Empty when the file has no particles then, or none that fill the water (boundary nodes do not).
+ */
 static void cloud_read(const struct comparison *c, const struct cmp_run *run, double t,
                        struct cloud *cloud) {
   const struct result_file *f = run->data.file;
@@ -164,8 +165,8 @@ static struct layout layout_choose(const struct geo_box *view, size_t panels) {
   l.rows = (panels + l.columns - 1) / l.columns;
   l.width = (WIDTH - LEFT - RIGHT - 30.0 * (double)(l.columns - 1)) / (double)l.columns;
   l.height = l.width / aspect;
-  l.total = (int)ceil(TOP + BOTTOM + (double)l.rows * (l.height + TITLE) +
-                      GAP * (double)(l.rows - 1));
+  l.total =
+      (int)ceil(TOP + BOTTOM + (double)l.rows * (l.height + TITLE) + GAP * (double)(l.rows - 1));
   return l;
 }
 
@@ -260,10 +261,11 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
   struct cmp_figure *fig;
   TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, WIDTH, l.total, &fig, "overlay-t%.4g",
                        c->times[time]));
-  snprintf(fig->caption, sizeof fig->caption,
-           "t* = %.4g. Particles coloured by pressure (the same colours for every run), the run's own "
-           "free surface in thin orange, that of %.60s in black.",
-           c->times[time], c->ref.data.label);
+  snprintf(
+      fig->caption, sizeof fig->caption,
+      "t* = %.4g. Particles coloured by pressure (the same colours for every run), the run's own "
+      "free surface in thin orange, that of %.60s in black.",
+      c->times[time], c->ref.data.label);
   TRY(surfaces_write(c, f, fig, time));
   for (size_t r = 0; r < c->n_runs; r++)
     if (cloud[r].n) TRY(cloud_write(&cloud[r], f, fig, r));

@@ -14,7 +14,7 @@ struct page *page_create(FILE *stream);
 bool page_finish(struct page *p);
 void page_destroy(struct page *p);
 
-void page_open(struct page *p, const char *tag, const char *class); /* class may be NULL */
+void page_open(struct page *p, const char *tag, const char *class);       /* class may be NULL */
 void page_attribute(struct page *p, const char *name, const char *value); /* right after open */
 void page_close(struct page *p);
 void page_text(struct page *p, const char *format, ...) __attribute__((format(printf, 2, 3)));

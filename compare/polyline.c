@@ -140,8 +140,7 @@ static enum status ring_create(const struct geo_lines *walls, const struct geo_l
   TRY(geo_lines_begin(&r->line, true));
   size_t first = walls->first[wall], end = walls->first[wall + 1];
   if (!walls->closed[wall]) TRY(geo_lines_add(&r->line, walls->p[first][0], sky));
-  for (size_t i = first; i < end; i++)
-    TRY(geo_lines_add(&r->line, walls->p[i][0], walls->p[i][1]));
+  for (size_t i = first; i < end; i++) TRY(geo_lines_add(&r->line, walls->p[i][0], walls->p[i][1]));
   if (!walls->closed[wall]) TRY(geo_lines_add(&r->line, walls->p[end - 1][0], sky));
 
   size_t n = r->line.points;
@@ -193,10 +192,10 @@ static enum status ring_walk(const struct ring *r, double s, double gap, struct 
   return OK;
 }
 
-struct end { /* of an open piece */
-  double start, finish;        /* on the tank's boundary, m */
-  double from[2], to[2];       /* those points */
-  bool used, closed;           /* closed: needs no wall to close it */
+struct end {             /* of an open piece */
+  double start, finish;  /* on the tank's boundary, m */
+  double from[2], to[2]; /* those points */
+  bool used, closed;     /* closed: needs no wall to close it */
 };
 
 enum status cmp_lines_close(const struct geo_lines *surface, const struct geo_lines *walls,

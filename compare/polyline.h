@@ -10,7 +10,8 @@ size_t cmp_piece_longest(const struct geo_lines *surface);
 /* Copies the pieces at least `fraction` as long as the longest: the surface without spray. */
 enum status cmp_lines_main(const struct geo_lines *surface, double fraction, struct geo_lines *out);
 
-/* Cuts lines by a box; parts keep their direction, a closed piece that is cut becomes open parts. */
+/* Cuts lines by a box; parts keep their direction, a closed piece that is cut becomes open parts.
+ */
 enum status cmp_lines_clip(const struct geo_lines *in, const struct geo_box *box,
                            struct geo_lines *out);
 
@@ -20,7 +21,7 @@ enum status cmp_lines_sample(const struct geo_lines *in, double step, struct geo
 /* Closes oriented free surfaces into rings of water. From the end of an open piece the tank's wall
  * is followed with the water on the same side to where the next piece starts; the tank is taken as
  * open to the sky. Rings are clockwise around water, counter-clockwise around cavities. Ends lying
- * off the wall are joined to its nearest point; an open piece whose ends lie within `snap` metres of each
- * other the wrong way round is simply closed. */
+ * off the wall are joined to its nearest point; an open piece whose ends lie within `snap` metres
+ * of each other the wrong way round is simply closed. */
 enum status cmp_lines_close(const struct geo_lines *surface, const struct geo_lines *walls,
                             double snap, struct geo_lines *rings);

@@ -1,11 +1,13 @@
-/* The report's style sheet: one column of reading width beside a sticky contents, light and dark. */
+/* The report's style sheet: one column of reading width beside a sticky contents, light and dark.
+ */
 #pragma once
 
 static const char report_style[] =
     ":root{color-scheme:light dark;--bg:#fbfbfa;--fg:#1d1f21;--soft:#5f6368;--line:#dcdcd8;"
     "--card:#fff;--accent:#0b5cad;--pass:#1a7f37;--fail:#c0262d;--head:#f1f1ee}\n"
     "@media(prefers-color-scheme:dark){:root{--bg:#16181b;--fg:#e4e4e2;--soft:#a3a7ac;"
-    "--line:#34383d;--card:#1e2125;--accent:#79b8ff;--pass:#56d364;--fail:#ff7b72;--head:#25292e}}\n"
+    "--line:#34383d;--card:#1e2125;--accent:#79b8ff;--pass:#56d364;--fail:#ff7b72;--head:#25292e}}"
+    "\n"
     "*{box-sizing:border-box}html{scroll-behavior:smooth}\n"
     "body{margin:0;background:var(--bg);color:var(--fg);font:16px/1.55 system-ui,'Segoe "
     "UI',Roboto,'Helvetica Neue',Arial,sans-serif;display:grid;"
@@ -40,7 +42,8 @@ static const char report_style[] =
     "figcaption a,a{color:var(--accent)}figcaption span{white-space:nowrap}"
     "pre{background:var(--card);border:1px solid var(--line);border-radius:6px;padding:.8rem;"
     "overflow:auto;font-size:.82rem;line-height:1.45;max-height:36rem}summary{cursor:pointer;"
-    "color:var(--accent);margin:.4rem 0}dt{font-weight:600;margin-top:.6rem}dd{margin:0 0 0 1.2rem}\n"
+    "color:var(--accent);margin:.4rem 0}dt{font-weight:600;margin-top:.6rem}dd{margin:0 0 0 "
+    "1.2rem}\n"
     "@media(max-width:60rem){body{display:block;padding:0 1rem}nav{position:sticky;z-index:1;"
     "background:var(--bg);padding:.5rem 0;white-space:nowrap;border-bottom:1px solid "
     "var(--line)}nav b{display:none}nav a{display:inline-block;border:0}}\n"

@@ -63,7 +63,8 @@ enum status cmp_summary_sentence(const struct comparison *c, const struct cmp_ro
       bool leaves = cmp_known(&run->agreement);
       double until = leaves ? run->agreement.value : shared;
       if (k == 0)
-        append(&t, "stays within one particle spacing (%.3g H, on average along the surface) of %.60s ",
+        append(&t,
+               "stays within one particle spacing (%.3g H, on average along the surface) of %.60s ",
                run->data.dx, c->ref.data.label);
       append(&t, leaves ? "until t* = %.3g" : "to the end of what they share, t* = %.3g", until);
     }

@@ -5,7 +5,8 @@
 /* Indices of the runs, the one that agrees longest first; [n_runs], the caller's to free. */
 enum status cmp_summary_order(const struct comparison *c, size_t **order);
 
-/* Until when a run's surface can be compared with the reference's: the last common output, t*; NaN. */
+/* Until when a run's surface can be compared with the reference's: the last common output, t*; NaN.
+ */
 double cmp_summary_shared(const struct cmp_run *run);
 
 enum status cmp_summary_sentence(const struct comparison *c, const struct cmp_rows *rows,

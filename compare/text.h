@@ -3,7 +3,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Replaces, in place, what is not UTF-8 and control characters other than tab and newline by '?'. */
+/* Replaces, in place, what is not UTF-8 and control characters other than tab and newline by '?'.
+ */
 void cmp_text_clean(char *text);
 char *cmp_text_copy(const char *text); /* cleaned; NULL gives ""; NULL back: no memory */
 
