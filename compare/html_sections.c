@@ -38,7 +38,7 @@ void html_measures(struct page *p, const struct comparison *c, const struct cmp_
     for (size_t i = 0; i < n; i++) {
       page_open(p, "tr", NULL);
       if (i == 0) {
-        char span[16];
+        char span[24];
         page_open(p, "th", "t");
         snprintf(span, sizeof span, "%zu", n);
         page_attribute(p, "rowspan", span);
