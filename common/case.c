@@ -54,20 +54,23 @@ static char *read_file(const char *path, struct problems *problems, size_t *n) {
   struct stat info;
   FILE *file = fopen(path, "rb");
   if (!file) {
-    problems_add(problems, 0, "cannot be read (%s); give the path of a case file", strerror(errno));
+    problems_add(problems, 0,
+                 "found nothing to read (%s); allowed: a case file in YAML; correct the path",
+                 strerror(errno));
     return NULL;
   }
   char *text = NULL;
   if (fstat(fileno(file), &info) || S_ISDIR(info.st_mode)) {
-    problems_add(problems, 0, "found a directory; give the path of a case file");
+    problems_add(problems, 0, "found a directory; allowed: a case file in YAML; correct the path");
   } else if (!(text = malloc(MOST_BYTES + 1))) {
     problems->out_of_memory = true;
   } else {
     *n = fread(text, 1, MOST_BYTES + 1, file); /* not st_size: it may be a pipe */
-    const char *trouble = ferror(file) ? "cannot be read to its end; check the disk"
-                          : *n > MOST_BYTES
-                              ? "found more than 10 MB; allowed: a case file of at most 10 MB"
-                              : NULL;
+    const char *trouble = ferror(file) ? "found an end before the end of the file; allowed: a case "
+                                         "file in YAML; check the disk"
+                          : *n > MOST_BYTES ? "found more than 10 MB; allowed: a case file of at "
+                                              "most 10 MB; keep data in other files"
+                                            : NULL;
     if (trouble) {
       problems_add(problems, 0, "%s", trouble);
       free(text);
@@ -93,6 +96,7 @@ static enum status build(struct case_draft *d, const char *path, const char *tex
   c->path = strdup(path);
   CHECK(c->path, ERR_MEMORY, "no memory for the case");
   TRY(case_read_sections(d));
+  if (!case_doc_is_mapping(&d->doc, case_doc_root(&d->doc))) return OK;
   TRY(case_read_runs(d));
   TRY(case_read_compare(d));
   if (!c->title) c->title = title_from_path(path);

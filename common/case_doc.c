@@ -4,7 +4,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_KEYS = 200 }; /* of a mapping: bounds the work that a hostile file can ask for */
+/* Far more than any case needs; they bound the work that a hostile file can ask for. */
+enum { MOST_KEYS = 200, MOST_DEPTH = 32, MOST_ANCHORS = 1000 };
+
+static bool parser_begin(yaml_parser_t *parser, const char *text, size_t n,
+                         struct problems *problems) {
+  if (!yaml_parser_initialize(parser)) {
+    problems->out_of_memory = true;
+    return false;
+  }
+  yaml_parser_set_encoding(parser, YAML_UTF8_ENCODING);
+  yaml_parser_set_input_string(parser, (const unsigned char *)text, n);
+  return true;
+}
 
 static void report_syntax(struct problems *problems, const yaml_parser_t *parser) {
   const char *problem = parser->problem ? parser->problem : "not YAML";
@@ -23,29 +35,72 @@ static void report_syntax(struct problems *problems, const yaml_parser_t *parser
   }
 }
 
-static void expect_end(struct problems *problems, yaml_parser_t *parser) {
-  yaml_document_t next;
-  if (!yaml_parser_load(parser, &next)) {
-    report_syntax(problems, parser);
-    return;
+/* Reads through the text once without keeping anything: syntax errors, a second document, and what
+ * would make libyaml's composing parser take quadratic time. */
+static void survey(const char *text, size_t n, struct problems *problems) {
+  yaml_parser_t parser;
+  yaml_event_t event;
+  size_t depth = 0, anchors = 0, documents = 0;
+  bool more = true;
+  if (!parser_begin(&parser, text, n, problems)) return;
+  while (more && !problems->n) {
+    if (!yaml_parser_parse(&parser, &event)) {
+      report_syntax(problems, &parser);
+      break;
+    }
+    int line = (int)event.start_mark.line + 1;
+    yaml_char_t *anchor = NULL;
+    switch (event.type) {
+    case YAML_NO_EVENT:
+    case YAML_STREAM_END_EVENT:
+      more = false;
+      break;
+    case YAML_DOCUMENT_START_EVENT:
+      documents++;
+      break;
+    case YAML_SEQUENCE_START_EVENT:
+      depth++;
+      anchor = event.data.sequence_start.anchor;
+      break;
+    case YAML_MAPPING_START_EVENT:
+      depth++;
+      anchor = event.data.mapping_start.anchor;
+      break;
+    case YAML_SEQUENCE_END_EVENT:
+    case YAML_MAPPING_END_EVENT:
+      depth--;
+      break;
+    case YAML_SCALAR_EVENT:
+      anchor = event.data.scalar.anchor;
+      break;
+    default:
+      break;
+    }
+    if (anchor) anchors++;
+    yaml_event_delete(&event);
+    if (documents > 1)
+      problems_add(problems, line,
+                   "found a second YAML document; allowed: one case a file; remove "
+                   "the line '---' and what follows");
+    else if (depth > MOST_DEPTH)
+      problems_add(problems, line,
+                   "found lists and mappings more than %d deep; allowed: the keys of "
+                   "a case; close the brackets",
+                   MOST_DEPTH);
+    else if (anchors > MOST_ANCHORS)
+      problems_add(problems, line,
+                   "found more than %d anchors (&name); allowed: the keys of a case; "
+                   "write the values out",
+                   MOST_ANCHORS);
   }
-  yaml_node_t *root = yaml_document_get_root_node(&next);
-  if (root)
-    problems_add(problems, (int)root->start_mark.line + 1,
-                 "found a second YAML document; allowed: one case a file; remove the line '---' "
-                 "and what follows");
-  yaml_document_delete(&next);
+  yaml_parser_delete(&parser);
 }
 
 bool case_doc_load(struct case_doc *d, const char *text, size_t n, struct problems *problems) {
   *d = (struct case_doc){.problems = problems, .scales = {NAN, NAN}};
   yaml_parser_t parser;
-  if (!yaml_parser_initialize(&parser)) {
-    problems->out_of_memory = true;
-    return false;
-  }
-  yaml_parser_set_encoding(&parser, YAML_UTF8_ENCODING);
-  yaml_parser_set_input_string(&parser, (const unsigned char *)text, n);
+  survey(text, n, problems);
+  if (problems->n || !parser_begin(&parser, text, n, problems)) return false;
   if (!yaml_parser_load(&parser, &d->yaml)) {
     report_syntax(problems, &parser);
   } else {
@@ -53,8 +108,6 @@ bool case_doc_load(struct case_doc *d, const char *text, size_t n, struct proble
     if (!case_doc_root(d))
       problems_add(problems, 0,
                    "found no keys; allowed: a mapping with tank, water, time and runs at least");
-    else
-      expect_end(problems, &parser);
   }
   yaml_parser_delete(&parser);
   return d->loaded && !problems->n && !problems->out_of_memory;
@@ -111,7 +164,8 @@ const char *case_doc_text(struct case_doc *d, int node) {
 static bool is_nothing(struct case_doc *d, int node) {
   yaml_node_t *n = get(d, node);
   if (!n) return true;
-  if (n->type != YAML_SCALAR_NODE || n->data.scalar.style != YAML_PLAIN_SCALAR_STYLE) return false;
+  if (n->type != YAML_SCALAR_NODE || n->data.scalar.style > YAML_PLAIN_SCALAR_STYLE)
+    return false; /* "" in quotes is a text */
   const char *text = (const char *)n->data.scalar.value;
   return !*text || !strcmp(text, "~") || !strcmp(text, "null");
 }
@@ -314,7 +368,8 @@ bool case_doc_read(struct case_doc *d, int node, const char *path, int line_if_a
         snprintf(allowed + at, sizeof allowed - at, "%s %s", first ? "" : ",",
                  blocks[b].params[i].key);
       }
-    case_doc_problem(d, case_doc_line(d, node), path, found, allowed, "");
+    case_doc_problem(d, case_doc_line(d, node), path, found, allowed,
+                     is_nothing(d, node) ? "give its keys or remove it" : "");
     return false;
   }
   int line = n ? case_doc_line(d, node) : line_if_absent;

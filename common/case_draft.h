@@ -52,6 +52,14 @@ enum status case_read_compare(struct case_draft *d);
 
 /* case_check.c: whether what was read makes sense together. */
 void case_check(struct case_draft *d);
+double case_tank_size(const struct case_file *c); /* the longer side of the tank's box, m */
+
+/* Lengths, areas and times closer than this part of the whole are the same: decimal input and its
+ * rounding in "5.366 H" stay far below, and no particle or node resolves it. */
+extern const double CASE_SAME;
+
+/* case_check_geometry.c: tank and water; what fails is no longer good. */
+void case_check_geometry(struct case_draft *d);
 
 /* case_experiment.c: reads the data file of e, a path relative to the case file, into SI units.
  * Adds problems; `line` and `path` are those of the key `file`. */

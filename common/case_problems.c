@@ -66,36 +66,37 @@ static void put_in_order(struct problems *p) {
   }
 }
 
+static bool say_where(struct problems *p, size_t i, const char *file, size_t n_set,
+                      const char *const *set) {
+  char *text = NULL, shown[96];
+  int line = p->line[i], n;
+  size_t k = line < 0 ? (size_t)(-(long)line - 1) : 0;
+  if (line < 0 && k < n_set) {
+    case_quote(set[k], strlen(set[k]), shown, sizeof shown);
+    n = asprintf(&text, "--set %s: %s", shown, p->text[i]);
+  } else if (line > 0) {
+    n = asprintf(&text, "%s:%d: %s", file, line, p->text[i]);
+  } else {
+    n = asprintf(&text, "%s: %s", file, p->text[i]);
+  }
+  if (n < 0) return false;
+  free(p->text[i]);
+  p->text[i] = text;
+  return true;
+}
+
 void case_problems_finish(struct problems *p, const char *file, size_t n_set,
                           const char *const *set) {
-  if (p->unlisted) {
-    size_t more = p->unlisted;
+  put_in_order(p);
+  if (p->unlisted && make_room(p)) {
     char *text = NULL;
-    if (make_room(p) && asprintf(&text, "%zu more problems are not listed", more) >= 0) {
+    if (asprintf(&text, "%zu more problems are not listed", p->unlisted) >= 0) {
       p->text[p->n] = text;
       p->line[p->n++] = 0;
     }
   }
-  put_in_order(p);
-  for (size_t i = 0; i < p->n; i++) {
-    char *text = NULL, shown[96];
-    int line = p->line[i], n;
-    size_t k = line < 0 ? (size_t)(-(long)line - 1) : 0;
-    if (line < 0 && k < n_set) {
-      case_quote(set[k], strlen(set[k]), shown, sizeof shown);
-      n = asprintf(&text, "--set %s: %s", shown, p->text[i]);
-    } else if (line > 0) {
-      n = asprintf(&text, "%s:%d: %s", file, line, p->text[i]);
-    } else {
-      n = asprintf(&text, "%s: %s", file, p->text[i]);
-    }
-    if (n < 0) {
-      p->out_of_memory = true;
-      continue;
-    }
-    free(p->text[i]);
-    p->text[i] = text;
-  }
+  for (size_t i = 0; i < p->n; i++)
+    if (!say_where(p, i, file, n_set, set)) p->out_of_memory = true;
 }
 
 void case_quote(const char *s, size_t n, char *out, size_t size) {

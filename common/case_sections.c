@@ -40,8 +40,12 @@ static enum status read_lines(struct case_doc *doc, int node, const char *path, 
     int piece = case_doc_item(doc, node, k);
     char name[CASE_PATH], item[CASE_PATH + 32];
     snprintf(name, sizeof name, "%s[%zu]", path, k);
-    if (!case_doc_expect_list(doc, piece, name, n_min, MOST_POINTS - out->points, "points [x, y]"))
-      continue;
+    if (!case_doc_expect_list(doc, piece, name, n_min, MOST_POINTS, "points [x, y]")) continue;
+    if (!case_doc_is_list(doc, case_doc_item(doc, piece, 0))) {
+      case_doc_problem(doc, case_doc_line(doc, piece), name, "a list without points",
+                       "a list of points [x, y]", "put one more pair of brackets round the points");
+      return OK;
+    }
     size_t n = case_doc_size(doc, piece);
     TRY(geo_lines_begin(out, regions));
     for (size_t i = 0; i < n; i++) {
@@ -49,6 +53,13 @@ static enum status read_lines(struct case_doc *doc, int node, const char *path, 
       snprintf(item, sizeof item, "%s[%zu]", name, i);
       if (case_read_point(doc, case_doc_item(doc, piece, i), item, p))
         TRY(geo_lines_add(out, p[0], p[1]));
+    }
+    if (out->points > MOST_POINTS) {
+      char found[64];
+      snprintf(found, sizeof found, "more than %d points", MOST_POINTS);
+      case_doc_problem(doc, case_doc_line(doc, node), path, found,
+                       "as few points as tell the shape", "leave points out");
+      return OK;
     }
     size_t a = out->first[out->pieces - 1], b = out->points;
     if (b > a + 2 && out->p[a][0] == out->p[b - 1][0] && out->p[a][1] == out->p[b - 1][1]) {
@@ -148,10 +159,12 @@ bool case_read_section(struct case_draft *d, int node, const char *path, const s
   return case_doc_read(&d->doc, node, path, line, 1, &block);
 }
 
+/* tank, water and time are required: when they are absent the top level has said so, and nothing is
+ * asked of what is in them. */
 static enum status read_tank(struct case_draft *d) {
   struct tank_section s = {0};
   size_t faults = d->doc.faults;
-  if (case_read_section(d, d->at.tank, "tank", tank_rows, ROWS(tank_rows), &s))
+  if (d->at.tank && case_read_section(d, d->at.tank, "tank", tank_rows, ROWS(tank_rows), &s))
     TRY(read_lines(&d->doc, s.walls, "tank.walls", 2, false, &d->c->walls));
   d->good.tank = d->at.tank && d->doc.faults == faults;
   d->c->tank = geo_lines_box(&d->c->walls);
@@ -165,7 +178,7 @@ static enum status read_water(struct case_draft *d) {
   static const struct param speed = {
       .type = PARAM_REAL, .quantity = QTY_VELOCITY, .min = -1e6, .max = 1e6};
   size_t faults = d->doc.faults;
-  if (case_read_section(d, d->at.water, "water", water_rows, ROWS(water_rows), &s)) {
+  if (d->at.water && case_read_section(d, d->at.water, "water", water_rows, ROWS(water_rows), &s)) {
     c->pressure = (enum case_pressure)s.pressure;
     if (!s.regions == !s.wave)
       case_doc_problem(&d->doc, case_doc_line(&d->doc, d->at.water), "water",
@@ -215,7 +228,7 @@ static enum status find_H(struct case_draft *d) {
 static void read_time(struct case_draft *d) {
   struct case_file *c = d->c;
   d->good.time =
-      case_read_section(d, d->at.time, "time", time_rows, ROWS(time_rows), c) && d->at.time;
+      d->at.time && case_read_section(d, d->at.time, "time", time_rows, ROWS(time_rows), c);
   if (!d->good.time) return;
   if (c->every == 0) c->every = c->end / 100;
   if (c->sample == 0) c->sample = c->every / 10;
@@ -310,6 +323,7 @@ enum status case_read_sections(struct case_draft *d) {
   int root = case_doc_root(doc);
   struct case_block top[] = {{top_rows, ROWS(top_rows), c}, {section_rows, ROWS(section_rows), d}};
   case_doc_read(doc, root, "", case_doc_line(doc, root), 2, top);
+  if (!case_doc_is_mapping(doc, root)) return OK; /* said just now; the rest would only repeat it */
 
   if (!case_read_section(d, d->at.fluid, "fluid", fluid_rows, ROWS(fluid_rows), c) &&
       !(c->gravity > 0))

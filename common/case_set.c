@@ -167,6 +167,12 @@ void case_doc_set(struct case_doc *d, size_t k, const char *assignment) {
                      "");
     return;
   }
+  int value = parse_value(d, k, equals + 1);
+  if (!value) {
+    case_doc_problem(d, line, "", "a value that is not YAML", "a number, a word, a text or a list",
+                     "correct the brackets or quotes");
+    return;
+  }
   char *path = strndup(assignment, (size_t)(equals - assignment));
   if (!path) {
     d->problems->out_of_memory = true;
@@ -207,12 +213,7 @@ void case_doc_set(struct case_doc *d, size_t k, const char *assignment) {
     rest += taken;
     if (*rest == '.' && rest[1]) rest++;
   }
-  int value = parse_value(d, k, equals + 1);
-  if (value)
-    put(d, at, value);
-  else
-    case_doc_problem(d, line, "", "a value that is not YAML", "a number, a word, a text or a list",
-                     "correct the brackets or quotes");
+  put(d, at, value);
 done:
   free(path);
 }
