@@ -45,18 +45,6 @@ static void wave_check(const struct case_file *c, const struct case_run *r,
                  r->name);
     return;
   }
-  if (!c->rectangular)
-    problems_add(
-        problems, r->line,
-        "runs.%s: solver exact needs a rectangular tank: one wall down the left side, along "
-        "a flat bed, up the right side",
-        r->name);
-  double halves = 2 * tank_width(c) / c->wave.wavelength;
-  if (!(halves >= 0.5) || fabs(halves - round(halves)) > 1e-6 * halves)
-    problems_add(
-        problems, r->line,
-        "runs.%s: the tank is %.6g half wavelengths wide; solver exact needs a whole number",
-        r->name, halves);
   /* A series whose second term is half the first says nothing about the third. */
   struct wave_standing w = theory(c, r);
   double ratio = (fabs(w.bound_mean) + fabs(w.bound)) / w.amplitude;
