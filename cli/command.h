@@ -11,6 +11,9 @@ enum exit_code { EXIT_FINE = 0, EXIT_VERDICT = 1, EXIT_BAD_INPUT = 2, EXIT_RUN_F
 #define COMMANDS(X)                                                                                \
   X(run, "CASE.yaml", "run what is missing or changed, then compare and write the report")         \
   X(check, "CASE.yaml...", "validate case files: every problem with file, line and key")           \
+  X(compare, "REF.h5 RUN.h5...", "report from existing result files")                              \
+  X(diff, "A.h5 B.h5", "do two results agree? 0 yes, 1 no, 2 trouble")                             \
+  X(info, "FILE.h5...", "what is in a result file, in a screenful")                                \
   X(list, "", "solvers, their parameters and the measures: what a case may name")
 
 #define X(name, args, help) int command_##name(int argc, char **argv);
@@ -25,5 +28,5 @@ struct case_file *command_load_case(const char *path, size_t n_set, const char *
 
 /* Compares `n` runs with `ref` by the settings of `c`, writes the report into `out` and prints the
  * verdict. Returns the exit code. */
-int command_report(const struct case_file *c, struct result_file *ref, size_t n,
+int command_report(const struct case_file *c, const struct result_file *ref, size_t n,
                    struct result_file *const *runs, const char *out, struct progress *progress);

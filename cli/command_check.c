@@ -15,8 +15,11 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     case_destroy(c);
     return 0;
   }
-  case ARGP_KEY_NO_ARGS: argp_error(state, "name a case file"); return 0;
-  default: return ARGP_ERR_UNKNOWN;
+  case ARGP_KEY_NO_ARGS:
+    argp_error(state, "name a case file");
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "cli/command.h"
 #include "cli/traps.h"
+#include "compare/output.h"
 
 struct run_arguments {
   const char *case_path, *out;
@@ -25,10 +26,15 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   struct run_arguments *a = state->input;
   char *end;
   switch (key) {
-  case 'o': a->out = arg; return 0;
-  case 'r': a->only = arg; return 0;
+  case 'o':
+    a->out = arg;
+    return 0;
+  case 'r':
+    a->only = arg;
+    return 0;
   case 's':
-    if (!strchr(arg, '=')) argp_error(state, "--set %s: write PATH=VALUE, as in runs.NAME.alpha=0", arg);
+    if (!strchr(arg, '='))
+      argp_error(state, "--set %s: write PATH=VALUE, as in runs.NAME.alpha=0", arg);
     a->set = realloc(a->set, (a->n_set + 1) * sizeof *a->set);
     if (!a->set) return ENOMEM;
     a->set[a->n_set++] = arg;
@@ -40,8 +46,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     a->threads = (int)threads;
     return 0;
   }
-  case 'f': a->force = true; return 0;
-  case 'q': a->quiet = true; return 0;
+  case 'f':
+    a->force = true;
+    return 0;
+  case 'q':
+    a->quiet = true;
+    return 0;
   case ARGP_KEY_ARG:
     if (a->case_path) argp_error(state, "one case file at a time; %s is the second", arg);
     a->case_path = arg;
@@ -49,7 +59,8 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case ARGP_KEY_END:
     if (!a->case_path) argp_error(state, "name a case file");
     return 0;
-  default: return ARGP_ERR_UNKNOWN;
+  default:
+    return ARGP_ERR_UNKNOWN;
   }
 }
 
@@ -66,21 +77,9 @@ static enum status choose_runs(const struct case_file *c, char *only, bool *chos
   return OK;
 }
 
-/* Creates a directory and its parents; an existing one is fine. */
-static enum status make_directories(const char *path) {
-  char part[PATH_MAX];
-  int n = snprintf(part, sizeof part, "%s", path);
-  CHECK(n > 0 && (size_t)n < sizeof part, ERR_USAGE, "--out: the path is empty or too long");
-  for (char *slash = part + 1; *slash; slash++)
-    if (*slash == '/') {
-      *slash = 0;
-      mkdir(part, 0777); /* what matters is whether the last one exists in the end */
-      *slash = '/';
-    }
-  if (mkdir(part, 0777) && errno != EEXIST)
-    return status_raise(ERR_IO, "cannot create the folder %s: %s", path, strerror(errno));
-  struct stat s;
-  CHECK(!stat(part, &s) && S_ISDIR(s.st_mode), ERR_IO, "%s is not a folder", path);
+static enum status result_path(const char *folder, const struct case_run *r, char path[PATH_MAX]) {
+  int n = snprintf(path, PATH_MAX, "%s/%s.h5", folder, r->name);
+  CHECK(n > 0 && n < PATH_MAX, ERR_USAGE, "--out %s: the path is too long", folder);
   return OK;
 }
 
@@ -107,6 +106,40 @@ done:
   return status;
 }
 
+/* Reads back the runs that have a file, and compares them. */
+static int report(const struct case_file *c, const char *out, struct progress *progress) {
+  int exit_code = EXIT_FINE;
+  struct result_file *ref = NULL, **runs = calloc(c->n_runs, sizeof *runs);
+  size_t n = 0;
+  if (!runs) return command_fail(status_raise(ERR_MEMORY, "no memory"));
+  for (size_t i = 0; i < c->n_runs; i++) {
+    char path[PATH_MAX];
+    struct stat s;
+    if (result_path(out, &c->runs[i], path) != OK) continue; /* said so when it ran */
+    if (stat(path, &s) && i != c->compare.reference) {
+      progress_say(progress, "%s is not there: left out of the comparison", path);
+      continue;
+    }
+    struct result_file *file = NULL;
+    enum status status = result_read(path, &file);
+    if (status != OK)
+      exit_code = command_fail(status);
+    else if (i == c->compare.reference)
+      ref = file;
+    else
+      runs[n++] = file;
+  }
+  if (ref && n) {
+    int verdict = command_report(c, ref, n, runs, out, progress);
+    if (exit_code == EXIT_FINE) exit_code = verdict;
+  } else
+    progress_say(progress, "nothing to compare: the reference and one more run are needed");
+  result_file_destroy(ref);
+  for (size_t i = 0; i < n; i++) result_file_destroy(runs[i]);
+  free(runs);
+  return exit_code;
+}
+
 static int run_case(struct run_arguments *a, const struct case_file *c, struct progress *progress) {
   char folder[PATH_MAX];
   if (a->out)
@@ -120,7 +153,7 @@ static int run_case(struct run_arguments *a, const struct case_file *c, struct p
   int exit_code = EXIT_FINE;
   enum status status = chosen ? OK : status_raise(ERR_MEMORY, "no memory");
   if (status == OK) status = choose_runs(c, a->only, chosen);
-  if (status == OK) status = make_directories(folder);
+  if (status == OK) status = cmp_directory_make(folder);
   if (status != OK) {
     free(chosen);
     return command_fail(status);
@@ -129,8 +162,8 @@ static int run_case(struct run_arguments *a, const struct case_file *c, struct p
     const struct case_run *r = &c->runs[i];
     char path[PATH_MAX], fingerprint[33];
     if (!chosen[i]) continue;
-    if (snprintf(path, sizeof path, "%s/%s.h5", folder, r->name) >= (int)sizeof path) {
-      exit_code = command_fail(status_raise(ERR_USAGE, "--out: the path is too long"));
+    if (result_path(folder, r, path) != OK) {
+      exit_code = command_fail(ERR_USAGE);
       break;
     }
     case_fingerprint(c, r, fingerprint);
@@ -143,12 +176,17 @@ static int run_case(struct run_arguments *a, const struct case_file *c, struct p
     if (status == INTERRUPTED) break;
   }
   free(chosen);
+  if (status != INTERRUPTED && c->compare.reference < c->n_runs) {
+    int compared = report(c, folder, progress);
+    if (exit_code == EXIT_FINE) exit_code = compared;
+  }
   return exit_code;
 }
 
 int command_run(int argc, char **argv) {
   static const struct argp_option options[] = {
-      {"out", 'o', "DIR", 0, "folder for results and report (default: out/ and the case's name)", 0},
+      {"out", 'o', "DIR", 0, "folder for results and report (default: out/ and the case's name)",
+       0},
       {"only", 'r', "RUN[,RUN]", 0, "only these runs of the case", 0},
       {"set", 's', "PATH=VALUE", 0, "override a value, as in runs.NAME.alpha=0 or time.end=1.2", 0},
       {"threads", 't', "N", 0, "threads (default: OMP_NUM_THREADS, else every core)", 0},
@@ -159,9 +197,10 @@ int command_run(int argc, char **argv) {
       .options = options,
       .parser = parse,
       .args_doc = "CASE.yaml",
-      .doc = "Runs every solver run of a case, skipping those whose finished result is already there "
-             "for the same inputs; then compares them with the reference and writes report.html, "
-             "report.json and figures/.",
+      .doc =
+          "Runs every solver run of a case, skipping those whose finished result is already there "
+          "for the same inputs; then compares them with the reference and writes report.html, "
+          "report.json and figures/.",
   };
   struct run_arguments a = {0};
   argp_parse(&argp, argc, argv, 0, NULL, &a);

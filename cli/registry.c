@@ -2,11 +2,14 @@
 
 #include "bem/solver.h"
 #include "common/wave_solver.h"
+#include "compare/measure.h"
 #include "sph/solver.h"
 
-static const struct solver *const solvers[] = {&bem_solver, &sph_solver, &wave_solver};
+static const struct solver *const solvers[] = {&sph_solver, &bem_solver, &wave_solver};
 
 const struct registry registry = {
     .solvers = solvers,
     .n_solvers = sizeof solvers / sizeof *solvers,
+    .measures = cmp_measures,
+    .n_measures = CMP_N_MEASURES,
 };

@@ -17,7 +17,7 @@ static void measure_cells(struct page *p, const struct comparison *c, const stru
 }
 
 static const struct measure *measure_named(const char *name) {
-  for (size_t m = 0; m < cmp_n_measures; m++)
+  for (size_t m = 0; m < CMP_N_MEASURES; m++)
     if (!strcmp(cmp_measures[m].name, name)) return &cmp_measures[m];
   return NULL;
 }
@@ -313,7 +313,7 @@ void html_method(struct page *p, const struct comparison *c) {
   page_close(p);
   page_element(p, "h3", NULL, "The measures that compare.tolerances may name");
   page_open(p, "dl", NULL);
-  for (size_t m = 0; m < cmp_n_measures; m++) {
+  for (size_t m = 0; m < CMP_N_MEASURES; m++) {
     page_element(p, "dt", NULL, "%s [%s]", cmp_measures[m].name, cmp_measures[m].units);
     page_element(p, "dd", NULL, "%s", cmp_measures[m].help);
   }

@@ -9,7 +9,6 @@ const struct measure cmp_measures[] = {
     CMP_MEASURES(X)
 #undef X
 };
-const size_t cmp_n_measures = sizeof cmp_measures / sizeof *cmp_measures;
 
 /* What an evaluator sees; it may say in `detail` where it found the worst. */
 struct look {
@@ -322,9 +321,9 @@ static void tolerances_apply(const struct comparison *c, struct cmp_rows *rows) 
 
 enum status cmp_rows_create(const struct comparison *c, struct cmp_rows *rows) {
   *rows = (struct cmp_rows){0};
-  rows->row = calloc(cmp_n_measures * c->n_runs * (c->n_times + 1) + 1, sizeof *rows->row);
+  rows->row = calloc(CMP_N_MEASURES * c->n_runs * (c->n_times + 1) + 1, sizeof *rows->row);
   CHECK(rows->row, ERR_MEMORY, "no memory for the table of measures");
-  for (size_t m = 0; m < cmp_n_measures; m++)
+  for (size_t m = 0; m < CMP_N_MEASURES; m++)
     for (size_t r = 0; r < c->n_runs; r++) {
       if (evaluators[m].when == ONCE) {
         rows->row[rows->n++] = row_make(c, m, r, SIZE_MAX);

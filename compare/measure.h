@@ -47,8 +47,10 @@
   X(experiment_gauge_rms, "H", ONCE, NONE,                                                         \
     "rms difference from measured water heights or fronts, worst experiment")
 
-extern const struct measure cmp_measures[];
-extern const size_t cmp_n_measures;
+#define X(name, units, when, noise, help) +1
+enum { CMP_N_MEASURES = 0 CMP_MEASURES(X) };
+#undef X
+extern const struct measure cmp_measures[CMP_N_MEASURES];
 
 enum cmp_outcome { CMP_NO_LIMIT, CMP_PASS, CMP_FAIL };
 

@@ -1,0 +1,91 @@
+/* plunge compare, and the report that plunge run ends with. */
+#include <argp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "cli/command.h"
+#include "cli/registry.h"
+#include "compare/report.h"
+
+int command_report(const struct case_file *c, const struct result_file *ref, size_t n,
+                   struct result_file *const *runs, const char *out, struct progress *progress) {
+  struct cmp_verdict verdict;
+  progress_say(progress, "comparing %zu run%s with %s", n, n == 1 ? "" : "s", ref->run);
+  enum status status = cmp_report(c, ref, n, runs, out, &verdict);
+  if (status != OK) return command_fail(status);
+  printf("%s\n%zu of %zu checks passed; report: %s/report.html\n", verdict.sentence, verdict.passed,
+         verdict.passed + verdict.failed, out);
+  return verdict.failed ? EXIT_VERDICT : EXIT_FINE;
+}
+
+struct compare_arguments {
+  const char *out;
+  char **files; /* [n], in argv */
+  size_t n;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct compare_arguments *a = state->input;
+  switch (key) {
+  case 'o':
+    a->out = arg;
+    return 0;
+  case ARGP_KEY_ARGS:
+    a->files = state->argv + state->next;
+    a->n = (size_t)(state->argc - state->next);
+    return 0;
+  case ARGP_KEY_END:
+    if (a->n < 2) argp_error(state, "name the reference and at least one run");
+    return 0;
+  default:
+    return ARGP_ERR_UNKNOWN;
+  }
+}
+
+/* The settings that stand in the reference's own case; problems are printed. */
+static struct case_file *settings_of(const struct result_file *ref) {
+  struct problems problems = {0};
+  struct case_file *c = NULL;
+  if (case_parse(ref->path, ref->case_text, &registry, &problems, &c) != OK) {
+    fprintf(stderr, "plunge: the case in %s is not one that this version reads:\n", ref->path);
+    for (size_t i = 0; i < problems.n; i++) fprintf(stderr, "%s\n", problems.text[i]);
+  }
+  problems_destroy(&problems);
+  return c;
+}
+
+int command_compare(int argc, char **argv) {
+  static const struct argp_option options[] = {
+      {"out", 'o', "DIR", 0, "folder of the report (default: comparison)", 0}, {0}};
+  static const struct argp argp = {
+      .options = options,
+      .parser = parse,
+      .args_doc = "REF.h5 RUN.h5...",
+      .doc = "Compares finished results with a reference, by the settings in the reference's case, "
+             "and writes report.html, report.json and figures/. Exit code 1 when a check fails.",
+  };
+  struct compare_arguments a = {.out = "comparison"};
+  argp_parse(&argp, argc, argv, 0, NULL, &a);
+
+  int exit_code = EXIT_BAD_INPUT;
+  struct case_file *c = NULL;
+  struct progress *progress = progress_create(PROGRESS_AUTO);
+  struct result_file **files = calloc(a.n, sizeof *files);
+  if (!files || !progress) {
+    exit_code = command_fail(status_raise(ERR_MEMORY, "no memory"));
+    goto done;
+  }
+  for (size_t i = 0; i < a.n; i++)
+    if (result_read(a.files[i], &files[i]) != OK) {
+      exit_code = command_fail(ERR_INPUT);
+      goto done;
+    }
+  c = settings_of(files[0]);
+  if (c) exit_code = command_report(c, files[0], a.n - 1, files + 1, a.out, progress);
+done:
+  for (size_t i = 0; files && i < a.n; i++) result_file_destroy(files[i]);
+  free(files);
+  case_destroy(c);
+  progress_destroy(progress);
+  return exit_code;
+}
