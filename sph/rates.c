@@ -103,7 +103,7 @@ SPECIALISE void cluster_rates(struct sph *s, enum sph_kernel kernel, enum sph_di
   const uint32_t *list = sph_lists_of(&s->water_water, cluster, &n);
   struct sums a = sum_pairs(s, kernel, d, viscous, bounds, &i, n, list, s->pack), b = {0};
   list = sph_lists_of(&s->water_wall, cluster, &n);
-  if (n) b = sum_pairs(s, kernel, d, viscous, bounds, &i, n, list, s->w.pack);
+  if (n) b = sum_pairs(s, kernel, diffusion_at_walls(d), viscous, bounds, &i, n, list, s->w.pack);
 
   const double F = kernel_slope_scale(kernel, s->h);
   const vec per_rho = 1 / rho;
