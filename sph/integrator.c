@@ -2,6 +2,7 @@
 
 #include "sph/rates.h"
 #include "sph/vec.h"
+#include "sph/wall.h"
 
 const struct sph_integrator sph_integrators[] = {
     {.name = "rk4",
@@ -107,6 +108,7 @@ enum status sph_step(struct sph *s, double dt) {
     dissipate(s, method->b[r] * dt);
   }
   set_state(s, method->b, method->stages, dt);
+  s->wall->confine(s);
   s->t += dt;
   s->steps++;
   return OK;

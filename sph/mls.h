@@ -4,13 +4,20 @@
  * Written as weighted mean plus gradient times the way from the neighbours' centre: the gradient
  * solves the 2 x 2 system of the weighted covariance. Where neighbours do not span the plane
  * (spray, the tip of a thin layer) the covariance is kept above 0.05 h^2, and the fit fades
- * continuously into the plain mean (Shepard); 0.18 h^2 is that of a half-filled support. */
+ * continuously into the plain mean (Shepard); 0.18 h^2 is that of a half-filled support.
+ *
+ * Extrapolation amplifies noise: the variance of the fit is 1 + d^2 times that of the mean, where d
+ * is the (Mahalanobis) distance of the point from the neighbours' centre. Half a spacing inside the
+ * water d^2 < 1 even in its corners. Outside, in the air, the fit goes no farther than d^2 = 1:
+ * unlimited, the ghosts of thin noisy sheets on a wall amplify the noise and pump energy into them
+ * (dam break without diffusion: the run-up explodes at 2, not at 1). */
 #pragma once
 #include "sph/kernel.h"
 #include "sph/moments.h"
 #include "sph/sph.h"
 
-#define SPH_MLS_SPREAD 0.05
+#define SPH_MLS_SPREAD   0.05
+#define SPH_MLS_FARTHEST 1
 
 struct mls_fit {
   vec weight; /* sum W V: 1 inside the water, 0 far from it (the others are 0 there) */
@@ -51,16 +58,23 @@ SPECIALISE struct mls_fit mls_at(enum sph_kernel kernel, double h, vec xi, vec y
   Y *= per_S;
   vec xx = XX * per_S - X * X, xy = XY * per_S - X * Y, yy = YY * per_S - Y * Y;
   const double spread = SPH_MLS_SPREAD * h * h;
-  vec gx, gy;
-#define FIT(Q, QX, QY, out)                                                                        \
+  vec qx, qy;
+  moments_solve(xx, xy, yy, spread, X, Y, &qx, &qy);
+  vec d2 = qx * X + qy * Y;
+  vec reach = 1 / vec_sqrt(vec_max(d2 * (1 / SPH_MLS_FARTHEST), (vec){0} + 1));
+  qx *= reach;
+  qy *= reach;
+#define FIT(Q, QX, QY)                                                                             \
   Q *= per_S;                                                                                      \
-  moments_solve(xx, xy, yy, spread, QX *per_S - Q * X, QY * per_S - Q * Y, &gx, &gy);              \
-  out = Q - gx * X - gy * Y
-  FIT(U, UX, UY, f.u);
-  FIT(V, VX, VY, f.v);
-  FIT(P, PX, PY, f.p);
+  QX = QX * per_S - Q * X;                                                                         \
+  QY = QY * per_S - Q * Y
+  FIT(U, UX, UY);
+  FIT(V, VX, VY);
+  FIT(P, PX, PY);
 #undef FIT
-  f.px = gx;
-  f.py = gy;
+  f.u = U - (qx * UX + qy * UY);
+  f.v = V - (qx * VX + qy * VY);
+  f.p = P - (qx * PX + qy * PY);
+  moments_solve(xx, xy, yy, spread, PX, PY, &f.px, &f.py);
   return f;
 }

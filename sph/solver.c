@@ -70,6 +70,8 @@ static enum status run(const struct case_file *c, const struct case_run *r, stru
                            "evaluations of the right-hand side"));
   ATTEMPT(result_statistic(result, "rebuilds", (double)s->rebuilds,
                            "times the neighbour lists were built"));
+  ATTEMPT(result_statistic(result, "reflections", (double)s->reflections,
+                           "times a particle that had crossed a wall was reflected"));
   ATTEMPT(result_statistic(result, "particles", (double)s->f.n, "particles of water at the end"));
 done:
   sph_output_destroy(output);

@@ -51,7 +51,7 @@ struct sph {
   struct geo_box tank;       /* m; open at the top */
 
   double t; /* s */
-  size_t steps, evaluations, rebuilds;
+  size_t steps, evaluations, rebuilds, reflections;
   struct sph_budget budget;
   struct sph_totals totals; /* of the last evaluation */
 

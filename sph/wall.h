@@ -10,6 +10,7 @@ struct sph_wall {
   enum status (*create)(struct sph *s, const struct geo_lines *walls);
   enum status (*list)(struct sph *s); /* after the water was sorted anew, lists anything it needs */
   void (*fill)(struct sph *s);        /* pressures, velocities and gradients into s->w.pack */
+  void (*confine)(struct sph *s);     /* after a step, brings back water that crossed a wall */
   void (*destroy)(struct sph *s);
 };
 
