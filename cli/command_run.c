@@ -116,7 +116,7 @@ static int report(const struct case_file *c, const char *out, struct progress *p
     char path[PATH_MAX];
     struct stat s;
     if (result_path(out, &c->runs[i], path) != OK) continue; /* said so when it ran */
-    if (stat(path, &s) && i != c->compare.reference) {
+    if (stat(path, &s)) {
       progress_say(progress, "%s is not there: left out of the comparison", path);
       continue;
     }
