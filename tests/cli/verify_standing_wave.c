@@ -113,8 +113,50 @@ static void test_sph_has_the_decay_of_theory_and_its_frequency_converges(void) {
   }
 }
 
+/* Largest distance in y between the surface of a run and theory of second order, over the run's
+ * outputs. */
+static double distance(const struct result_file *f, double amplitude) {
+  struct wave_standing w = wave_standing_create(amplitude, wavelength, depth, g, 0, 0, 2);
+  double largest = 0;
+  for (size_t k = 0; k < f->n_surfaces; k++)
+    for (size_t i = 0; i < f->surface[k].points; i++) {
+      const double *p = f->surface[k].p[i];
+      double y = wave_standing_elevation(&w, p[0], f->surface_time[k]);
+      largest = fmax(largest, fabs(p[1] - y));
+    }
+  return largest;
+}
+
+/* Theory of second order leaves out (ka)^3. */
+static void test_bem_differs_from_theory_by_third_order(void) {
+  double before = 0;
+  for (double a = 0.04; a > 0.008; a /= 2) {
+    struct result_file *f = run("bem", 32, a, 4, "");
+    double largest = distance(f, a);
+    if (before != 0) EXPECT_NEAR(log2(before / largest), 3, 0.1);
+    before = largest;
+    result_file_destroy(f);
+  }
+}
+
+/* 64 nodes a wavelength. Crossings are nudged by (ka)^2 of a radian by the third harmonics, which
+ * over 24 periods is 1/150 of (ka)^2. */
+static void test_bem_has_the_frequency_of_theory_and_its_shift_with_amplitude(void) {
+  double k = 2 * M_PI / wavelength, small = 1e-3, large = 0.03;
+  struct result_file *f = run("bem", 32, small, 10, "");
+  EXPECT_NEAR(measure(f).shift, k * k * small * small * wave_frequency_shift(k, depth), 2e-6);
+  EXPECT_NEAR(measure(f).decay, 0, 1e-4);
+  result_file_destroy(f);
+  f = run("bem", 32, large, 24, "");
+  EXPECT_NEAR(measure(f).shift / (k * k * large * large), wave_frequency_shift(k, depth),
+              1.0 / 150);
+  result_file_destroy(f);
+}
+
 int main(void) {
   RUN(test_theory_has_its_own_frequency);
+  RUN(test_bem_differs_from_theory_by_third_order);
+  RUN(test_bem_has_the_frequency_of_theory_and_its_shift_with_amplitude);
   RUN(test_sph_has_the_decay_of_theory_and_its_frequency_converges);
   return TEST_RESULT;
 }

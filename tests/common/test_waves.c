@@ -227,8 +227,8 @@ static void test_theory_differs_from_the_nonlinear_wave_by_the_order_above_its_o
     }
 }
 
-/* Measured over 12 periods: the first harmonic's crossings are nudged by (ka)^3 in time, which is
- * (ka)/(2 pi 12) of the shift, and the shift itself varies by (ka)^2: 0.005 at most here. */
+/* Measured over 12 periods: what third-order modes add to the first harmonic nudges its crossings
+ * by (ka)^2 of a radian, which is up to 1/75 of (ka)^2 in frequency; 0.0042 measured. */
 static void test_frequency_shift_is_that_of_the_nonlinear_wave(void) {
   for (double kd = 0.8; kd < 4; kd *= 2) {
     double f = 0, steepness = 0.04;
