@@ -12,5 +12,5 @@
  * `request`. */
 enum status result_read_safely(const char *path, enum status (*read)(void *request), void *request);
 
-/* To be called by `read`: opens a file of our format, without locking. ERR_INPUT. */
+/* To be called by `read`: opens a file of our format. ERR_INPUT. */
 enum status result_open(const char *path, hid_t *file);

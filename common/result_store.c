@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
@@ -19,14 +20,16 @@
 struct result_store {
   char *path, *twin; /* owned */
   int fd[2];         /* the two files, -1 until opened */
-  int front;         /* which of them is at `path`; -1 before the first commit */
+  int front;         /* which of them is at `path` (before the first commit: neither) */
+  bool locked;       /* the back file is ours alone */
   haddr_t eoa;       /* end of what HDF5 has allocated */
   haddr_t committed; /* the same at the last commit */
 
-  size_t n_pages; /* room in the arrays below */
-  unsigned char *
-      *page;     /* [n_pages]: contents of pages that at least one file lacks, or NULL; owned */
-  uint64_t *sum; /* [n_pages]: checksums of all pages of the last commit, owned */
+  /* One element for each page of the file, [n_pages], owned. */
+  size_t n_pages;
+  unsigned char **page; /* contents of a page that a file lacks, else NULL; owned */
+  bool *fresh;          /* it changed since the last commit (else: only the back file lacks it) */
+  uint64_t *sum;        /* checksum at the last commit */
 };
 
 /* ---- the seal ---- */
@@ -58,8 +61,19 @@ static struct seal seal_make(uint64_t size, uint64_t sum) {
   return seal;
 }
 
+/* Opens the file and keeps the run that writes it from changing it; if that has just changed names,
+ * the next attempt finds the newer file. */
+static FILE *open_to_read(const char *path) {
+  for (int attempt = 0;; attempt++) {
+    FILE *f = fopen(path, "rb");
+    if (!f || !flock(fileno(f), LOCK_SH | LOCK_NB) || errno != EWOULDBLOCK || attempt == 3)
+      return f;
+    fclose(f);
+  }
+}
+
 enum status result_store_check(const char *path, enum result_seal *out) {
-  FILE *f = fopen(path, "rb");
+  FILE *f = open_to_read(path);
   CHECK(f, ERR_INPUT, "cannot read %s: %s", path, strerror(errno));
   struct seal seal;
   *out = RESULT_SEAL_NONE;
@@ -89,10 +103,13 @@ static enum status reserve_pages(struct result_store *s, haddr_t end) {
   n += n / 2 + 64;
   unsigned char **page = realloc(s->page, n * sizeof *page);
   if (page) s->page = page;
+  bool *fresh = realloc(s->fresh, n * sizeof *fresh);
+  if (fresh) s->fresh = fresh;
   uint64_t *sum = realloc(s->sum, n * sizeof *sum);
   if (sum) s->sum = sum;
-  CHECK(page && sum, ERR_MEMORY, "no memory for %zu pages of %s", n, s->path);
+  CHECK(page && fresh && sum, ERR_MEMORY, "no memory for %zu pages of %s", n, s->path);
   memset(page + s->n_pages, 0, (n - s->n_pages) * sizeof *page);
+  memset(fresh + s->n_pages, 0, (n - s->n_pages) * sizeof *fresh);
   memset(sum + s->n_pages, 0, (n - s->n_pages) * sizeof *sum);
   s->n_pages = n;
   return OK;
@@ -113,8 +130,9 @@ static enum status read_committed(const struct result_store *s, haddr_t at, size
   return OK;
 }
 
-/* Brings page k into memory, from where the next commit writes it. */
+/* Brings page k into memory to be changed; the next two commits write it, one into each file. */
 static enum status page_need(struct result_store *s, size_t k) {
+  s->fresh[k] = true;
   if (s->page[k]) return OK;
   unsigned char *page = malloc(PAGE);
   CHECK(page, ERR_MEMORY, "no memory for a page of %s", s->path);
@@ -272,45 +290,82 @@ static enum status write_at(const struct result_store *s, int fd, haddr_t at, si
   return OK;
 }
 
-/* Makes file `i` equal to the present state. */
-static enum status write_file(struct result_store *s, int i, const struct seal *seal) {
-  for (size_t k = 0; k * PAGE < s->eoa; k++) {
-    if (!s->page[k]) continue;
-    size_t n = s->eoa - k * PAGE < PAGE ? (size_t)(s->eoa - k * PAGE) : PAGE;
-    TRY(write_at(s, s->fd[i], (haddr_t)k * PAGE, n, s->page[k]));
-  }
-  TRY(write_at(s, s->fd[i], s->eoa, sizeof *seal, seal));
-  CHECK(!ftruncate(s->fd[i], (off_t)(s->eoa + sizeof *seal)), ERR_IO, "cannot write %s: %s",
-        s->path, strerror(errno));
-  return OK;
-}
-
 static enum status open_twin(struct result_store *s, int i) {
-  if (s->fd[i] >= 0) return OK;
-  s->fd[i] = open(s->twin, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  s->fd[i] = open(s->twin, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   CHECK(s->fd[i] >= 0, ERR_IO, "cannot write beside %s: %s%s", s->path, strerror(errno),
         errno == ENOENT ? " (create the directory first)" : "");
   return OK;
 }
 
-/* Claims the disk space of one file, so that running out of it shows before anything changed.
- * File systems that cannot do this are trusted to tell at the write. */
-static enum status claim(const struct result_store *s, int i, haddr_t size) {
+/* Locks the back file. False when somebody has it open and locked, as HDF5 does for reading. */
+static bool lock_back(struct result_store *s) {
+  if (!s->locked) s->locked = !flock(s->fd[!s->front], LOCK_EX | LOCK_NB) || errno != EWOULDBLOCK;
+  return s->locked;
+}
+
+/* Claims the disk space of a file, so that running out of it shows before anything changed. File
+ * systems that cannot do this are trusted to tell at the write. */
+static enum status claim(const struct result_store *s, int fd, haddr_t size) {
   struct stat now;
-  if (s->fd[i] < 0 || fstat(s->fd[i], &now) || (haddr_t)now.st_size >= size) return OK;
+  if (fstat(fd, &now) || (haddr_t)now.st_size >= size) return OK;
   unsigned long long more = size - (haddr_t)now.st_size;
   TRY(result_store_room(s->path, more, size));
-  int failed = fallocate(s->fd[i], FALLOC_FL_KEEP_SIZE, now.st_size, (off_t)more);
+  int failed = fallocate(fd, FALLOC_FL_KEEP_SIZE, now.st_size, (off_t)more);
   CHECK(!failed || (errno != ENOSPC && errno != EDQUOT), ERR_IO,
         "no room on the disk for %s: it needs %.4g MB more; make room or write elsewhere (--out)",
         s->path, 1e-6 * (double)more);
   return OK;
 }
 
+static void drop_back(struct result_store *s) {
+  int back = !s->front;
+  if (s->fd[back] < 0) return;
+  unlink(s->twin);
+  close(s->fd[back]);
+  s->fd[back] = -1;
+  s->locked = false;
+}
+
+static enum status copy_front(struct result_store *s, haddr_t size) {
+  int back = !s->front;
+  CHECK(!ftruncate(s->fd[back], 0), ERR_IO, "cannot write %s: %s", s->path, strerror(errno));
+  TRY(claim(s, s->fd[back], size));
+  for (haddr_t at = 0; at < s->committed; at += PAGE) {
+    unsigned char page[PAGE];
+    TRY(read_committed(s, at, PAGE, page));
+    TRY(write_at(s, s->fd[back], at, PAGE, page));
+  }
+  (void)lock_back(s);
+  return OK;
+}
+
+/* Puts a copy of the front in the place of the back file: whoever still reads that keeps it. */
+static enum status replace_back(struct result_store *s, haddr_t size) {
+  drop_back(s);
+  TRY(open_twin(s, !s->front));
+  enum status status = copy_front(s, size);
+  if (status != OK) drop_back(s);
+  return status;
+}
+
+/* Makes the back file equal to the present state. */
+static enum status write_back(const struct result_store *s, const struct seal *seal) {
+  int fd = s->fd[!s->front];
+  for (size_t k = 0; k * PAGE < s->eoa; k++) {
+    if (!s->page[k]) continue;
+    size_t n = s->eoa - k * PAGE < PAGE ? (size_t)(s->eoa - k * PAGE) : PAGE;
+    TRY(write_at(s, fd, (haddr_t)k * PAGE, n, s->page[k]));
+  }
+  TRY(write_at(s, fd, s->eoa, sizeof *seal, seal));
+  CHECK(!ftruncate(fd, (off_t)(s->eoa + sizeof *seal)), ERR_IO, "cannot write %s: %s", s->path,
+        strerror(errno));
+  return OK;
+}
+
 /* Gives the back file the name `path`, and the front file the twin's. */
-static enum status change_names(struct result_store *s) {
+static enum status change_names(const struct result_store *s) {
   int failed;
-  if (s->front < 0) {
+  if (s->fd[s->front] < 0) {
     failed = rename(s->twin, s->path);
   } else {
     failed = renameat2(AT_FDCWD, s->twin, AT_FDCWD, s->path, RENAME_EXCHANGE);
@@ -326,37 +381,48 @@ static enum status change_names(struct result_store *s) {
   return OK;
 }
 
-enum status result_store_commit(struct result_store *s, bool last) {
-  int back = s->front == 0;
-  haddr_t size = s->eoa + sizeof(struct seal);
+static enum status update_sums(struct result_store *s, uint64_t *sum) {
   TRY(reserve_pages(s, s->eoa));
   if (s->committed) TRY(page_need(s, (size_t)(s->committed / PAGE))); /* holds the old seal */
   TRY(page_need(s, (size_t)(s->eoa / PAGE)));                         /* perhaps cut shorter */
-  uint64_t sum = 0;
+  *sum = 0;
   for (size_t k = 0; k * PAGE < s->eoa; k++) {
     size_t n = s->eoa - k * PAGE < PAGE ? (size_t)(s->eoa - k * PAGE) : PAGE;
-    if (!s->page[k] && k * PAGE >= s->committed) TRY(page_need(s, k));
-    if (s->page[k]) s->sum[k] = checksum(s->page[k], n, k);
-    sum += s->sum[k];
+    if (!s->page[k] && k * PAGE >= s->committed) TRY(page_need(s, k)); /* a gap: zeros */
+    if (s->page[k] && s->fresh[k]) s->sum[k] = checksum(s->page[k], n, k);
+    *sum += s->sum[k];
   }
-  struct seal seal = seal_make(s->eoa, sum);
+  return OK;
+}
 
-  TRY(open_twin(s, back));
-  TRY(claim(s, back, size));
-  if (!last) TRY(claim(s, !back, size));
-  TRY(write_file(s, back, &seal));
+/* What the old back file lacked is now in both; what it got first, the new one lacks. */
+static void age_pages(struct result_store *s) {
+  for (size_t k = 0; k < s->n_pages; k++) {
+    if (!s->fresh[k]) {
+      free(s->page[k]);
+      s->page[k] = NULL;
+    }
+    s->fresh[k] = false;
+  }
+}
+
+enum status result_store_commit(struct result_store *s, bool last) {
+  uint64_t sum;
+  TRY(update_sums(s, &sum));
+  struct seal seal = seal_make(s->eoa, sum);
+  haddr_t size = s->eoa + sizeof seal;
+  int back = !s->front;
+  if (s->fd[back] < 0 || !lock_back(s)) TRY(replace_back(s, size));
+  TRY(claim(s, s->fd[back], size));
+  TRY(write_back(s, &seal));
+  if (last) fdatasync(s->fd[back]); /* a finished result outlives a power failure as well */
+  flock(s->fd[back], LOCK_UN);      /* before anybody can find it */
+  s->locked = false;
   TRY(change_names(s));
   s->front = back;
   s->committed = s->eoa;
-
-  if (last) return OK;
-  TRY(open_twin(s, !back));
-  TRY(write_file(s, !back,
-                 &seal)); /* if this fails the pages stay, and the next commit tries again */
-  for (size_t k = 0; k < s->n_pages; k++) {
-    free(s->page[k]);
-    s->page[k] = NULL;
-  }
+  age_pages(s);
+  if (s->fd[!back] >= 0) (void)lock_back(s); /* if it is being read, the next commit sees to it */
   return OK;
 }
 
@@ -366,14 +432,22 @@ enum status result_store_create(const char *path, struct result_store **out) {
   struct result_store *s = calloc(1, sizeof *s);
   *out = NULL;
   CHECK(s, ERR_MEMORY, "no memory to write %s", path);
-  s->fd[0] = s->fd[1] = s->front = -1;
+  s->fd[0] = s->fd[1] = -1;
+  s->front = 1; /* so that the first commit goes into file 0 */
   s->path = strdup(path);
   const char *slash = strrchr(path, '/');
   int folder = slash ? (int)(slash - path) + 1 : 0;
   if (!s->path || asprintf(&s->twin, "%.*s.%s.next", folder, path, path + folder) < 0)
     s->twin = NULL;
-  enum status status =
-      s->twin ? open_twin(s, 0) : status_raise(ERR_MEMORY, "no memory to write %s", path);
+  enum status status = s->twin ? OK : status_raise(ERR_MEMORY, "no memory to write %s", path);
+  if (status == OK) status = open_twin(s, 0);
+  if (status == OK && !lock_back(s)) {
+    status = status_raise(ERR_IO, "another run is writing %s", path);
+    close(s->fd[0]);
+    s->fd[0] = -1; /* the twin is not ours to remove */
+  }
+  if (status == OK && ftruncate(s->fd[0], 0))
+    status = status_raise(ERR_IO, "cannot write %s: %s", path, strerror(errno));
   if (status != OK) {
     result_store_destroy(s);
     return status;
@@ -389,6 +463,7 @@ void result_store_destroy(struct result_store *s) {
     if (s->fd[i] >= 0) close(s->fd[i]);
   for (size_t k = 0; k < s->n_pages; k++) free(s->page[k]);
   free(s->page);
+  free(s->fresh);
   free(s->sum);
   free(s->path);
   free(s->twin);

@@ -2,9 +2,12 @@
  *
  * HDF5 overwrites its indices in place, so a program killed while it writes may leave a file that
  * nobody can open, and a full disk found in the middle of a write leaves one for certain. Here HDF5
- * writes into memory only. A commit writes what changed into a second file beside the first, and
- * then the two change names: whoever opens the file, at any moment and after any kind of death,
- * finds exactly one of the committed states. The price is twice the disk space until the run ends.
+ * writes into memory only. A commit writes what changed into a second file (the back file,
+ * .NAME.next) and then exchanges the names of the two: whoever opens the file, at any moment and
+ * after any kind of death, finds exactly one of the committed states. The price is twice the disk
+ * space until the run ends. A reader that has the file open keeps the state it opened: HDF5 locks
+ * what it reads, and a back file that is still locked is left to its reader and replaced by a copy
+ * of the front.
  *
  * A commit also puts a seal behind the HDF5 data: a checksum of the whole file, by which a reader
  * knows a damaged file before HDF5 touches it. HDF5 programs ignore those bytes. */

@@ -1,6 +1,7 @@
 /* What was flushed survives: a kill at any moment, a full disk, a limit on file sizes. And a file
  * that is not as it was written is refused in one sentence, whatever its bytes are. */
 #include <errno.h>
+#include <hdf5.h>
 #include <signal.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -52,7 +53,7 @@ static int kill_a_writer(double after) {
 static void test_every_flushed_output_survives_a_kill(void) {
   srand(2385);
   size_t most = 0;
-  for (int i = 0; i < 40; i++) {
+  for (int i = 0; i < 30; i++) {
     int flushed = kill_a_writer(0.3 * rand() / RAND_MAX);
     struct result_file *f = NULL;
     EXPECT(flushed >= 0);
@@ -90,7 +91,9 @@ static void fill_up(const char *needed) {
   EXPECT(k > 3);
   result_destroy(w);
   EXPECT_OK(result_read(path, &f));
-  EXPECT(f && f->n_outputs == k && f->n_surfaces == k && f->n_energy == 10 * k && !f->complete);
+  /* when it was the .xdmf that found no room, the last output is there as well */
+  EXPECT(f && f->n_outputs >= k && f->n_outputs <= k + 1 && !f->complete);
+  EXPECT(f && f->n_surfaces == f->n_outputs && f->n_energy == 10 * f->n_outputs);
   result_file_destroy(f);
   sample_case_destroy(c);
 }
@@ -242,11 +245,70 @@ static void test_other_files_are_named_for_what_they_are(void) {
   expect_message(other, message);
 }
 
+/* ---- readers while a run goes on ---- */
+
+/* Reads a dataset of an open file; its sum. */
+static double sum_of(hid_t file, const char *name) {
+  hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+  size_t n = (size_t)H5Sget_simple_extent_npoints(space);
+  double *value = malloc(n * sizeof *value), sum = 0;
+  EXPECT(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, value) >= 0);
+  for (size_t i = 0; i < n; i++) sum += value[i];
+  free(value);
+  H5Sclose(space);
+  H5Dclose(set);
+  return sum;
+}
+
+/* Whoever opened the file keeps the state that was there, however long and whatever is written. */
+static void test_a_reader_keeps_what_it_opened(void) {
+  struct case_file *c = sample_case();
+  struct result *w = NULL;
+  EXPECT_OK(result_create(path, c, &c->runs[0], &w));
+  for (size_t k = 0; k < 4; k++) EXPECT_OK(sample_output(w, k, 3000));
+  hid_t file = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+  struct result_file *now = NULL;
+  EXPECT(file >= 0);
+  for (size_t k = 4; k < 12; k++) EXPECT_OK(sample_output(w, k, 3000));
+  hid_t again = H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT);
+  EXPECT(sum_of(file, "VTKHDF/Steps/Values") < 0.7); /* 0 + 0.1 + 0.2 + 0.3 */
+  EXPECT(isfinite(sum_of(file, "VTKHDF/Points")));
+  EXPECT(sum_of(again, "VTKHDF/Steps/Values") > 6.5);
+  H5Fclose(again);
+  H5Fclose(file);
+  EXPECT_OK(result_read(path, &now));
+  EXPECT(now && now->n_outputs == 12);
+  result_file_destroy(now);
+  EXPECT_OK(result_finish(w));
+  result_destroy(w);
+  sample_case_destroy(c);
+}
+
+static void test_two_runs_cannot_write_one_file(void) {
+  struct case_file *c = sample_case();
+  struct result *w = NULL, *other = NULL;
+  struct result_file *f = NULL;
+  EXPECT_OK(result_create(path, c, &c->runs[0], &w));
+  for (size_t k = 0; k < 3; k++) {
+    EXPECT_OK(sample_output(w, k, 30));
+    if (k) EXPECT(result_create(path, c, &c->runs[0], &other) == ERR_IO && !other);
+  }
+  EXPECT(strstr(status_message(), "another run is writing "));
+  EXPECT_OK(result_finish(w));
+  result_destroy(w);
+  EXPECT_OK(result_read(path, &f));
+  EXPECT(f && f->complete && f->n_outputs == 3);
+  result_file_destroy(f);
+  sample_case_destroy(c);
+}
+
 int main(void) {
   snprintf(path, sizeof path, "%s/sample.h5", sample_folder());
   RUN(test_every_flushed_output_survives_a_kill);
   RUN(test_limit_on_file_size_keeps_earlier_outputs);
   RUN(test_full_disk_keeps_earlier_outputs);
+  RUN(test_a_reader_keeps_what_it_opened);
+  RUN(test_two_runs_cannot_write_one_file);
   RUN(test_places_that_cannot_be_written_are_named);
   write_sample();
   RUN(test_truncated_files_are_refused);
