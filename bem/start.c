@@ -18,28 +18,24 @@ static bool is_rectangle(const struct geo_lines *l, const struct geo_box *b) {
 void bem_start_check(const struct case_file *c, const struct case_run *r,
                      struct problems *problems) {
   if (!c->rectangular)
-    problems_add(
-        problems, r->line,
-        "run %s: solver bem needs a rectangular tank: one wall down the left side, along a "
-        "flat bed, up the right side",
-        r->name);
+    problems_add(problems, r->line,
+                 "runs.%s.solver: found 'bem' in a tank that is not rectangular; allowed: one wall "
+                 "down the left side, along a flat bed, up the right side; take another solver",
+                 r->name);
   double width = c->tank.max[0] - c->tank.min[0], near = NEAR * width;
   if (c->wave.kind != CASE_WAVE_NONE) {
-    double halves = 2 * width / c->wave.wavelength;
-    if (fabs(halves - round(halves)) > 1e-6 * halves)
-      problems_add(
-          problems, r->line,
-          "run %s: the tank is %.6g half wavelengths wide; solver bem needs a whole number",
-          r->name, halves);
     if (width / c->H * r->resolution < FEWEST)
-      problems_add(
-          problems, r->line,
-          "run %s: resolution %.6g gives the surface %.3g nodes; solver bem needs at least %d",
-          r->name, r->resolution, width / c->H * r->resolution, FEWEST);
+      problems_add(problems, r->line,
+                   "runs.%s.resolution: found '%.6g', %.3g nodes on the surface; allowed: at least "
+                   "%d nodes; raise it to %g",
+                   r->name, r->resolution, width / c->H * r->resolution, FEWEST,
+                   ceil(FEWEST * c->H / width));
     return;
   }
   if (c->water.pieces != 1) {
-    problems_add(problems, r->line, "run %s: solver bem needs exactly one water region, found %zu",
+    problems_add(problems, r->line,
+                 "runs.%s.solver: found 'bem' with %zu regions of water; allowed: one region; take "
+                 "another solver",
                  r->name, c->water.pieces);
     return;
   }
@@ -48,19 +44,20 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
       fabs(b.min[1] - c->tank.min[1]) > near)
     problems_add(
         problems, r->line,
-        "run %s: solver bem needs a rectangle of water that stands on the bed against the left "
-        "wall",
+        "runs.%s.solver: found 'bem' with other water; allowed: a rectangle that stands on "
+        "the bed against the left wall; take another solver",
         r->name);
   if (c->velocity[0] != 0 || c->velocity[1] != 0)
-    problems_add(problems, r->line, "run %s: solver bem starts from rest; remove water.velocity",
+    problems_add(problems, r->line,
+                 "runs.%s.solver: found 'bem' with moving water; allowed: water at rest at t = 0; "
+                 "remove water.velocity",
                  r->name);
   double shortest = fmin(b.max[0] - b.min[0], b.max[1] - b.min[1]) / c->H;
   if (shortest * r->resolution < FEWEST)
-    problems_add(
-        problems, r->line,
-        "run %s: resolution %.6g gives the shorter side of the water %.3g nodes; solver bem "
-        "needs at least %d",
-        r->name, r->resolution, shortest * r->resolution, FEWEST);
+    problems_add(problems, r->line,
+                 "runs.%s.resolution: found '%.6g', %.3g nodes on the shorter side of the water; "
+                 "allowed: at least %d nodes; raise it to %g",
+                 r->name, r->resolution, shortest * r->resolution, FEWEST, ceil(FEWEST / shortest));
 }
 
 enum status bem_start_surface(const struct case_file *c, const struct case_run *r,

@@ -40,8 +40,8 @@ static void wave_check(const struct case_file *c, const struct case_run *r,
                        struct problems *problems) {
   if (c->wave.kind != CASE_WAVE_STANDING) {
     problems_add(problems, r->line,
-                 "runs.%s: solver exact knows standing waves only; give water.wave instead of "
-                 "water.regions, or take another solver",
+                 "runs.%s.solver: found 'exact' with regions of water; allowed: a standing wave; "
+                 "give water.wave or take another solver",
                  r->name);
     return;
   }
@@ -51,8 +51,8 @@ static void wave_check(const struct case_file *c, const struct case_run *r,
   if (ratio > 0.5)
     problems_add(
         problems, r->line,
-        "runs.%s: the second order of the theory is %.2g of the first; allowed: at most 0.5; "
-        "lower water.wave.amplitude or raise water.wave.depth",
+        "runs.%s.solver: found 'exact' where the second order of theory is %.2g of the first; "
+        "allowed: at most 0.5; lower water.wave.amplitude or raise water.wave.depth",
         r->name, ratio);
 }
 

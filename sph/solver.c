@@ -85,35 +85,25 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
   double support = SPH_KERNEL_SUPPORT * o->h_over_dx * dx;
   double width = c->tank.max[0] - c->tank.min[0], height = c->tank.max[1] - c->tank.min[1];
   if (!c->rectangular)
-    problems_add(
-        problems, r->line,
-        "runs.%s: solver sph needs a rectangular tank, open at the top (left wall, flat bed, "
-        "right wall)",
-        r->name);
+    problems_add(problems, r->line,
+                 "runs.%s.solver: found 'sph' in a tank that is not rectangular; allowed: one wall "
+                 "down the left side, along a flat bed, up the right side; change tank.walls",
+                 r->name);
   if (width < 2 * support || height < 2 * support)
-    problems_add(
-        problems, r->line,
-        "runs.%s.resolution is %g: the tank (%g m x %g m) is narrower than two kernel supports "
-        "(%g m); raise the resolution to at least %.3g",
-        r->name, r->resolution, width, height, 2 * support,
-        r->resolution * 2 * support / fmin(width, height));
+    problems_add(problems, r->line,
+                 "runs.%s.resolution: found '%g', two kernel supports (%g m) wider than the tank "
+                 "(%g m x %g m); allowed: at least %g; raise it",
+                 r->name, r->resolution, 2 * support, width, height,
+                 ceil(r->resolution * 2 * support / fmin(width, height)));
   if (c->water.pieces > 0) {
     struct geo_box w = geo_lines_box(&c->water);
     double thin = fmin(w.max[0] - w.min[0], w.max[1] - w.min[1]);
     if (thin < 4 * dx)
-      problems_add(
-          problems, r->line,
-          "runs.%s.resolution is %g: the water is %g m thick, less than four particle spacings "
-          "(%g m); raise the resolution to at least %.3g",
-          r->name, r->resolution, thin, 4 * dx, r->resolution * 4 * dx / thin);
+      problems_add(problems, r->line,
+                   "runs.%s.resolution: found '%g', four particle spacings (%g m) thicker than the "
+                   "water (%g m); allowed: at least %g; raise it",
+                   r->name, r->resolution, 4 * dx, thin, ceil(r->resolution * 4 * dx / thin));
   }
-  struct geo_box column;
-  if (c->wave.kind == CASE_WAVE_NONE && c->pressure == CASE_PRESSURE_RELEASED &&
-      !sph_initial_column(c, &column))
-    problems_add(problems, r->line,
-                 "runs.%s: pressure `released` needs one rectangular region that stands on the bed "
-                 "against a side wall; use `hydrostatic`",
-                 r->name);
 }
 
 const struct solver sph_solver = {

@@ -93,8 +93,8 @@ static void expect_problem(const char *was, const char *is, const char *message)
 static void test_other_cases_are_refused_with_the_reason(void) {
   expect_problem("wave: {kind: standing, amplitude: 0.02, wavelength: 1, depth: 0.7}",
                  "regions: [[[0, 0], [1, 0], [1, 1], [0, 1]]]",
-                 "solver exact knows standing waves only");
-  expect_problem("depth: 0.7", "depth: 0.06", "the second order of the theory is");
+                 "found 'exact' with regions of water");
+  expect_problem("depth: 0.7", "depth: 0.06", "the second order of theory is");
 }
 
 int main(void) {
