@@ -105,8 +105,10 @@ static enum status surfaces_compare(const struct comparison *c, struct cmp_geos 
   struct cmp_distance distance;
   unavailable(at, cmp_unknown("not computed"));
   double step = fmax(a->dx / 2, 1e-3);
-  ATTEMPT(cmp_outline_create(g, &a->surface[at->output], &a->walls, &c->window, step, &p));
-  ATTEMPT(cmp_outline_create(g, &b->surface[at->ref_output], &b->walls, &c->window, step, &q));
+  ATTEMPT(
+      cmp_outline_create(g, &a->surface[at->output], &a->walls, &c->window, step, c->depth, &p));
+  ATTEMPT(cmp_outline_create(g, &b->surface[at->ref_output], &b->walls, &c->window, step, c->depth,
+                             &q));
   ATTEMPT(cmp_outline_distance(p, q, &distance, &at->mean, &at->largest));
   memcpy(at->where, distance.at, sizeof at->where);
   at->noise_area = run->noise * cmp_outline_length(q);
@@ -227,7 +229,7 @@ static void front_measure(const struct comparison *c, struct cmp_run *run) {
 static struct cmp_value largest_magnitude(const struct cmp_series *s, double until) {
   double worst = -1;
   for (size_t i = 0; i < s->n && s->t[i] <= until; i++) {
-    if (!isfinite(s->value[i])) return cmp_unknown("the energy budget has gaps");
+    if (!isfinite(s->value[i])) return cmp_unknown("the energies are not all numbers");
     worst = fmax(worst, fabs(s->value[i]));
   }
   return worst >= 0 ? cmp_number(worst) : cmp_unknown("the file has no energies");

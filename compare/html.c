@@ -165,7 +165,7 @@ static void checks(struct page *p, const struct comparison *c, const struct cmp_
   html_reasons_list(p, &why);
   if (rows->unused)
     page_element(p, "p", "soft",
-                 "%zu of the case's tolerances concern runs that are not compared here.",
+                 "Tolerances of the case that concern none of the runs compared here: %zu.",
                  rows->unused);
 }
 

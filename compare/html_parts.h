@@ -1,6 +1,6 @@
 /* What the sections of the report are made of. */
 #pragma once
-#include "compare/charts.h"
+#include "compare/chart.h"
 #include "compare/figure.h"
 #include "compare/measure.h"
 #include "compare/page.h"

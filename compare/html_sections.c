@@ -150,12 +150,27 @@ void html_jets(struct page *p, const struct comparison *c) {
 
 /* ---- signals ---- */
 
+/* "mine (theirs)" */
+static void both_cell(struct page *p, const struct cmp_value *mine, const struct cmp_value *theirs,
+                      struct html_reasons *why) {
+  if (cmp_known(mine) && cmp_known(theirs))
+    html_cell(p, NULL, "%.3g (%.3g)", mine->value, theirs->value);
+  else
+    html_value(p, cmp_known(mine) ? theirs : mine, why);
+}
+
 void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity quantity) {
   struct html_reasons why = {0};
+  size_t shown = 0;
+  for (size_t i = 0; i <= c->n_runs; i++) {
+    const struct cmp_run *run = cmp_run_or_ref(c, i == 0 ? SIZE_MAX : i - 1);
+    for (size_t k = 0; k < run->n_pairs; k++) shown += run->pairs[k].quantity == quantity;
+  }
+  if (!shown) return;
   html_table_open(p);
   html_headings(p, (const char *const[]){"run", "signal", "against", "common t*", "arrival t*",
-                                         "theirs", "peak", "theirs", "at t*", "theirs", "impulse",
-                                         "theirs", "rms", "best shift", "rms if shifted", NULL});
+                                         "peak", "time of peak", "impulse", "rms difference",
+                                         "best shift", "rms if shifted", NULL});
   for (size_t i = 0; i <= c->n_runs; i++) {
     size_t r = i == 0 ? SIZE_MAX : i - 1;
     const struct cmp_run *run = cmp_run_or_ref(c, r);
@@ -168,14 +183,20 @@ void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity 
       html_cell(p, "t", "%s", pair->a->name);
       html_cell(p, "t", "%s", pair->experiment == SIZE_MAX ? c->ref.data.label : pair->b->name);
       html_cell(p, NULL, "%.3g–%.3g", pair->m.from, pair->m.to);
-      const struct cmp_value *cells[] = {
-          &a->onset,   &b->onset,   &a->peak,     &b->peak,       &a->peak_time,     &b->peak_time,
-          &a->impulse, &b->impulse, &pair->m.rms, &pair->m.shift, &pair->m.rms_after};
-      for (size_t v = 0; v < sizeof cells / sizeof *cells; v++) html_value(p, cells[v], &why);
+      both_cell(p, &a->onset, &b->onset, &why);
+      both_cell(p, &a->peak, &b->peak, &why);
+      both_cell(p, &a->peak_time, &b->peak_time, &why);
+      both_cell(p, &a->impulse, &b->impulse, &why);
+      html_value(p, &pair->m.rms, &why);
+      html_value(p, &pair->m.shift, &why);
+      html_value(p, &pair->m.rms_after, &why);
       page_close(p);
     }
   }
   html_table_close(p);
+  page_element(p, "p", "soft",
+               "In brackets: the same of what it is compared with, over the same common time. "
+               "Best shift: positive when the run is late.");
   html_reasons_list(p, &why);
 }
 

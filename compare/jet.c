@@ -43,6 +43,17 @@ static double distance(const double *p, const double *q) {
   return hypot(p[0] - q[0], p[1] - q[1]);
 }
 
+/* How far the piece rises across point i, within `reach` to both sides. Water is on the right: a
+ * fold walked upwards lies above its cavity with the tip to the left; walked downwards, its tip
+ * comes first and to the right. (Which end is higher does not tell: a jet that falls droops below.)
+ */
+static double heading_up(const double (*p)[2], size_t n, size_t i, double reach) {
+  size_t a = i, b = i;
+  while (a > 0 && distance(p[a], p[i]) < reach) a--;
+  while (b + 1 < n && distance(p[b], p[i]) < reach) b++;
+  return p[b][1] - p[a][1];
+}
+
 /* Walks from point `from` by `step` (+1 or -1) up to `last` and finds where the piece leaves the
  * circle of radius r about c; false when it does not. */
 static bool leaves_circle(const double (*p)[2], size_t from, size_t last, int step, const double *c,
@@ -69,30 +80,56 @@ static bool sides(const double (*p)[2], size_t n, size_t tip, size_t root, doubl
          leaves_circle(p, tip, ahead ? 0 : n - 1, ahead ? -1 : 1, p[tip], r, over);
 }
 
-/* Moves the tip from its vertical tangent to the point furthest along the jet's own direction. */
-static size_t tip_refine(const double (*p)[2], size_t n, size_t tip, size_t root, double H,
-                         double *direction) {
-  bool known = false;
-  for (int pass = 0; pass < 8; pass++) {
-    double under[2], over[2];
-    if (!sides(p, n, tip, root, cmp_jet_station[1] * H, under, over)) break;
-    double d[2] = {p[tip][0] - (under[0] + over[0]) / 2, p[tip][1] - (under[1] + over[1]) / 2};
-    double l = hypot(d[0], d[1]);
-    if (!(l > 0)) break;
-    direction[0] = d[0] / l;
-    direction[1] = d[1] / l;
-    known = true;
-    size_t best = tip;
-    for (int step = -1; step <= 1; step += 2)
-      for (size_t i = tip; distance(p[i], p[tip]) <= cmp_jet_station[1] * H; i += (size_t)step) {
-        if ((p[i][0] - p[best][0]) * d[0] + (p[i][1] - p[best][1]) * d[1] > 0) best = i;
-        if (i == (step < 0 ? 0 : n - 1)) break;
-      }
-    if (best == tip) break;
-    tip = best;
+/* The point a length away along the piece from point i; false when the piece ends before. */
+static bool along(const double (*p)[2], size_t n, size_t i, int step, double length, double *at) {
+  for (double left = length; i != (step < 0 ? 0 : n - 1); i += (size_t)step) {
+    const double *a = p[i], *b = p[i + (size_t)step];
+    double l = distance(a, b);
+    if (l < left) {
+      left -= l;
+      continue;
+    }
+    at[0] = a[0] + left / l * (b[0] - a[0]);
+    at[1] = a[1] + left / l * (b[1] - a[1]);
+    return true;
   }
-  if (!known) direction[0] = direction[1] = NAN;
-  return tip;
+  return false;
+}
+
+/* The tip is where the surface turns most sharply around water: where points `reach` before and
+ * after it along the surface are closest. It is looked for from `reach` beyond the jet's vertical
+ * tangent, which a drooping jet leaves behind, to the root. */
+static size_t tip_refine(const double (*p)[2], size_t n, size_t tangent, size_t root,
+                         double reach) {
+  int step = root > tangent ? 1 : -1; /* towards the root */
+  size_t best = tangent, start = tangent;
+  double sharpest = INFINITY, walked = 0;
+  while (start != (step < 0 ? n - 1 : 0) && walked < reach) {
+    walked += distance(p[start], p[start - (size_t)step]);
+    start -= (size_t)step;
+  }
+  for (size_t i = start; i != root; i += (size_t)step) {
+    double a[2], c[2];
+    if (!along(p, n, i, -1, reach, a) || !along(p, n, i, 1, reach, c)) continue;
+    double turn = (p[i][0] - a[0]) * (c[1] - p[i][1]) - (p[i][1] - a[1]) * (c[0] - p[i][0]);
+    if (turn >= 0 || distance(a, c) >= sharpest) continue; /* turns around air */
+    sharpest = distance(a, c);
+    best = i;
+  }
+  return best;
+}
+
+/* From the middle of the section furthest behind the tip that there is to the tip. */
+static struct cmp_value direction_measure(const double (*p)[2], size_t n, size_t tip, size_t root,
+                                          double H) {
+  for (size_t k = CMP_JET_STATIONS; k-- > 0;) {
+    double under[2], over[2];
+    if (!sides(p, n, tip, root, cmp_jet_station[k] * H, under, over)) continue;
+    return cmp_number(
+        atan2(p[tip][1] - (under[1] + over[1]) / 2, p[tip][0] - (under[0] + over[0]) / 2) * 180 /
+        M_PI);
+  }
+  return cmp_unknown("the jet is shorter than %g H", cmp_jet_station[0]);
 }
 
 /* Where the vertical below the tip meets the surface beyond the root, and the area enclosed. */
@@ -138,20 +175,15 @@ void cmp_jet_find(const struct geo_lines *surface, double H, double least, struc
   struct fold fold = fold_largest(p, n, least);
   if (!(fold.overhang > least)) return;
 
-  /* Water is on the right. Where the fold is walked upwards it lies above its cavity, tip to the
-   * left; walked downwards, the tip comes first and to the right. */
-  jet->forward = p[fold.left][1] < p[fold.right][1];
+  jet->forward = heading_up(p, n, fold.right, least) + heading_up(p, n, fold.left, least) < 0;
   size_t tip = jet->forward ? fold.right : fold.left;
   size_t root = jet->forward ? fold.left : fold.right;
   jet->found = true;
   jet->overhang = fold.overhang;
-  double direction[2];
-  tip = tip_refine(p, n, tip, root, H, direction);
+  tip = tip_refine(p, n, tip, root, cmp_jet_station[CMP_JET_STATIONS - 1] * H);
   memcpy(jet->tip, p[tip], sizeof jet->tip);
   memcpy(jet->root, p[root], sizeof jet->root);
-  jet->direction = isfinite(direction[0])
-                       ? cmp_number(atan2(direction[1], direction[0]) * 180 / M_PI)
-                       : cmp_unknown("the jet is shorter than %g H", cmp_jet_station[1]);
+  jet->direction = direction_measure(p, n, tip, root, H);
   for (size_t k = 0; k < CMP_JET_STATIONS; k++) {
     double under[2], over[2];
     jet->thickness[k] = sides(p, n, tip, root, cmp_jet_station[k] * H, under, over)
@@ -163,59 +195,77 @@ void cmp_jet_find(const struct geo_lines *surface, double H, double least, struc
 
 /* ---- instants ---- */
 
-/* The first output of the run of overhanging outputs in which the largest overhang stands. */
-static size_t breaker_first(const struct cmp_jet *jet, size_t n, size_t *peak) {
-  *peak = SIZE_MAX;
+/* Whether two jets in successive outputs, dt apart, can be the same one: it plunges the same way,
+ * and its tip has moved no faster than 4 sqrt(gH), the speed of water fallen from 8 H. */
+static bool same_jet(const struct cmp_jet *a, const struct cmp_jet *b, double dt) {
+  return a->found && b->found && a->forward == b->forward &&
+         distance(a->tip, b->tip) <= 4 * dt + 0.1;
+}
+
+/* The stretch [*first, *last] of outputs that show the main breaker: the jet that has the largest
+ * overhang of all, followed from there both ways. False: there is none. */
+static bool breaker_follow(const struct cmp_jet *jet, const double *t, size_t n, size_t *first,
+                           size_t *last) {
+  size_t peak = SIZE_MAX;
   for (size_t i = 0; i < n; i++)
-    if (jet[i].found && (*peak == SIZE_MAX || jet[i].overhang > jet[*peak].overhang)) *peak = i;
-  size_t first = *peak;
-  while (first != SIZE_MAX && first > 0 && jet[first - 1].found &&
-         jet[first - 1].forward == jet[first].forward)
-    first--;
-  return first;
+    if (jet[i].found && (peak == SIZE_MAX || jet[i].overhang > jet[peak].overhang)) peak = i;
+  if (peak == SIZE_MAX) return false;
+  *first = *last = peak;
+  while (*first > 0 && same_jet(&jet[*first - 1], &jet[*first], t[*first] - t[*first - 1]))
+    (*first)--;
+  while (*last + 1 < n && same_jet(&jet[*last], &jet[*last + 1], t[*last + 1] - t[*last]))
+    (*last)++;
+  return true;
 }
 
 void cmp_jet_overturning(const struct cmp_jet *jet, const double *t, size_t n,
                          struct cmp_instant *instant) {
   *instant = (struct cmp_instant){cmp_unknown("the surface never overhangs"), NAN, {NAN, NAN}};
-  size_t peak, first = breaker_first(jet, n, &peak);
-  if (first == SIZE_MAX) return;
-  double before = first > 0 ? t[first - 1] : t[0], estimate = t[first];
-  if (first + 1 < n && jet[first + 1].found && jet[first + 1].overhang > jet[first].overhang) {
-    double a = cbrt(jet[first].overhang * jet[first].overhang);
-    double b = cbrt(jet[first + 1].overhang * jet[first + 1].overhang);
-    estimate = t[first] - a * (t[first + 1] - t[first]) / (b - a);
+  size_t first, last;
+  if (!breaker_follow(jet, t, n, &first, &last)) return;
+  /* overhang^(2/3) is linear in time at first: a line through its growth up to half the largest */
+  double largest = 0, sum[4] = {0};
+  size_t points = 0;
+  for (size_t i = first; i <= last; i++) largest = fmax(largest, jet[i].overhang);
+  for (size_t i = first; i <= last && (points < 2 || jet[i].overhang <= largest / 2); i++) {
+    double x = t[i] - t[first], y = cbrt(jet[i].overhang * jet[i].overhang);
+    sum[0] += x;
+    sum[1] += y;
+    sum[2] += x * x;
+    sum[3] += x * y;
+    points++;
   }
-  /* an overhang below what noise may have is not seen: the instant may lie before the last output
-   * without one, and then the bracket reaches back to it */
-  estimate = fmax(estimate, t[0]);
-  double lower = fmin(before, estimate);
+  double m = (double)points,
+         slope = (m * sum[3] - sum[0] * sum[1]) / (m * sum[2] - sum[0] * sum[0]);
+  double estimate = t[first];
+  if (points > 1 && slope > 0) {
+    double zero = t[first] + (sum[0] - sum[1] / slope) / m;
+    estimate = fmax(t[0], fmin(t[first], zero));
+  }
+  double interval = first > 0 ? t[first] - t[first - 1] : 0;
   instant->time = cmp_number(estimate);
-  instant->error = (t[first] - lower) / 2;
-  memcpy(instant->at, jet[first].root, sizeof instant->at);
+  instant->error = fmax(interval / 2, t[first] - estimate);
+  for (int k = 0; k < 2; k++) instant->at[k] = (jet[first].tip[k] + jet[first].root[k]) / 2;
 }
 
 void cmp_jet_touchdown(const struct cmp_jet *jet, const double *t, size_t n,
                        struct cmp_instant *instant) {
   *instant = (struct cmp_instant){cmp_unknown("the surface never overhangs"), NAN, {NAN, NAN}};
-  size_t peak, last = breaker_first(jet, n, &peak);
-  if (last == SIZE_MAX) return;
-  /* the cavity is closed when it opens no longer below the jet: the overhang is gone, or what is
-   * left of it is another, much smaller one */
+  size_t first, last;
+  if (!breaker_follow(jet, t, n, &first, &last)) return;
+  /* the cavity has closed when the breaker is seen no more, or all but its mouth has gone */
   double widest = 0;
-  while (last + 1 < n && jet[last + 1].found && jet[last + 1].forward == jet[last].forward) {
-    if (cmp_known(&jet[last].cavity)) widest = fmax(widest, jet[last].cavity.value);
-    const struct cmp_value *next = &jet[last + 1].cavity;
-    if (widest > 0 && cmp_known(next) && next->value < 0.4 * widest) break;
-    last++;
+  for (size_t i = first; i < last; i++) {
+    if (cmp_known(&jet[i].cavity)) widest = fmax(widest, jet[i].cavity.value);
+    const struct cmp_value *next = &jet[i + 1].cavity;
+    if (widest > 0 && cmp_known(next) && next->value < 0.4 * widest) last = i;
   }
   if (last + 1 >= n) {
     instant->time = cmp_unknown("the jet has not touched down when the surfaces end");
     return;
   }
   double estimate = (t[last] + t[last + 1]) / 2;
-  if (last > 0 && jet[last - 1].found && jet[last - 1].gap > jet[last].gap &&
-      isfinite(jet[last].gap)) {
+  if (last > first && jet[last - 1].gap > jet[last].gap) {
     double speed = (jet[last - 1].gap - jet[last].gap) / (t[last] - t[last - 1]);
     estimate = fmin(t[last + 1], t[last] + jet[last].gap / speed);
   }

@@ -12,27 +12,29 @@ extern const double cmp_jet_station[CMP_JET_STATIONS];
 struct cmp_jet {
   bool found;      /* the main surface overhangs by more than asked */
   bool forward;    /* it plunges towards +x */
-  double overhang; /* horizontal, from the tip's vertical tangent to the cavity's, m */
-  double tip[2];   /* the point furthest along the jet, m */
-  double root[2];  /* the cavity's vertical tangent, m */
+  double overhang; /* horizontal, from the tip's vertical tangent to the cavity's */
+  double tip[2];   /* the point furthest along the jet */
+  double root[2];  /* the cavity's vertical tangent */
   double foot[2];  /* of the vertical dropped from the tip onto the surface, m; NaN: none */
-  double gap;      /* from the tip to the nearest point of the surface below the cavity, m */
+  double gap;      /* from the tip to the nearest point of the surface below the cavity */
   struct cmp_value direction;                   /* degrees, counter-clockwise from +x */
   struct cmp_value thickness[CMP_JET_STATIONS]; /* m */
-  struct cmp_value
-      cavity; /* air between the jet, the surface below and the vertical at the tip, m^2 */
+  struct cmp_value cavity; /* air between the jet, the surface below and the vertical at the tip */
 };
 
-/* `least` is the overhang (m) that noise may have: about two particle spacings. H in m. */
+/* `least` is the overhang that noise may have, about two particle spacings; H the scale of the
+ * stations. All lengths alike in m, or in H with H = 1. */
 void cmp_jet_find(const struct geo_lines *surface, double H, double least, struct cmp_jet *jet);
 
-/* The instants seen in a sequence of jets, [n] at times t (s). Between outputs the overhang is
- * taken to grow as (t - t0)^(3/2), as it does at a generic vertical tangent, and the gap below the
- * tip to close linearly. `error` (s) is half the interval that brackets the instant. */
+/* The instants seen in a sequence of jets, [n] at times t in sqrt(H/g), lengths in H. Between
+ * outputs the overhang is taken to grow as (t - t0)^(3/2), as it does at a generic vertical
+ * tangent, and the gap below the tip to close linearly. `error`: half the interval that brackets
+ * the instant, and no less than the time from the estimated instant to the first output that shows
+ * it. */
 struct cmp_instant {
-  struct cmp_value time; /* s */
-  double error;          /* s; 0 when a solver located it */
-  double at[2];          /* m; NaN when unknown */
+  struct cmp_value time;
+  double error; /* 0 when a solver located it */
+  double at[2]; /* NaN when unknown */
 };
 void cmp_jet_overturning(const struct cmp_jet *jet, const double *t, size_t n,
                          struct cmp_instant *instant);

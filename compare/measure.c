@@ -133,6 +133,8 @@ static struct cmp_value series_at(const struct cmp_data *d, const struct cmp_ser
   if (s->n && t > s->t[s->n - 1] && t < s->t[s->n - 1] + 1e-6) t = s->t[s->n - 1];
   double v = cmp_signal_at(&signal, t);
   if (isfinite(v)) return cmp_number(v);
+  if (s->n && t >= s->t[0] && t <= s->t[s->n - 1])
+    return cmp_unknown("an energy of %.40s at t* = %.4g is not a number", d->label, t);
   return s->n ? cmp_unknown("%.40s has no energies at t* = %.4g (its last: %.4g)", d->label, t,
                             s->t[s->n - 1])
               : cmp_unknown("%.60s has no energies", d->label);

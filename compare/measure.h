@@ -7,9 +7,9 @@
  * whole run; `noise` names what its particle-spacing noise floor is (NONE, LENGTH, AREA). */
 #define CMP_MEASURES(X)                                                                            \
   X(mean_distance, "H", AT, LENGTH,                                                                \
-    "mean distance between the main surfaces, sampled by arc length, average of both directions")  \
+    "mean distance between the main surfaces away from walls, average of both directions")         \
   X(largest_distance, "H", AT, LENGTH,                                                             \
-    "largest distance between the main surfaces, either direction")                                \
+    "largest distance between the main surfaces away from walls, either direction")                \
   X(hausdorff, "H", AT, LENGTH, "Hausdorff distance of all pieces, spray and bubbles included")    \
   X(frechet, "H", AT, LENGTH,                                                                      \
     "discrete Frechet distance of the longest pieces: respects the order along the surface")       \
@@ -36,7 +36,7 @@
   X(probe_peak, "rho g H", ONCE, NONE, "difference of peak pressure, worst probe")                 \
   X(probe_peak_time, "sqrt(H/g)", ONCE, NONE, "difference of the time of the peak, worst probe")   \
   X(probe_onset, "sqrt(H/g)", ONCE, NONE,                                                          \
-    "difference of the time at which pressure first reaches 0.05 rho g H, worst probe")            \
+    "difference of the time at which pressure first reaches 0.1 rho g H, worst probe")             \
   X(probe_impulse, "rho g H sqrt(H/g)", ONCE, NONE,                                                \
     "difference of the time integral of pressure, worst probe")                                    \
   X(probe_shift, "sqrt(H/g)", ONCE, NONE,                                                          \

@@ -15,8 +15,8 @@ struct cmp_geos {
 struct cmp_outline {
   struct cmp_geos *geos;
   double spacing, enclosed, length;
-  struct geo_lines samples;             /* of the main surface in the window */
-  GEOSGeometry *main;                   /* the main surface, everywhere */
+  struct geo_lines samples; /* points of the main surface in the window, away from walls */
+  GEOSGeometry *main;       /* the main surface, everywhere */
   const GEOSPreparedGeometry *prepared; /* the same, indexed */
   GEOSGeometry *all;                    /* every piece, in the window */
   GEOSGeometry *longest;                /* the longest connected part in the window; may be NULL */
@@ -191,9 +191,9 @@ done:
 
 enum status cmp_outline_create(struct cmp_geos *g, const struct geo_lines *surface,
                                const struct geo_lines *walls, const struct geo_box *window,
-                               double spacing, struct cmp_outline **out) {
+                               double spacing, double film, struct cmp_outline **out) {
   enum status status = OK;
-  struct geo_lines main = {0}, cut = {0};
+  struct geo_lines main = {0}, cut = {0}, samples = {0};
   struct cmp_outline *o = calloc(1, sizeof *o);
   CHECK(o, ERR_MEMORY, "no memory for an outline");
   o->geos = g;
@@ -203,7 +203,8 @@ enum status cmp_outline_create(struct cmp_geos *g, const struct geo_lines *surfa
   GEOS("index the main surface", o->prepared = GEOSPrepare_r(g->handle, o->main));
   ATTEMPT(cmp_lines_clip(&main, window, &cut));
   for (size_t k = 0; k < cut.pieces; k++) o->length += geo_piece_length(&cut, k);
-  ATTEMPT(cmp_lines_sample(&cut, spacing, &o->samples));
+  ATTEMPT(cmp_lines_sample(&cut, spacing, &samples));
+  ATTEMPT(cmp_lines_away(&samples, walls, film, &o->samples));
   size_t longest = cmp_piece_longest(&cut);
   if (longest != SIZE_MAX) {
     GEOSCoordSequence *s = coordinates(g, &cut, longest, cut.closed[longest]);
@@ -215,6 +216,7 @@ enum status cmp_outline_create(struct cmp_geos *g, const struct geo_lines *surfa
 done:
   geo_lines_destroy(&main);
   geo_lines_destroy(&cut);
+  geo_lines_destroy(&samples);
   if (status != OK) {
     cmp_outline_destroy(o);
     o = NULL;
@@ -236,7 +238,7 @@ double cmp_outline_enclosed(const struct cmp_outline *o) {
 static bool either_empty(const struct cmp_outline *a, const struct cmp_outline *b,
                          struct cmp_value *v) {
   bool empty = !a->samples.points || !b->samples.points;
-  if (empty) *v = cmp_unknown("no free surface inside the compared window");
+  if (empty) *v = cmp_unknown("no free surface inside the compared window, away from walls");
   return empty;
 }
 

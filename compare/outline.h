@@ -14,11 +14,11 @@ void cmp_geos_destroy(struct cmp_geos *g);
 
 struct cmp_outline;
 
-/* `window` is the part that is compared; `spacing` the distance between sample points (m). The
- * surface must outlive the outline. */
+/* `window` is the part that is compared; `spacing` the distance between sample points (m). The mean
+ * and largest distances are taken from points at least `film` (m) away from every wall. */
 enum status cmp_outline_create(struct cmp_geos *g, const struct geo_lines *surface,
                                const struct geo_lines *walls, const struct geo_box *window,
-                               double spacing, struct cmp_outline **out);
+                               double spacing, double film, struct cmp_outline **out);
 void cmp_outline_destroy(struct cmp_outline *o);
 
 double cmp_outline_length(const struct cmp_outline *o);   /* of the main surface in the window */

@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/charts.h"
+#include "compare/chart.h"
 #include "compare/outline.h"
 #include "compare/polyline.h"
 #include "compare/text.h"
 
-enum { WIDTH = 900, LEFT = 62, RIGHT = 96, TOP = 8, TITLE = 24, BOTTOM = 52, GAP = 26 };
+enum { WIDTH = 900, LEFT = 74, RIGHT = 100, TOP = 8, TITLE = 24, BOTTOM = 52, GAP = 26 };
 
 /* Nine colours of matplotlib's viridis (public domain, CC0): perceptually uniform, safe for
  * colour-blind readers. */
@@ -72,6 +72,21 @@ static double cloud_top(const struct cloud *cloud) {
   return top;
 }
 
+/* The top of the colours, common to all runs: the (lower) median of theirs, so that a run full of
+ * noise does not take the contrast from the others. */
+static double colour_top(const struct comparison *c, const struct cloud *cloud) {
+  double *top = malloc((c->n_runs + 1) * sizeof *top), median = 0;
+  size_t n = 0;
+  for (size_t r = 0; top && r < c->n_runs; r++)
+    if (cloud[r].n) top[n++] = cloud_top(&cloud[r]);
+  if (n) {
+    qsort(top, n, sizeof *top, ascending);
+    median = top[(n - 1) / 2];
+  }
+  free(top);
+  return fmax(0.2, ceil(median * 5 - 1e-9) / 5);
+}
+
 /* ---- data files ---- */
 
 static enum status cloud_write(const struct cloud *cloud, struct cmp_figures *f,
@@ -126,13 +141,15 @@ static void surface_plot(const struct cmp_figure *fig, size_t id, const char *st
 
 /* ---- what is seen ---- */
 
-static void view_include(const struct geo_lines *surface, struct geo_box *view) {
-  struct geo_lines main = {0};
-  if (cmp_lines_main(surface, CMP_MAIN_FRACTION, &main) == OK && main.points) {
-    struct geo_box box = geo_lines_box(&main);
-    view->max[1] = fmax(view->max[1], box.max[1]);
-  }
+/* Up to the top of the main surface, films on walls left out. */
+static void view_include(const struct comparison *c, const struct geo_lines *surface,
+                         struct geo_box *view) {
+  struct geo_lines main = {0}, thick = {0};
+  if (cmp_lines_main(surface, CMP_MAIN_FRACTION, &main) == OK &&
+      cmp_lines_away(&main, &c->ref.data.walls, c->depth, &thick) == OK && thick.points)
+    view->max[1] = fmax(view->max[1], geo_lines_box(&thick).max[1]);
   geo_lines_destroy(&main);
+  geo_lines_destroy(&thick);
 }
 
 /* The tank's width, up to a little above the main surfaces; spray may fly out of the picture. */
@@ -142,14 +159,14 @@ static struct geo_box view_choose(const struct comparison *c, size_t time) {
   view.max[1] = view.min[1] + 0.3;
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_at *at = &c->run[r].at[time];
-    if (at->output != SIZE_MAX) view_include(&c->run[r].data.surface[at->output], &view);
-    if (at->ref_output != SIZE_MAX) view_include(&c->ref.data.surface[at->ref_output], &view);
-  }
-  for (int k = 0; k < 2; k++) { /* a window narrower than the tank is what matters */
-    view.min[k] = fmax(view.min[k], c->window.min[k]);
-    if (k == 0) view.max[k] = fmin(view.max[k], c->window.max[k]);
+    if (at->output != SIZE_MAX) view_include(c, &c->run[r].data.surface[at->output], &view);
+    if (at->ref_output != SIZE_MAX) view_include(c, &c->ref.data.surface[at->ref_output], &view);
   }
   view.max[1] = fmin(fmax(top, 0.5), view.max[1] + 0.08);
+  for (int k = 0; k < 2; k++) { /* a window narrower than the tank is what matters */
+    view.min[k] = fmax(view.min[k], c->window.min[k]);
+    view.max[k] = fmin(view.max[k], c->window.max[k]);
+  }
   return view;
 }
 
@@ -161,7 +178,7 @@ struct layout {
 
 static struct layout layout_choose(const struct geo_box *view, size_t panels) {
   double aspect = (view->max[0] - view->min[0]) / (view->max[1] - view->min[1]);
-  struct layout l = {.columns = aspect > 2 || panels < 2 ? 1 : 2};
+  struct layout l = {.columns = aspect > 1.9 || panels < 2 ? 1 : 2};
   l.rows = (panels + l.columns - 1) / l.columns;
   l.width = (WIDTH - LEFT - RIGHT - 30.0 * (double)(l.columns - 1)) / (double)l.columns;
   l.height = l.width / aspect;
@@ -203,6 +220,28 @@ static void layers_draw(const struct cmp_figure *fig, const struct layout *l,
   fputs("unset output\nreset\nset datafile separator ','\n", fig->script);
 }
 
+static void panel_title(const struct comparison *c, const struct cmp_run *run, size_t time,
+                        char *title, size_t room) {
+  const struct cmp_at *at = &run->at[time];
+  const char *label = run->data.label, *ref = c->ref.data.label;
+  char when[96] = "";
+  if (at->output == SIZE_MAX) {
+    snprintf(title, room, "%.60s: no output at this time", label);
+    return;
+  }
+  if (at->ref_output == SIZE_MAX) {
+    snprintf(title, room, "%.60s: t* = %.4g, %.60s has no surface then", label, at->t, ref);
+    return;
+  }
+  if (fabs(at->t - at->ref_t) > 1e-6 || fabs(at->t - c->times[time]) > 1e-6)
+    snprintf(when, sizeof when, " (t* = %.4g, %.40s at %.4g)", at->t, ref, at->ref_t);
+  if (cmp_known(&at->mean) && cmp_known(&at->area))
+    snprintf(title, room, "%.60s%s: mean %.3f H, area %.3f H²", label, when, at->mean.value,
+             at->area.value);
+  else
+    snprintf(title, room, "%.60s%s", label, when);
+}
+
 static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
                        const struct layout *l, const struct geo_box *view,
                        const struct cloud *cloud, size_t time, size_t r) {
@@ -210,18 +249,8 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
   const struct cmp_at *at = &run->at[time];
   FILE *s = fig->script;
   panel_place(fig, l, r);
-  char title[192];
-  int n = snprintf(title, sizeof title, "%.60s", run->data.label);
-  if (at->output == SIZE_MAX)
-    snprintf(title + n, sizeof title - (size_t)n, ": no output at this time");
-  else if (at->ref_output == SIZE_MAX)
-    snprintf(title + n, sizeof title - (size_t)n, "   t* = %.4g, no %.60s then", at->t,
-             c->ref.data.label);
-  else if (fabs(at->t - at->ref_t) > 1e-6 || fabs(at->t - c->times[time]) > 1e-6)
-    snprintf(title + n, sizeof title - (size_t)n, "   t* = %.4g, %.60s at %.4g", at->t,
-             c->ref.data.label, at->ref_t);
-  else
-    snprintf(title + n, sizeof title - (size_t)n, "   t* = %.4g", at->t);
+  char title[256];
+  panel_title(c, run, time, title, sizeof title);
   fputs("unset label\nset label 1 ", s);
   cmp_gnuplot_string(s, title);
   fputs(" at graph 0, graph 1 offset 0, character 0.7 left noenhanced\n", s);
@@ -232,7 +261,12 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
   fputs(r % l->columns == 0 ? "set format y\nset ylabel 'y / H'\n"
                             : "set format y ''\nunset ylabel\n",
         s);
-  fputs(r == 0 ? "set colorbox\n" : "unset colorbox\n", s);
+  if (r == 0)
+    fprintf(s, "set colorbox user origin screen %.5f, screen %.5f size screen 0.016, screen %.5f\n",
+            1 - (RIGHT - 16.0) / WIDTH, 1 - (TOP + TITLE + l->height) / fig->height,
+            l->height / fig->height);
+  else
+    fputs("unset colorbox\n", s);
   /* one point of the palette, so that the colour box appears */
   fputs("plot '+' using (-1e9):(-1e9):(0) with points pointtype 0 linecolor palette notitle", s);
   if (cloud->n)
@@ -253,9 +287,7 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
 
 static enum status overlay_draw(const struct comparison *c, struct cmp_figures *f, size_t time,
                                 const struct cloud *cloud) {
-  double top = 0;
-  for (size_t r = 0; r < c->n_runs; r++) top = fmax(top, cloud_top(&cloud[r]));
-  top = fmax(0.2, ceil(top * 5 - 1e-9) / 5);
+  double top = colour_top(c, cloud);
   struct geo_box view = view_choose(c, time);
   struct layout l = layout_choose(&view, c->n_runs);
   struct cmp_figure *fig;
@@ -264,7 +296,8 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
   snprintf(
       fig->caption, sizeof fig->caption,
       "t* = %.4g. Particles coloured by pressure (the same colours for every run), the run's own "
-      "free surface in thin orange, that of %.60s in black.",
+      "free surface in thin orange, that of %.60s in black. Mean: distance between the two; area: "
+      "between them.",
       c->times[time], c->ref.data.label);
   TRY(surfaces_write(c, f, fig, time));
   for (size_t r = 0; r < c->n_runs; r++)
@@ -273,11 +306,9 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
   cmp_figure_formats(fig);
   fprintf(fig->script,
           "%sset cbrange [0:%g]\nset cblabel 'p / (ρ g H)'\n"
-          "set colorbox user origin screen %.5f, screen %.5f size screen 0.016, screen %.5f\n"
           "unset key\nunset grid\nset tics front\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset ytics 0.5\nset multiplot\n",
-          palette, top, 1 - (RIGHT - 16.0) / WIDTH, 1 - (TOP + TITLE + l.height) / fig->height,
-          l.height / fig->height, view.min[0], view.max[0], view.min[1], view.max[1]);
+          palette, top, view.min[0], view.max[0], view.min[1], view.max[1]);
   for (size_t r = 0; r < c->n_runs; r++) panel_draw(c, fig, &l, &view, &cloud[r], time, r);
   fputs("unset multiplot\n", fig->script);
   return cmp_figure_end(fig);
@@ -316,7 +347,12 @@ static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, s
   view_around(main, &view);
   double aspect = (view.max[0] - view.min[0]) / (view.max[1] - view.min[1]);
   double height = fmin(620, (640 - LEFT - 20) / aspect), width = height * aspect;
-  int total_width = (int)(width + LEFT + 20), total = (int)(height + 20 + 84);
+  size_t longest = strlen(c->ref.data.label);
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (strlen(c->run[r].data.label) > longest) longest = strlen(c->run[r].data.label);
+  int total_width = (int)(width + LEFT + 20);
+  int columns = cmp_key_columns(longest, total_width - 20);
+  int total = (int)(height + 20) + cmp_key_height(c->n_runs + 1, columns);
   struct cmp_figure *fig;
   TRY(cmp_figure_begin(f, CMP_SECTION_JET, false, total_width, total, &fig, "jet-t%.4g",
                        c->times[time]));
@@ -329,10 +365,12 @@ static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, s
   fprintf(s,
           "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
           "set bmargin at screen %.5f\nset xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n"
-          "set xlabel 'x / H'\nset ylabel 'y / H'\n"
-          "set key at screen 0.5, screen 0.01 bottom center horizontal samplen 2 noenhanced\nplot ",
+          "set xlabel 'x / H' offset 0, character 0.4\nset ylabel 'y / H'\n"
+          "set key at screen 0.5, screen %.5f bottom center horizontal maxcols %d samplen 2.2 "
+          "noenhanced\nplot ",
           (double)LEFT / total_width, (LEFT + width) / total_width, 1 - 20.0 / total,
-          1 - (20 + height) / total, view.min[0], view.max[0], view.min[1], view.max[1]);
+          1 - (20 + height) / total, view.min[0], view.max[0], view.min[1], view.max[1],
+          8.0 / total, columns);
   for (size_t k = 0; k <= c->n_runs; k++) {
     fprintf(s,
             "%s'%s-surfaces.csv' skip 1 using ($1==%zu?$4:NaN):5 with lines linewidth %g linecolor "

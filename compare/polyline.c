@@ -118,6 +118,30 @@ enum status cmp_lines_sample(const struct geo_lines *in, double step, struct geo
   return OK;
 }
 
+static double segment_distance(const double *p, const double *a, const double *b) {
+  double d[2] = {b[0] - a[0], b[1] - a[1]}, l2 = d[0] * d[0] + d[1] * d[1];
+  double u = l2 > 0 ? ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / l2 : 0;
+  u = fmin(1, fmax(0, u));
+  return hypot(p[0] - a[0] - u * d[0], p[1] - a[1] - u * d[1]);
+}
+
+enum status cmp_lines_away(const struct geo_lines *in, const struct geo_lines *walls,
+                           double distance, struct geo_lines *out) {
+  geo_lines_clear(out);
+  TRY(geo_lines_begin(out, false));
+  for (size_t i = 0; i < in->points; i++) {
+    bool near = false;
+    for (size_t k = 0; k < walls->pieces && !near; k++) {
+      size_t a = walls->first[k], n = walls->first[k + 1] - a;
+      size_t segments = walls->closed[k] ? n : n ? n - 1 : 0;
+      for (size_t j = 0; j < segments && !near; j++)
+        near = segment_distance(in->p[i], walls->p[a + j], walls->p[a + (j + 1) % n]) < distance;
+    }
+    if (!near) TRY(geo_lines_add(out, in->p[i][0], in->p[i][1]));
+  }
+  return OK;
+}
+
 /* ---- closing along the tank ---- */
 
 struct ring { /* the tank's boundary, counter-clockwise, open to the sky */

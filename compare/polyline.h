@@ -18,6 +18,10 @@ enum status cmp_lines_clip(const struct geo_lines *in, const struct geo_box *box
 /* Points every `step` metres along every piece (both ends of open pieces included). */
 enum status cmp_lines_sample(const struct geo_lines *in, double step, struct geo_lines *out);
 
+/* The points (one open piece) that are at least `distance` away from every wall. */
+enum status cmp_lines_away(const struct geo_lines *in, const struct geo_lines *walls,
+                           double distance, struct geo_lines *out);
+
 /* Closes oriented free surfaces into rings of water. From the end of an open piece the tank's wall
  * is followed with the water on the same side to where the next piece starts; the tank is taken as
  * open to the sky. Rings are clockwise around water, counter-clockwise around cavities. Ends lying

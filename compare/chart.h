@@ -1,0 +1,55 @@
+/* One chart against time, of one or more panels above each other: axes, key, the reference's
+ * instants as vertical lines, and the table that it is drawn from. */
+#pragma once
+#include "compare/comparison.h"
+#include "compare/figure.h"
+
+/* Run r's colour ("#rrggbb"), distinct for colour-blind readers; SIZE_MAX: the reference. */
+const char *cmp_colour(size_t r);
+
+/* "run r" or, for SIZE_MAX, the reference. */
+const struct cmp_run *cmp_run_or_ref(const struct comparison *c, size_t r);
+
+/* Columns that a key of n labels, the longest of `longest` characters, takes in `width` px; and the
+ * height (px) below the panels that holds it, tick labels and the axis label. */
+int cmp_key_columns(size_t longest, int width);
+int cmp_key_height(size_t n, int columns);
+
+struct cmp_chart {
+  const struct comparison *c;
+  struct cmp_figure *fig;
+  FILE *table;
+  size_t panels;
+  int bottom, columns; /* px below the panels; of the key */
+  double end;          /* of the time axis */
+  bool first;          /* the next curve opens a plot command */
+};
+
+/* `target`: of the experiments in the key, or NULL. `end`: of the time axis; 0: the end of the
+ * runs. `columns` names those of the table after series, name and t_star. */
+enum status cmp_chart_begin(const struct comparison *c, struct cmp_figures *f,
+                            enum cmp_section section, size_t panels, int panel_height,
+                            const char *target, double end, const char *columns, const char *name,
+                            struct cmp_chart *chart);
+enum status cmp_chart_end(struct cmp_chart *chart);
+
+/* A row of the table; series are numbered: runs, then n_runs for the reference, then experiments.
+ */
+void cmp_chart_row(struct cmp_chart *chart, size_t series, const char *name, double t,
+                   const double *value, size_t n);
+
+/* Starts panel k from the top. `range` is gnuplot's, e.g. "0:*". */
+void cmp_chart_panel(struct cmp_chart *chart, size_t k, const char *range, const char *label);
+
+struct cmp_curve {
+  size_t series;
+  size_t column;    /* of values in the table, from 0 */
+  const char *name; /* in the key; NULL: not there */
+  const char *colour;
+  double width;
+  int symbol; /* 0: a line */
+};
+void cmp_chart_curve(struct cmp_chart *chart, const struct cmp_curve *curve);
+void cmp_chart_level(struct cmp_chart *chart, double level);   /* dashed, horizontal */
+void cmp_chart_key_entry(struct cmp_chart *chart, size_t run); /* of a run drawn elsewhere */
+void cmp_chart_panel_end(struct cmp_chart *chart);
