@@ -159,13 +159,22 @@ void hdf_column_close(struct hdf_column *column) {
 
 /* ---- reading ---- */
 
+/* Where `name` in `group` is in the file, for messages. */
+static const char *full_name(hid_t group, const char *name) {
+  static _Thread_local char text[512];
+  ssize_t n = H5Iget_name(group, text, sizeof text / 2);
+  if (n < 0 || (size_t)n >= sizeof text / 2) n = 0;
+  snprintf(text + n, sizeof text - (size_t)n, "%s%s", n && text[n - 1] == '/' ? "" : "/", name);
+  return text;
+}
+
 bool hdf_has(hid_t group, const char *name) {
   return H5Lexists(group, name, H5P_DEFAULT) > 0 && H5Oexists_by_name(group, name, H5P_DEFAULT) > 0;
 }
 
 enum status hdf_open_group(hid_t parent, const char *name, hid_t *group) {
   *group = hdf_has(parent, name) ? H5Gopen2(parent, name, H5P_DEFAULT) : -1;
-  return *group >= 0 ? OK : hdf_raise(ERR_INPUT, "it has no group %s", name);
+  return *group >= 0 ? OK : hdf_raise(ERR_INPUT, "it has no group %s", full_name(parent, name));
 }
 
 /* Reads one variable-length or fixed string with `read`, which fills memory of the given type. */
@@ -248,24 +257,25 @@ static enum status get_rows(hid_t group, const char *name, hid_t type, size_t wi
   int rank = width ? 2 : 1;
   *values = NULL;
   if (space < 0 || stored < 0) {
-    status = hdf_raise(ERR_INPUT, "it has no dataset %s", name);
+    status = hdf_raise(ERR_INPUT, "it has no dataset %s", full_name(group, name));
     goto done;
   }
   if (H5Sget_simple_extent_ndims(space) != rank ||
       H5Sget_simple_extent_dims(space, dims, NULL) < 0 || (width && dims[1] != width)) {
-    status = hdf_raise(ERR_INPUT, "its dataset %s has the wrong shape", name);
+    status = hdf_raise(ERR_INPUT, "its dataset %s has the wrong shape", full_name(group, name));
     goto done;
   }
   H5T_class_t has = H5Tget_class(stored), asked = H5Tget_class(type);
   bool fits = has == asked || (has == H5T_INTEGER && asked == H5T_FLOAT);
   if (!fits || !plausible(set, stored, dims, rank)) {
-    status = hdf_raise(ERR_INPUT, "its dataset %s is damaged", name);
+    status = hdf_raise(ERR_INPUT, "its dataset %s is damaged", full_name(group, name));
     goto done;
   }
   if (all) *n = dims[0];
   if (first > dims[0] || *n > dims[0] - first) {
-    status = hdf_raise(ERR_INPUT, "its dataset %s has %llu rows where %llu are needed", name,
-                       (unsigned long long)dims[0], (unsigned long long)(first + *n));
+    status = hdf_raise(ERR_INPUT, "its dataset %s has %llu rows where %llu are needed",
+                       full_name(group, name), (unsigned long long)dims[0],
+                       (unsigned long long)(first + *n));
     goto done;
   }
   hsize_t start[2] = {first, 0}, count[2] = {*n, width};
@@ -278,7 +288,7 @@ static enum status get_rows(hid_t group, const char *name, hid_t type, size_t wi
   memory = H5Screate_simple(rank, count, NULL);
   if (*n && (H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
              H5Dread(set, type, memory, space, H5P_DEFAULT, *values) < 0))
-    status = hdf_raise(ERR_INPUT, "its dataset %s cannot be read", name);
+    status = hdf_raise(ERR_INPUT, "its dataset %s cannot be read", full_name(group, name));
 done:
   if (status != OK) {
     free(*values);
@@ -311,14 +321,14 @@ enum status hdf_get_scalar(hid_t group, const char *name, hid_t type, void *valu
               H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value) >= 0;
   if (space >= 0) H5Sclose(space);
   if (set >= 0) H5Dclose(set);
-  return good ? OK : hdf_raise(ERR_INPUT, "it has no number %s", name);
+  return good ? OK : hdf_raise(ERR_INPUT, "it has no number %s", full_name(group, name));
 }
 
 enum status hdf_get_text(hid_t group, const char *name, char **value) {
   hid_t set = hdf_has(group, name) ? H5Dopen2(group, name, H5P_DEFAULT) : -1;
   *value = set >= 0 ? read_string((struct string_source){set, false}) : NULL;
   if (set >= 0) H5Dclose(set);
-  return *value ? OK : hdf_raise(ERR_INPUT, "it has no text %s", name);
+  return *value ? OK : hdf_raise(ERR_INPUT, "it has no text %s", full_name(group, name));
 }
 
 struct names {

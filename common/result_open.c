@@ -101,7 +101,8 @@ static enum status check_format(const char *path, hid_t file) {
   bool ours = hdf_get_string(file, "format", &format) == OK && !strcmp(format, RESULT_FORMAT);
   free(format);
   CHECK(ours, ERR_INPUT, "%s is an HDF5 file, but not a result of plunge", path);
-  TRY(hdf_get_integer(file, "format_version", &version));
+  enum status status = hdf_get_integer(file, "format_version", &version);
+  if (status != OK) return status_context(status, "%s is not a usable result: ", path);
   CHECK(version == RESULT_FORMAT_VERSION, ERR_INPUT,
         "%s has version %lld of the result format; this program reads version %d", path,
         (long long)version, RESULT_FORMAT_VERSION);

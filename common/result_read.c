@@ -44,11 +44,11 @@ static enum status read_walls(hid_t file, struct geo_lines *walls) {
   walls->piece_room = walls->pieces;
   walls->point_room = walls->points;
   if (n != walls->pieces + 1) {
-    status = status_raise(ERR_INPUT, "its dataset walls/first_point is inconsistent");
+    status = status_raise(ERR_INPUT, "its dataset /walls/first_point is inconsistent");
     goto done;
   }
-  ATTEMPT(check_offsets("walls/first_point", n, walls->first, walls->points));
-  ATTEMPT(check_points("walls/points", walls->points, walls->p));
+  ATTEMPT(check_offsets("/walls/first_point", n, walls->first, walls->points));
+  ATTEMPT(check_points("/walls/points", walls->points, walls->p));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
@@ -81,13 +81,13 @@ static enum status read_surface(hid_t file, struct result_file *f) {
   ATTEMPT(hdf_get_all(group, "points", H5T_NATIVE_DOUBLE, 2, &points, (void **)&p));
   if (n_piece != n_time + 1 || n_first_point != pieces + 1) {
     status =
-        status_raise(ERR_INPUT, "its datasets in surface have lengths that do not fit together");
+        status_raise(ERR_INPUT, "its datasets in /surface have lengths that do not fit together");
     goto done;
   }
-  ATTEMPT(check_times("surface", n_time, f->surface_time));
-  ATTEMPT(check_offsets("surface/first_piece", n_piece, first_piece, pieces));
-  ATTEMPT(check_offsets("surface/first_point", n_first_point, first_point, points));
-  ATTEMPT(check_points("surface/points", points, p));
+  ATTEMPT(check_times("/surface", n_time, f->surface_time));
+  ATTEMPT(check_offsets("/surface/first_piece", n_piece, first_piece, pieces));
+  ATTEMPT(check_offsets("/surface/first_point", n_first_point, first_point, points));
+  ATTEMPT(check_points("/surface/points", points, p));
   f->surface = calloc(n_time + 1, sizeof *f->surface);
   if (!f->surface) {
     status = status_raise(ERR_MEMORY, "no memory for %zu surfaces", n_time);
@@ -265,10 +265,10 @@ static enum status read_outputs(hid_t file, struct result_file *f) {
   if (!hdf_has(file, "VTKHDF")) return OK;
   TRY(hdf_get_all(file, "VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE, 0, &f->n_outputs,
                   (void **)&f->output_time));
-  TRY(check_times("VTKHDF", f->n_outputs, f->output_time));
+  TRY(check_times("/VTKHDF", f->n_outputs, f->output_time));
   TRY(hdf_get_all(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, &n,
                   (void **)&f->output_points));
-  CHECK(n == f->n_outputs, ERR_INPUT, "its dataset VTKHDF/NumberOfPoints is inconsistent");
+  CHECK(n == f->n_outputs, ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
   TRY(hdf_open_group(file, "VTKHDF/PointData", &data));
   enum status status = hdf_list(data, &f->n_fields, &f->fields);
   H5Gclose(data);
@@ -279,9 +279,9 @@ static enum status read_all(hid_t file, struct result_file *f) {
   TRY(read_header(file, f));
   TRY(read_walls(file, &f->walls));
   TRY(read_surface(file, f));
-  TRY(read_table(file, "series/energy", RESULT_ENERGY_COLUMNS, result_energy_columns, &f->n_energy,
+  TRY(read_table(file, "/series/energy", RESULT_ENERGY_COLUMNS, result_energy_columns, &f->n_energy,
                  (void **)&f->energy));
-  TRY(read_table(file, "series/run", RESULT_STEP_COLUMNS, result_step_columns, &f->n_steps,
+  TRY(read_table(file, "/series/run", RESULT_STEP_COLUMNS, result_step_columns, &f->n_steps,
                  (void **)&f->steps));
   TRY(read_members(file, "series/probes", sizeof *f->probes, read_probe, &f->n_probes,
                    (void **)&f->probes));
@@ -387,7 +387,7 @@ static enum status read_points(hid_t file, struct points_request *q) {
   ATTEMPT(hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, q->output, 1,
                        (void **)&count));
   if (*first < 0 || *count < 0) {
-    status = status_raise(ERR_INPUT, "its dataset VTKHDF/NumberOfPoints is inconsistent");
+    status = status_raise(ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
     goto done;
   }
   q->n = (size_t)*count;

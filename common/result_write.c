@@ -442,8 +442,13 @@ enum status result_finish(struct result *w) {
 
 void result_destroy(struct result *w) {
   if (!w) return;
-  if (!w->broken && !w->finished)
-    (void)flush(w, true); /* whoever needs to know calls result_flush */
+  if (!w->broken && !w->finished) {
+    /* whoever needs to know calls result_flush; the message may be why the run ended */
+    char message[2048];
+    snprintf(message, sizeof message, "%s", status_message());
+    enum status status = flush(w, true);
+    if (status != OK) (void)status_raise(status, "%s", message);
+  }
   vtkhdf_destroy(w->points);
   xdmf_destroy(w->xdmf);
   struct hdf_column *columns[] = {&w->surface.time, &w->surface.first_piece,
