@@ -91,7 +91,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  r->name);
   if (width < 2 * support || height < 2 * support)
     problems_add(problems, r->line,
-                 "runs.%s.resolution: found '%g', two kernel supports (%g m) wider than the tank "
+                 "runs.%s.resolution: found '%g', where two kernel supports (%g m) exceed the tank "
                  "(%g m x %g m); allowed: at least %g; raise it",
                  r->name, r->resolution, 2 * support, width, height,
                  ceil(r->resolution * 2 * support / fmin(width, height)));
@@ -100,8 +100,8 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
     double thin = fmin(w.max[0] - w.min[0], w.max[1] - w.min[1]);
     if (thin < 4 * dx)
       problems_add(problems, r->line,
-                   "runs.%s.resolution: found '%g', four particle spacings (%g m) thicker than the "
-                   "water (%g m); allowed: at least %g; raise it",
+                   "runs.%s.resolution: found '%g', where four particle spacings (%g m) exceed the "
+                   "water's thickness (%g m); allowed: at least %g; raise it",
                    r->name, r->resolution, 4 * dx, thin, ceil(r->resolution * 4 * dx / thin));
   }
 }
