@@ -7,10 +7,11 @@
 
 int command_list(int argc, char **argv) {
   static const struct argp argp = {
-      .doc = "Prints what a case file may name: the solvers with the parameters of their runs, and "
-             "the measures that tolerances can be set for.",
+      .doc = "Prints what a case file may hold: the sections and their keys, the solvers with the "
+             "parameters of their runs, and the measures that tolerances can be set for.",
   };
   argp_parse(&argp, argc, argv, 0, NULL, NULL);
+  case_print_keys(stdout);
   for (size_t i = 0; i < registry.n_solvers; i++) {
     const struct solver *s = registry.solvers[i];
     printf("solver %s: %s\n", s->name, s->help);

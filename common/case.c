@@ -165,6 +165,16 @@ enum status case_parse(const char *name, const char *text, const struct registry
   return conclude(status, name, 0, NULL, problems);
 }
 
+void case_print_keys(FILE *out) {
+  const struct case_table *const lists[] = {case_section_tables, case_run_tables};
+  for (size_t i = 0; i < 2; i++)
+    for (const struct case_table *t = lists[i]; t->name; t++) {
+      fprintf(out, "%s\n", t->name);
+      params_print(out, t->params, t->n);
+      fputc('\n', out);
+    }
+}
+
 void case_destroy(struct case_file *c) {
   if (!c) return;
   free(c->path);

@@ -2,6 +2,7 @@
 #pragma once
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include "common/geometry.h"
 #include "common/solver.h"
@@ -32,31 +33,31 @@ struct case_run {
 };
 
 struct case_tolerance {
-  char *measure;     /* one of the registry's measures */
-  double at;         /* s; NaN: every comparison time */
-  double max;        /* in the measure's own units: FAIL above it */
-  size_t n_runs;     /* 0: every run but the reference */
-  size_t *runs;      /* indices into case_file.runs, [n_runs], owned */
+  char *measure; /* one of the registry's measures */
+  double at;     /* s; NaN: every comparison time */
+  double max;    /* in the measure's own units: FAIL above it */
+  size_t n_runs; /* 0: every run but the reference */
+  size_t *runs;  /* indices into case_file.runs, [n_runs], owned */
 };
 
 struct case_experiment { /* a measured series laid over a probe's or a gauge's plot */
-  char *label;  /* "Buchner 2002, digitisation a" */
-  char *source; /* the citation */
-  char *target; /* name of a probe or gauge, or "front" */
+  char *label;           /* "Buchner 2002, digitisation a" */
+  char *source;          /* the citation */
+  char *target;          /* name of a probe or gauge, or "front" */
   size_t n;
   double *t, *value; /* s, and Pa or m, [n], owned */
 };
 
 struct case_file {
-  char *path;  /* as given by the user; "" when read from a result file */
-  char *text;  /* the case as run: the file with the overrides applied, still valid YAML */
+  char *path; /* as given by the user; "" when read from a result file */
+  char *text; /* the case as run: the file with the overrides applied, still valid YAML */
   char *title;
-  double density;  /* rho_0, kg m^-3 */
-  double gravity;  /* g, m s^-2, downwards (0, -g) */
-  double H;        /* scale of length, m; times are reported as t sqrt(g/H), pressures as p/(rho g H) */
+  double density; /* rho_0, kg m^-3 */
+  double gravity; /* g, m s^-2, downwards (0, -g) */
+  double H; /* scale of length, m; times are reported as t sqrt(g/H), pressures as p/(rho g H) */
 
-  struct geo_lines walls; /* water lies on the left of every wall (down the left side, along the bed,
-                             up the right side) */
+  struct geo_lines walls; /* water lies on the left of every wall (down the left side, along the
+                             bed, up the right side) */
   struct geo_box tank;    /* box of the walls */
   bool rectangular;       /* one open piece: left wall, flat bed, right wall */
 
@@ -81,7 +82,7 @@ struct case_file {
   struct {
     size_t reference; /* index into runs; n_runs when the case compares nothing */
     size_t n_times;
-    double *times; /* s */
+    double *times;         /* s */
     struct geo_box window; /* the part of the surface that is compared; default: everything */
     size_t n_tolerances;
     struct case_tolerance *tolerances;
@@ -104,8 +105,8 @@ void problems_add(struct problems *p, int line, const char *format, ...)
 void problems_destroy(struct problems *p);
 
 /* Reads, overrides and checks a case. `set` holds "path=value" strings (runs.NAME.key=value,
- * time.end=...). On ERR_INPUT *problems lists every problem found (file, line, key, value found, what
- * is allowed, what to do) and *c is NULL. Data files are taken relative to the case file. */
+ * time.end=...). On ERR_INPUT *problems lists every problem found (file, line, key, value found,
+ * what is allowed, what to do) and *c is NULL. Data files are taken relative to the case file. */
 enum status case_load(const char *path, size_t n_set, const char *const *set,
                       const struct registry *registry, struct problems *problems,
                       struct case_file **c);
@@ -115,6 +116,9 @@ enum status case_load(const char *path, size_t n_set, const char *const *set,
 enum status case_parse(const char *name, const char *text, const struct registry *registry,
                        struct problems *problems, struct case_file **c);
 void case_destroy(struct case_file *c);
+
+/* Every section with its keys: what is allowed, the default, what it is (for `plunge list`). */
+void case_print_keys(FILE *out);
 
 /* Identifies everything that a run's result depends on: program version and revision, the case
  * without other runs and without `compare`, and the run's options (hex digits, 32 + NUL). */

@@ -50,6 +50,13 @@ enum status case_allocate(void **out, size_t n, size_t size); /* zeroed */
 enum status case_read_runs(struct case_draft *d);
 enum status case_read_compare(struct case_draft *d);
 
+struct case_table { /* what `plunge list` shows of a section; a NULL name ends a list of them */
+  const char *name;
+  const struct param *params;
+  size_t n;
+};
+extern const struct case_table case_section_tables[], case_run_tables[];
+
 /* case_check.c: whether what was read makes sense together. */
 void case_check(struct case_draft *d);
 double case_tank_size(const struct case_file *c); /* the longer side of the tank's box, m */

@@ -5,14 +5,15 @@
 
 #include "common/case_draft.h"
 
+struct run_section {
+  char *name;
+  int solver;
+  double resolution;
+};
 static const struct param run_rows[] = {
-    TEXT(struct case_run, name, 64, "", "name of the run and its files; default: the solver's"),
-    {.key = "solver",
-     .type = PARAM_NODE,
-     .offset = offsetof(struct case_run, line),
-     .value = "",
-     .help = "the name of a solver"},
-    REAL(struct case_run, resolution, QTY_NUMBER, PARAM_ABOVE_0, 1e5, NULL,
+    TEXT(struct run_section, name, 64, "", "name of the run and its files; default: the solver's"),
+    NODE(struct run_section, solver, NULL, "the name of a solver"),
+    REAL(struct run_section, resolution, QTY_NUMBER, PARAM_ABOVE_0, 1e5, NULL,
          "particles (SPH) or surface nodes (BEM) per H"),
 };
 
@@ -50,14 +51,16 @@ static enum status read_run(struct case_draft *d, int node, size_t i, struct cas
     run->name = name && case_name_fits(name) ? strdup(name) : NULL;
     return OK;
   }
+  struct run_section section = {0};
   if (solver) TRY(case_allocate(&run->options, 1, solver->options_size));
-  struct case_block blocks[] = {{run_rows, ROWS(run_rows), run}, {NULL, 0, run->options}};
-  if (solver) {
-    blocks[1].params = solver->params;
-    blocks[1].n = solver->n_params;
-  }
+  struct case_block blocks[] = {
+      {run_rows, ROWS(run_rows), &section},
+      {solver ? solver->params : NULL, solver ? solver->n_params : 0, run->options},
+  };
   case_doc_read(&d->doc, node, path, 0, 2, blocks);
+  run->name = section.name;
   run->solver = solver;
+  run->resolution = section.resolution;
   run->line = case_doc_line(&d->doc, node);
   if (!run->name && solver) {
     run->name = strdup(solver->name);
@@ -265,6 +268,14 @@ static enum status read_experiment(struct case_draft *d, int node, size_t i) {
   params_release(experiment_rows, ROWS(experiment_rows), &s);
   return status;
 }
+
+const struct case_table case_run_tables[] = {
+    {"runs (a list; and the keys of the run's solver)", run_rows, ROWS(run_rows)},
+    {"compare", compare_rows, ROWS(compare_rows)},
+    {"compare.tolerances (a list)", tolerance_rows, ROWS(tolerance_rows)},
+    {"compare.experiments (a list)", experiment_rows, ROWS(experiment_rows)},
+    {0},
+};
 
 enum status case_read_compare(struct case_draft *d) {
   struct case_file *c = d->c;

@@ -301,6 +301,19 @@ static const struct param top_rows[] = {
     TEXT(struct case_file, title, 200, "", "title of the report"),
 };
 
+const struct case_table case_section_tables[] = {
+    {"(top level)", top_rows, ROWS(top_rows)},
+    {"fluid", fluid_rows, ROWS(fluid_rows)},
+    {"scales", scales_rows, ROWS(scales_rows)},
+    {"tank", tank_rows, ROWS(tank_rows)},
+    {"water", water_rows, ROWS(water_rows)},
+    {"water.wave", wave_rows, ROWS(wave_rows)},
+    {"time", time_rows, ROWS(time_rows)},
+    {"probes (a list)", probe_rows, ROWS(probe_rows)},
+    {"gauges (a list)", gauge_rows, ROWS(gauge_rows)},
+    {0},
+};
+
 enum status case_read_sections(struct case_draft *d) {
 #define SECTION(name, def, text)                                                                   \
   {                                                                                                \

@@ -306,7 +306,7 @@ void params_print(FILE *out, const struct param *params, size_t n) {
       fprintf(out, "default %s\n", p->value);
     else
       fprintf(out, "optional\n");
-    fprintf(out, "    %-*s  %s\n", width, "", p->help);
+    if (p->type != PARAM_NODE) fprintf(out, "    %-*s  %s\n", width, "", p->help);
   }
 }
 
