@@ -81,14 +81,20 @@ static void report_text(struct diff *d, const char *name, const char *format, ..
   fputc('\n', d->out);
 }
 
+struct shape {
+  int rank;
+  hsize_t dims[2];
+  H5T_class_t class;
+};
+
 struct worst {
   double difference, scale; /* largest difference; largest magnitude in both */
   double value[2];
   size_t row, component;
 };
 
-static void report_number(struct diff *d, const char *name, const char *units, size_t width,
-                          const struct worst *w) {
+static void report_number(struct diff *d, const char *name, const char *units,
+                          const struct shape *shape, const struct worst *w) {
   d->n_differ++;
   double relative = w->scale > 0 ? w->difference / w->scale : 0;
   if (d->draft) {
@@ -98,23 +104,23 @@ static void report_number(struct diff *d, const char *name, const char *units, s
       fprintf(d->out, "%-40s ignore\n", name);
     return;
   }
-  fprintf(d->out, "%s: %.10g against %.10g %s, differs by %.3g (relative %.3g)", name, w->value[0],
-          w->value[1], units, w->difference, relative);
-  double t = row_time(d->file[0], name, w->row);
+  fprintf(d->out, "%s: %.10g against %.10g%s%s, differs by %.3g (relative %.3g)", name, w->value[0],
+          w->value[1], *units ? " " : "", units, w->difference, relative);
+  double t = shape->rank ? row_time(d->file[0], name, w->row) : NAN;
   if (isfinite(t)) fprintf(d->out, " at t = %.6g s (t sqrt(g/H) = %.4g)", t, t / d->time_scale);
-  fprintf(d->out, ", row %zu", w->row);
-  if (width) fprintf(d->out, ", %c", "xyz"[w->component % 3]);
+  if (shape->rank) fprintf(d->out, ", row %zu", w->row);
+  if (shape->rank == 2) fprintf(d->out, ", %c", "xyzw"[w->component % 4]);
   fputc('\n', d->out);
 }
 
 /* Judges a finished comparison of numbers. */
-static void judge(struct diff *d, const char *name, const char *units, size_t width,
+static void judge(struct diff *d, const char *name, const char *units, const struct shape *shape,
                   const struct worst *w) {
   const struct tolerance *t = result_tolerances_find(d->tolerances, name);
   if (w->difference == 0 || w->difference <= t->absolute + t->relative * w->scale)
     d->n_same++;
   else
-    report_number(d, name, units, width, w);
+    report_number(d, name, units, shape, w);
 }
 
 static void compare_value(struct worst *w, double a, double b, size_t row, size_t component) {
@@ -132,12 +138,6 @@ static void compare_value(struct worst *w, double a, double b, size_t row, size_
 }
 
 /* ---- comparing ---- */
-
-struct shape {
-  int rank;
-  hsize_t dims[2];
-  H5T_class_t class;
-};
 
 static bool get_shape(hid_t file, const char *name, struct shape *s) {
   hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
@@ -224,8 +224,7 @@ static enum status compare_set(struct diff *d, const char *name) {
   hid_t set = H5Dopen2(d->file[0], name, H5P_DEFAULT);
   if (set >= 0) (void)hdf_get_string(set, "units", &units);
   if (set >= 0) H5Dclose(set);
-  judge(d, name, units && strcmp(units, "1") ? units : "",
-        s[0].rank == 2 ? (size_t)s[0].dims[1] : 0, &w);
+  judge(d, name, units && strcmp(units, "1") ? units : "", &s[0], &w);
   free(units);
   return OK;
 }
@@ -260,7 +259,7 @@ static enum status compare_attributes(struct diff *d) {
     TRY(hdf_get_number(d->file[1], attribute, &b));
     struct worst w = {0};
     compare_value(&w, a, b, 0, 0);
-    judge(d, name, i < 0 ? "" : result_scales[i].units, 0, &w);
+    judge(d, name, i < 0 ? "" : result_scales[i].units, &(struct shape){.rank = 0}, &w);
   }
   return OK;
 }
