@@ -6,6 +6,11 @@
 #include "sph/kernel.h"
 #include "sph/mls.h"
 
+/* Nodes in the water are at least half a spacing inside it: d^2 < 1.15 (mls.h). Nodes in the air
+ * see it from afar; without a limit the ghosts of noisy sheets on a wall amplify the noise and pump
+ * energy into them. */
+static const double farthest2 = 1.2;
+
 struct ghosts {
   size_t room;
   double left_top, right_top; /* m */
@@ -122,7 +127,7 @@ SPECIALISE void fill_cluster(struct sph *s, enum sph_kernel kernel, size_t clust
   if (!n) return; /* no water near: nobody reads these ghosts */
   vec x = vec_load(g->x + at), y = vec_load(g->y + at);
   vec rx = vec_load(g->rx + at), ry = vec_load(g->ry + at);
-  struct mls_fit f = mls_at(kernel, s->h, x, y, n, list, s->pack);
+  struct mls_fit f = mls_at(kernel, s->h, farthest2, x, y, n, list, s->pack);
   vec gravity = (s->rho0 + f.p / (s->c0 * s->c0)) * -s->g; /* rho f */
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
     struct sph_pack *w = &s->w.pack[at + l];

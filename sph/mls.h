@@ -7,17 +7,16 @@
  * continuously into the plain mean (Shepard); 0.18 h^2 is that of a half-filled support.
  *
  * Extrapolation amplifies noise: the variance of the fit is 1 + d^2 times that of the mean, where d
- * is the (Mahalanobis) distance of the point from the neighbours' centre. Half a spacing inside the
- * water d^2 < 1 even in its corners. Outside, in the air, the fit goes no farther than d^2 = 1:
- * unlimited, the ghosts of thin noisy sheets on a wall amplify the noise and pump energy into them
- * (dam break without diffusion: the run-up explodes at 2, not at 1). */
+ * is the (Mahalanobis) distance of the point from the neighbours' centre. On a lattice with h/dx =
+ * 4/3, d^2 is 0.57 half a spacing inside flat water, 1.14 in its corner, 2.4 and 4.8 on the edge
+ * and corner themselves, and 9 half a spacing outside. The fit goes no farther than the caller's
+ * farthest2. */
 #pragma once
 #include "sph/kernel.h"
 #include "sph/moments.h"
 #include "sph/sph.h"
 
-#define SPH_MLS_SPREAD   0.05
-#define SPH_MLS_FARTHEST 1
+#define SPH_MLS_SPREAD 0.05
 
 struct mls_fit {
   vec weight; /* sum W V: 1 inside the water, 0 far from it (the others are 0 there) */
@@ -25,8 +24,8 @@ struct mls_fit {
   vec px, py; /* pressure gradient */
 };
 
-SPECIALISE struct mls_fit mls_at(enum sph_kernel kernel, double h, vec xi, vec yi, size_t n,
-                                 const uint32_t *list, const struct sph_pack *pack) {
+SPECIALISE struct mls_fit mls_at(enum sph_kernel kernel, double h, double farthest2, vec xi, vec yi,
+                                 size_t n, const uint32_t *list, const struct sph_pack *pack) {
   const double per_h2 = 1 / (h * h);
   const vec cutoff2 = (vec){0} + kernel_cutoff2(h);
   vec S = {0}, X = {0}, Y = {0}, XX = {0}, XY = {0}, YY = {0};
@@ -61,7 +60,7 @@ SPECIALISE struct mls_fit mls_at(enum sph_kernel kernel, double h, vec xi, vec y
   vec qx, qy;
   moments_solve(xx, xy, yy, spread, X, Y, &qx, &qy);
   vec d2 = qx * X + qy * Y;
-  vec reach = 1 / vec_sqrt(vec_max(d2 * (1 / SPH_MLS_FARTHEST), (vec){0} + 1));
+  vec reach = 1 / vec_sqrt(vec_max(d2 * (1 / farthest2), (vec){0} + 1));
   qx *= reach;
   qy *= reach;
 #define FIT(Q, QX, QY)                                                                             \

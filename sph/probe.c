@@ -4,6 +4,9 @@
 
 #include "sph/mls.h"
 
+/* A point on a wall has d^2 = 2.4, the corner of a tank 4.8 (mls.h). */
+static const double farthest2 = 5;
+
 /* Unit vector along the wall segment nearest to the probe. */
 static void wall_direction(const struct geo_lines *walls, double x, double y, double t[2]) {
   double nearest = INFINITY;
@@ -36,7 +39,7 @@ static vec pressure_at(const struct sph *s, vec x, vec y) {
                       SPH_KERNEL_SUPPORT * s->h + s->skin) == OK) {
     size_t n;
     const uint32_t *list = sph_lists_of(&near, 0, &n);
-    p = mls_at((enum sph_kernel)s->o.kernel, s->h, x, y, n, list, s->pack).p;
+    p = mls_at((enum sph_kernel)s->o.kernel, s->h, farthest2, x, y, n, list, s->pack).p;
   }
   sph_lists_destroy(&near);
   return p;

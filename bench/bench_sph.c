@@ -1,0 +1,160 @@
+/* Speed of the SPH solver: nanoseconds per particle of water for one evaluation of the right-hand
+ * side, on the dam break of Buchner's tank some time after release, by resolution, diffusion and
+ * number of threads; and what the phases of an evaluation cost.
+ *
+ *   bench_sph [largest H/dx, default 200]
+ *
+ * Medians of repeats. On one thread the processor's time is taken, which a busy machine does not
+ * lengthen; on more, the time of the clock on the wall. */
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "common/case.h"
+#include "sph/diffusion.h"
+#include "sph/gradient.h"
+#include "sph/integrator.h"
+#include "sph/rates.h"
+#include "sph/solver.h"
+#include "sph/sph.h"
+#include "sph/timestep.h"
+#include "sph/wall.h"
+
+enum { REPEATS = 15 };
+
+static double seconds(void) {
+  struct timespec t;
+  clock_gettime(omp_get_max_threads() == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int ascending(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* What is timed; `stage` and `diffuse` as in sph_rates. */
+static enum status evaluate(struct sph *s) {
+  return sph_rates(s, 0, true, false);
+}
+
+static enum status evaluate_frozen(struct sph *s) {
+  return sph_rates(s, 0, false, false);
+}
+
+static enum status pack(struct sph *s) {
+  sph_pack_water(s);
+  return OK;
+}
+
+static enum status walls(struct sph *s) {
+  s->wall->fill(s);
+  return OK;
+}
+
+static enum status gradient(struct sph *s) {
+  sph_gradient(s);
+  return OK;
+}
+
+static enum status lists(struct sph *s) {
+  s->f.x_listed[0] = INFINITY; /* as if it had moved far */
+  return sph_neighbours_update(s);
+}
+
+static enum status step(struct sph *s) {
+  TRY(sph_rates(s, 0, true, true));
+  return sph_step(s, 1e-9);
+}
+
+/* Nanoseconds per particle, the median. */
+static double measure(struct sph *s, enum status (*what)(struct sph *)) {
+  double t[REPEATS];
+  for (int r = 0; r < REPEATS; r++) {
+    double start = seconds();
+    if (what(s) != OK) {
+      fprintf(stderr, "%s\n", status_message());
+      exit(1);
+    }
+    t[r] = (seconds() - start) / (double)s->f.n * 1e9;
+  }
+  qsort(t, REPEATS, sizeof *t, ascending);
+  return t[REPEATS / 2];
+}
+
+/* Buchner's dam break with one run for each diffusion. */
+static struct case_file *dam_break(double resolution) {
+  static const struct solver *const solvers[] = {&sph_solver};
+  const struct registry registry = {.solvers = solvers, .n_solvers = 1};
+  char text[2000];
+  int at = snprintf(text, sizeof text,
+                    "title: speed\nscales: {H: 0.6}\n"
+                    "tank: {walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]}\n"
+                    "water: {regions: [[[0, 0], [2 H, 0], [2 H, H], [0, H]]], pressure: released}\n"
+                    "time: {end: 1, every: 1, sample: 1}\nruns:\n");
+#define X(name, delta, strength, help)                                                             \
+  at += snprintf(text + at, sizeof text - (size_t)at,                                              \
+                 "  - {name: %s, solver: sph, resolution: %g, diffusion: %s}\n", #name,            \
+                 resolution, #name);
+  SPH_DIFFUSIONS(X)
+#undef X
+  struct problems problems = {0};
+  struct case_file *c;
+  if (case_parse("bench", text, &registry, &problems, &c) != OK) {
+    fprintf(stderr, "%s\n", status_message());
+    exit(1);
+  }
+  problems_destroy(&problems);
+  return c;
+}
+
+static size_t pairs_listed(const struct sph_lists *l) {
+  size_t sum = 0, n;
+  for (size_t c = 0; c < l->n_clusters; c++) {
+    sph_lists_of(l, c, &n);
+    sum += n;
+  }
+  return sum;
+}
+
+static void bench(const struct case_file *c, const struct case_run *r) {
+  struct sph *s;
+  if (sph_create(c, r->resolution, r->options, &s) != OK) {
+    fprintf(stderr, "%s\n", status_message());
+    exit(1);
+  }
+  double resolution = r->resolution;
+  omp_set_num_threads(omp_get_num_procs());
+  int warm = (int)fmin(400, 4 * resolution); /* the lattice has bent, and caches are as in a run */
+  for (int k = 0; k < warm; k++)
+    if (sph_rates(s, 0, true, true) != OK || sph_step(s, sph_timestep(s, 1)) != OK) exit(1);
+  int most = omp_get_num_procs();
+  for (int threads = 1; threads <= most; threads *= 2) {
+    omp_set_num_threads(threads);
+    printf("%5g %7zu  %-8s %7d %9.1f %9.1f %9.1f %7.1f %7.1f %9.1f %7.1f %8.1f\n", resolution,
+           s->f.n, r->name, threads, measure(s, evaluate), measure(s, evaluate_frozen),
+           measure(s, step), measure(s, pack), measure(s, walls), measure(s, gradient),
+           measure(s, lists),
+           (double)pairs_listed(&s->water_water) / (double)s->water_water.n_clusters);
+    fflush(stdout);
+  }
+  sph_destroy(s);
+}
+
+int main(int argc, char **argv) {
+  double largest = argc > 1 ? atof(argv[1]) : 200;
+  printf(
+      "ns per particle of water; viscosity on, alpha = 0.01; listed: sources per cluster of %d\n",
+      SPH_LANES);
+  printf(
+      " H/dx       n  diffusion threads  evaluate    frozen      step    pack   walls  gradient   "
+      "lists   listed\n");
+  for (double resolution = 50; resolution <= largest; resolution *= 2) {
+    struct case_file *c = dam_break(resolution);
+    for (size_t r = 0; r < c->n_runs; r++) bench(c, &c->runs[r]);
+    case_destroy(c);
+  }
+  return 0;
+}

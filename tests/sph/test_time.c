@@ -1,0 +1,128 @@
+/* Integrators and time steps. */
+#include "tests/test.h"
+
+#include "sph/integrator.h"
+#include "sph/timestep.h"
+#include "tests/sph/pool.h"
+
+/* Sixteen particles in a block so small that no pair ever leaves the support: the rates are smooth,
+ * and the measured order is the method's. */
+static struct sph *cluster(int integrator, struct case_file **c) {
+  char run[200];
+  snprintf(run, sizeof run,
+           "resolution: 4, h_over_dx: 2, diffusion: antuono, alpha: 0.1, integrator: %s",
+           sph_integrator_names[integrator]);
+  *c = pool_case(
+      "title: sixteen\nscales: {H: 1}\ntank: {walls: [[[0, 30], [0, 0], [30, 0], [30, 30]]]}\n"
+      "water: {regions: [[[14, 14], [15, 14], [15, 15], [14, 15]]], pressure: "
+      "hydrostatic}\n" POOL_TIMES,
+      run);
+  struct sph *s = pool_create(*c);
+  for (size_t i = 0; i < s->f.n; i++) { /* the same in every run: by place, not by order of calls */
+    double k = (double)s->f.id[i];
+    s->f.w.u[i] = 0.5 * sin(1.7 * k);
+    s->f.w.v[i] = 0.5 * cos(2.3 * k);
+    s->f.w.rho[i] = s->rho0 * (1 + 1e-3 * sin(3.1 * k));
+  }
+  sph_particles_pad(&s->f);
+  return s;
+}
+
+static void march(int integrator, int steps, double time, double out[16][4]) {
+  struct case_file *c;
+  struct sph *s = cluster(integrator, &c);
+  for (int k = 0; k < steps; k++)
+    if (sph_rates(s, 0, true, true) != OK || sph_step(s, time / steps) != OK) exit(1);
+  for (size_t i = 0; i < 16; i++) {
+    double *o = out[s->f.id[i]];
+    o[0] = s->f.w.x[i];
+    o[1] = s->f.w.y[i];
+    o[2] = s->f.w.u[i] / s->c0;
+    o[3] = s->f.w.rho[i] / s->rho0;
+  }
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+static double difference(double a[16][4], double b[16][4]) {
+  double worst = 0;
+  for (int i = 0; i < 16; i++)
+    for (int k = 0; k < 4; k++) worst = fmax(worst, fabs(a[i][k] - b[i][k]));
+  return worst;
+}
+
+/* Steps dt, dt/2, dt/4: the ratio of successive differences is 2^order. Within 0.25: the largest
+ * step is a fifth of the stability limit. */
+static void test_integrators_have_the_order_they_declare(void) {
+  for (int k = 0; sph_integrator_names[k]; k++) {
+    double a[16][4], b[16][4], c[16][4];
+    const double time = 0.02;
+    march(k, 8, time, a);
+    march(k, 16, time, b);
+    march(k, 32, time, c);
+    double order = log2(difference(a, b) / difference(b, c));
+    EXPECT_NEAR(order, sph_integrators[k].order, 0.25);
+    EXPECT_STR(sph_integrators[k].name, sph_integrator_names[k]);
+  }
+}
+
+/* Each bound by hand, for water at rest: a c0 of 62.6 m/s, h = 1/15 m. */
+static void test_time_step_obeys_every_bound(void) {
+  struct case_file *c = pool_case(POOL_DROP, "resolution: 20, diffusion: antuono, delta: 0.3, "
+                                             "alpha: 0.4, integrator: rk4, c0: 50");
+  struct sph *s = pool_create(c);
+  EXPECT_OK(sph_rates(s, 0, true, true));
+  struct sph_bounds b = sph_timestep_bounds(s);
+  double h = 4. / 3 / 20;
+  EXPECT_NEAR(b.diffusive, 0.44 * h / (0.3 * 50), 1e-14);
+  EXPECT_NEAR(b.viscous, 0.125 * h * h / (0.4 * h * 50 / 8), 1e-14);
+  EXPECT_NEAR(b.acoustic, 2.2 * h / 50, 1e-14); /* at rest pi = 0 */
+  double most = 0;
+  for (size_t i = 0; i < s->f.n; i++) most = fmax(most, hypot(s->f.k[0].u[i], s->f.k[0].v[i]));
+  EXPECT_NEAR(b.acceleration, 0.25 * sqrt(h / most), 1e-14);
+  double dt = fmin(fmin(b.diffusive, b.viscous), fmin(b.acceleration, b.acoustic));
+  EXPECT_NEAR(sph_timestep(s, 1e9 * dt), dt, 1e-6 * dt);
+  /* equal steps to the next output, rather than one tiny one */
+  EXPECT_NEAR(sph_timestep(s, 2.5 * dt), 2.5 * dt / 3, 1e-14);
+  EXPECT_NEAR(sph_timestep(s, 0.1 * dt), 0.1 * dt, 1e-14);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* Two particles' worth of separation: u = (a x, 0) has pi = a x^2/r^2, at most a. */
+static void test_acoustic_bound_sees_velocity_gradients(void) {
+  struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, c0: 50");
+  struct sph *s = pool_create(c);
+  const double a = -300; /* compression counts as well */
+  double fastest = 0;
+  for (size_t i = 0; i < s->f.n; i++) {
+    s->f.w.u[i] = a * (s->f.w.x[i] - 1.5);
+    fastest = fmax(fastest, fabs(s->f.w.u[i]));
+  }
+  sph_particles_pad(&s->f);
+  EXPECT_OK(sph_rates(s, 0, true, true));
+  EXPECT_NEAR(sph_timestep_bounds(s).acoustic, 2.2 * s->h / (50 + fastest + s->h * fabs(a)), 1e-12);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* A Runge-Kutta table is consistent when its weights sum to one; stages are explicit. */
+static void test_tables_are_explicit_and_consistent(void) {
+  for (int k = 0; sph_integrator_names[k]; k++) {
+    const struct sph_integrator *m = &sph_integrators[k];
+    double sum = 0;
+    for (int r = 0; r < m->stages; r++) {
+      sum += m->b[r];
+      for (int q = r; q < SPH_MAX_STAGES; q++) EXPECT(m->a[r][q] == 0);
+    }
+    EXPECT_NEAR(sum, 1, 1e-15);
+  }
+}
+
+int main(void) {
+  RUN(test_integrators_have_the_order_they_declare);
+  RUN(test_time_step_obeys_every_bound);
+  RUN(test_acoustic_bound_sees_velocity_gradients);
+  RUN(test_tables_are_explicit_and_consistent);
+  return TEST_RESULT;
+}

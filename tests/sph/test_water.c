@@ -1,0 +1,230 @@
+/* Initial states, walls, symmetry, and the same bits for any number of threads. */
+#include "tests/test.h"
+
+#include <omp.h>
+
+#include "sph/energy.h"
+#include "sph/initial.h"
+#include "sph/integrator.h"
+#include "sph/probe.h"
+#include "sph/timestep.h"
+#include "sph/wall.h"
+#include "tests/sph/pool.h"
+
+static enum status march(struct sph *s, int steps) {
+  for (int k = 0; k < steps; k++) {
+    TRY(sph_rates(s, 0, true, true));
+    TRY(sph_step(s, sph_timestep(s, 1e9)));
+  }
+  return OK;
+}
+
+/* Zero on both free sides, Laplace's equation inside (five-point stencil, error step^2), no flux
+ * through the wall, and the known pressure in the corner of the column with L/H = 2. */
+static void test_released_pressure_solves_its_problem(void) {
+  const double L = 1.7, H = 0.85, d = 1e-3;
+  for (double t = 0.05; t < 1; t += 0.1) {
+    EXPECT_NEAR(sph_released_head(L * t, H, L, H), 0, 1e-9);
+    EXPECT_NEAR(sph_released_head(L, H * t, L, H), 0, 2e-6); /* the series ends after 10^6 terms */
+    double x = L * t * 0.9 + 0.05, y = H * t * 0.9 + 0.04;
+    double middle = sph_released_head(x, y, L, H);
+    double around = sph_released_head(x + d, y, L, H) + sph_released_head(x - d, y, L, H) +
+                    sph_released_head(x, y + d, L, H) + sph_released_head(x, y - d, L, H);
+    EXPECT_NEAR((around - 4 * middle) / (d * d), 0, 1e-4);
+    EXPECT_NEAR((sph_released_head(d, y, L, H) - sph_released_head(0, y, L, H)) / d, 0, 2e-3);
+  }
+  EXPECT_NEAR(sph_released_head(0, 0, 2, 1), 0.930060, 5e-7);
+}
+
+/* The mass is that of the compressed water, the volume that of the region, to rounding. */
+static void test_water_fills_its_region_exactly(void) {
+  struct case_file *c = pool_case(POOL_DAM, "resolution: 23.85");
+  struct sph *s = pool_create(c);
+  EXPECT_NEAR(sph_volume(s), 2 * 0.36, 1e-12);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* Each ghost of still water continues its linear pressure through the wall. */
+static void test_ghosts_continue_still_water_linearly(void) {
+  struct case_file *c = pool_case(POOL_STILL, "resolution: 20, diffusion: antuono");
+  struct sph *s = pool_create(c);
+  EXPECT_OK(sph_rates(s, 0, true, true));
+  double worst = 0, D = 0, away = 0;
+  for (size_t k = 0; k < s->w.n; k++)
+    if (s->w.y[k] < 1)
+      worst = fmax(worst, fabs(s->w.pack[k].p / (s->rho0 * s->g) - (1 - s->w.y[k])));
+  for (size_t i = 0; i < s->f.n; i++) {
+    double ax = s->f.k[0].u[i], ay = s->f.k[0].v[i];
+    bool near_wall_and_surface = s->f.w.y[i] > 1 - 3 * s->h;
+    away = fmax(away, hypot(ax, ay) / s->g * !near_wall_and_surface);
+    D = fmax(D, fabs(s->f.D[i]) * !near_wall_and_surface);
+  }
+  /* rho* f instead of rho0 f in the ghosts' pressure: g depth / c0^2 = 1/400 of what is added, 8 dx
+   */
+  EXPECT_NEAR(worst, 0, 8. / 20 / 400);
+  /* the lattice sum's error at the edge of the support (test_rates.c: 4e-4 of p over h) */
+  EXPECT_NEAR(away, 0, 4e-4 * 20 * 3 / 4 * 2);
+  EXPECT_NEAR(D / (s->o.delta * s->c0 * s->rho0 * s->g / (s->c0 * s->c0)), 0, 5e-3);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* Free slip: water that slides along the bed and the walls' directions feels no drag, and ghosts
+ * reflect. */
+static void test_ghosts_reflect_the_normal_velocity_and_keep_the_tangential(void) {
+  struct case_file *c = pool_case(POOL_STILL, "resolution: 20, alpha: 0.5");
+  struct sph *s = pool_create(c);
+  for (size_t i = 0; i < s->f.n; i++) {
+    s->f.w.u[i] = 0.3;
+    s->f.w.v[i] = -0.7;
+  }
+  sph_particles_pad(&s->f);
+  EXPECT_OK(sph_rates(s, 0, true, true));
+  double worst = 0;
+  for (size_t k = 0; k < s->w.n; k++) {
+    if (s->w.y[k] > 1) continue;
+    bool side = s->w.x[k] < 0 || s->w.x[k] > 2, bed = s->w.y[k] < 0;
+    worst = fmax(worst, fabs(s->w.pack[k].u - (side ? -0.3 : 0.3)));
+    worst = fmax(worst, fabs(s->w.pack[k].v - (bed ? 0.7 : -0.7)));
+  }
+  EXPECT_NEAR(worst, 0, 1e-12);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* Hydrostatic pressure at the wall: linear, so the fit is exact up to the elastic part; the mean
+ * over a size is that of the middle. */
+static void test_probes_read_still_water(void) {
+  struct case_file *c = pool_case(POOL_STILL, "resolution: 20");
+  struct sph *s = pool_create(c);
+  sph_pack_water(s);
+  struct case_probe probe = {.x = 2, .y = 0.2385};
+  double P = s->rho0 * s->g;
+  EXPECT_NEAR(sph_probe(s, &probe, &c->walls) / P, 1 - 0.2385, 1e-9);
+  probe.size = 0.1;
+  EXPECT_NEAR(sph_probe(s, &probe, &c->walls) / P, 1 - 0.2385, 1e-9);
+  probe = (struct case_probe){.x = 0.77, .y = 0, .size = 0.05};
+  EXPECT_NEAR(sph_probe(s, &probe, &c->walls) / P, 1, 1e-9);
+  probe = (struct case_probe){.x = 0, .y = 1.9};
+  EXPECT(sph_probe(s, &probe, &c->walls) == 0); /* dry */
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+static void by_id(const struct sph *s, double (*out)[5]) {
+  for (size_t i = 0; i < s->f.n; i++) {
+    double *o = out[s->f.id[i]];
+    o[0] = s->f.w.x[i];
+    o[1] = s->f.w.y[i];
+    o[2] = s->f.w.u[i];
+    o[3] = s->f.w.v[i];
+    o[4] = s->f.w.rho[i];
+  }
+}
+
+static void test_bits_do_not_depend_on_the_number_of_threads(void) {
+  static double state[2][4000][5];
+  int most = omp_get_max_threads();
+  struct sph_budget budget[2];
+  size_t n = 0;
+  for (int k = 0; k < 2; k++) {
+    omp_set_num_threads(1 + 2 * k);
+    struct case_file *c = pool_case(POOL_DAM, "resolution: 20, diffusion: antuono");
+    struct sph *s = pool_create(c);
+    EXPECT_OK(march(s, 60));
+    n = s->f.n;
+    by_id(s, state[k]);
+    budget[k] = s->budget;
+    sph_destroy(s);
+    case_destroy(c);
+  }
+  omp_set_num_threads(most);
+  EXPECT(n > 700);
+  EXPECT(memcmp(state[0], state[1], n * sizeof *state[0]) == 0);
+  EXPECT(memcmp(&budget[0], &budget[1], sizeof *budget) == 0);
+}
+
+/* The dam at the right wall is the mirror image of the dam at the left one; sums run in another
+ * order, so the difference is rounding, which 60 steps amplify a little. */
+static void test_mirrored_case_gives_the_mirrored_result(void) {
+  struct case_file *c[2];
+  struct sph *s[2];
+  c[0] = pool_case(POOL_DAM, "resolution: 20, diffusion: antuono");
+  c[1] = pool_case("title: mirrored\nscales: {H: 0.6}\n"
+                   "tank: {walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]}\n"
+                   "water: {regions: [[[3.366 H, 0], [5.366 H, 0], [5.366 H, H], [3.366 H, H]]], "
+                   "pressure: released}\n" POOL_TIMES,
+                   "resolution: 20, diffusion: antuono");
+  for (int k = 0; k < 2; k++) {
+    s[k] = pool_create(c[k]);
+    EXPECT_OK(march(s[k], 60));
+  }
+  struct result_energy a = sph_energy(s[0]), b = sph_energy(s[1]);
+  EXPECT_NEAR(b.kinetic / a.kinetic, 1, 1e-10);
+  EXPECT_NEAR(b.total / a.total, 1, 1e-12);
+  EXPECT_NEAR(s[1]->budget.viscosity / s[0]->budget.viscosity, 1, 1e-10);
+  double front = 0, mirrored = 1e9, width = 5.366 * 0.6;
+  for (size_t i = 0; i < s[0]->f.n; i++) {
+    front = fmax(front, s[0]->f.w.x[i]);
+    mirrored = fmin(mirrored, s[1]->f.w.x[i]);
+  }
+  EXPECT(front > 1.25);
+  EXPECT_NEAR(width - mirrored, front, 1e-10);
+  for (int k = 0; k < 2; k++) {
+    sph_destroy(s[k]);
+    case_destroy(c[k]);
+  }
+}
+
+/* Water thrown at a wall comes back with its energy. */
+static void test_water_that_crosses_a_wall_is_reflected(void) {
+  struct case_file *c = pool_case(POOL_DROP, "resolution: 20");
+  struct sph *s = pool_create(c);
+  s->f.w.x[0] = -0.01;
+  s->f.w.u[0] = -2;
+  s->f.w.y[1] = -0.02;
+  s->f.w.v[1] = -3;
+  struct result_energy before = sph_energy(s);
+  s->wall->confine(s);
+  struct result_energy after = sph_energy(s);
+  EXPECT_NEAR(s->f.w.x[0], 0.01, 1e-15);
+  EXPECT_NEAR(s->f.w.u[0], 2, 1e-15);
+  EXPECT_NEAR(s->f.w.y[1], 0.02, 1e-15);
+  EXPECT_NEAR(s->f.w.v[1], 3, 1e-15);
+  EXPECT(s->reflections == 2);
+  EXPECT_NEAR(after.total + after.walls, before.total + before.walls, 1e-10 * before.total);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* A particle outside the tank is taken out, and its energy and volume are booked. */
+static void test_water_outside_the_tank_is_removed_and_counted(void) {
+  struct case_file *c = pool_case(POOL_DROP, "resolution: 20");
+  struct sph *s = pool_create(c);
+  size_t n = s->f.n;
+  struct result_energy before = sph_energy(s);
+  double volume = sph_volume(s);
+  s->f.w.x[7] = -1;
+  EXPECT_OK(sph_remove_outside(s));
+  struct result_energy after = sph_energy(s);
+  EXPECT(s->f.n == n - 1);
+  EXPECT_NEAR(after.total + after.removed, before.total, 1e-12 * before.total);
+  EXPECT_NEAR(sph_volume(s) + s->budget.removed_volume, volume, 1e-13);
+  EXPECT_OK(march(s, 3));
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+int main(void) {
+  RUN(test_released_pressure_solves_its_problem);
+  RUN(test_water_fills_its_region_exactly);
+  RUN(test_ghosts_continue_still_water_linearly);
+  RUN(test_ghosts_reflect_the_normal_velocity_and_keep_the_tangential);
+  RUN(test_probes_read_still_water);
+  RUN(test_bits_do_not_depend_on_the_number_of_threads);
+  RUN(test_mirrored_case_gives_the_mirrored_result);
+  RUN(test_water_that_crosses_a_wall_is_reflected);
+  RUN(test_water_outside_the_tank_is_removed_and_counted);
+  return TEST_RESULT;
+}
