@@ -24,7 +24,7 @@ int cmp_key_columns(size_t longest, int width) {
 }
 
 int cmp_key_height(size_t n, int columns) {
-  return 64 + 19 * (int)((n + (size_t)columns - 1) / (size_t)columns);
+  return 70 + 19 * (int)((n + (size_t)columns - 1) / (size_t)columns);
 }
 
 static double time_end(const struct comparison *c) {
@@ -155,8 +155,8 @@ static void curve_open(struct cmp_chart *chart) {
 void cmp_chart_curve(struct cmp_chart *chart, const struct cmp_curve *k) {
   FILE *s = chart->fig->script;
   curve_open(chart);
-  fprintf(s, "'%s.csv' skip 1 using ($1==%zu?$3:NaN):%zu", chart->fig->name, k->series,
-          k->column + 4);
+  fprintf(s, "'%s.csv' skip 1 every %zu using ($1==%zu?$3:NaN):%zu", chart->fig->name,
+          k->every ? k->every : 1, k->series, k->column + 4);
   if (k->symbol)
     fprintf(s, " with points pointtype %d pointsize 0.6 linewidth 0.8", k->symbol);
   else

@@ -47,7 +47,8 @@ struct cmp_curve {
   const char *name; /* in the key; NULL: not there */
   const char *colour;
   double width;
-  int symbol; /* 0: a line */
+  int symbol;   /* 0: a line */
+  size_t every; /* draws one row in so many; 0: all */
 };
 void cmp_chart_curve(struct cmp_chart *chart, const struct cmp_curve *curve);
 void cmp_chart_level(struct cmp_chart *chart, double level);   /* dashed, horizontal */

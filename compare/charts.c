@@ -28,8 +28,8 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
   for (size_t panel = 0; panel < 3; panel++) {
     cmp_chart_panel(&chart, panel, "0:*", label[panel]);
     for (size_t r = 0; r < c->n_runs; r++)
-      cmp_chart_curve(&chart,
-                      &(struct cmp_curve){r, panel, c->run[r].data.label, cmp_colour(r), 1.3, 0});
+      cmp_chart_curve(
+          &chart, &(struct cmp_curve){r, panel, c->run[r].data.label, cmp_colour(r), 1.3, 0, 0});
     for (size_t r = 0; r < c->n_runs && panel == 0; r++)
       if (r == 0 || fabs(c->run[r].noise - c->run[r - 1].noise) > 1e-12)
         cmp_chart_level(&chart, c->run[r].noise);
@@ -171,9 +171,10 @@ static void experiments_draw(struct cmp_chart *chart, const struct family *famil
   for (size_t k = 0; k < c->ref.data.n_experiments; k++) {
     if (!family_shows(c, family, k)) continue;
     const char *name = named ? c->ref.data.experiments[k].name : NULL;
-    cmp_chart_curve(chart,
-                    &(struct cmp_curve){c->n_runs + 1 + k, 0, name,
-                                        shown % 2 ? "#a08050" : "#707070", 1, symbols[shown % 5]});
+    size_t every = c->ref.data.experiments[k].n / 80 + 1; /* symbols, not a smear */
+    cmp_chart_curve(chart, &(struct cmp_curve){c->n_runs + 1 + k, 0, name,
+                                               shown % 2 ? "#a08050" : "#707070", 1,
+                                               symbols[shown % 5], every});
     shown++;
   }
 }
@@ -183,7 +184,7 @@ static void run_draw(struct cmp_chart *chart, const struct family *family, size_
   bool reference = r == chart->c->n_runs;
   size_t id = reference ? SIZE_MAX : r;
   const char *name = named ? cmp_run_or_ref(chart->c, id)->data.label : NULL;
-  cmp_chart_curve(chart, &(struct cmp_curve){r, 0, name, cmp_colour(id), 1.1, 0});
+  cmp_chart_curve(chart, &(struct cmp_curve){r, 0, name, cmp_colour(id), 1.1, 0, 0});
 }
 
 static enum status family_chart(const struct comparison *c, struct cmp_figures *f,

@@ -46,6 +46,7 @@ static void box_join(struct geo_box *a, const struct geo_box *b) {
   }
 }
 
+/* Makes the window finite: GEOS needs it so. */
 static void window_set(struct comparison *c) {
   struct geo_box all = geo_lines_box(&c->ref.data.walls);
   for (size_t r = 0; r <= c->n_runs; r++) {
@@ -57,10 +58,7 @@ static void window_set(struct comparison *c) {
       }
   }
   c->window_whole = true;
-  const struct geo_box *asked = &c->settings->compare.window;
   for (int k = 0; k < 2; k++) {
-    c->window.min[k] = asked->min[k] / c->scales.H;
-    c->window.max[k] = asked->max[k] / c->scales.H;
     if (c->window.min[k] > all.min[k] || c->window.max[k] < all.max[k]) c->window_whole = false;
     c->window.min[k] = fmax(c->window.min[k], all.min[k] - 1);
     c->window.max[k] = fmin(c->window.max[k], all.max[k] + 1);
@@ -331,10 +329,14 @@ enum status comparison_create(const struct case_file *settings, const struct res
     coarsest = fmax(coarsest, runs[r]->spacing / c->scales.H);
   }
   c->depth = 2 * (n ? coarsest : ref->spacing / c->scales.H);
-  ATTEMPT(cmp_data_create(ref, &c->scales, c->depth, &c->ref.data));
+  for (int k = 0; k < 2; k++) {
+    c->window.min[k] = settings->compare.window.min[k] / c->scales.H;
+    c->window.max[k] = settings->compare.window.max[k] / c->scales.H;
+  }
+  ATTEMPT(cmp_data_create(ref, &c->scales, c->depth, &c->window, &c->ref.data));
   for (size_t r = 0; r < n; r++) {
     c->n_runs = r + 1;
-    ATTEMPT(cmp_data_create(runs[r], &c->scales, c->depth, &c->run[r].data));
+    ATTEMPT(cmp_data_create(runs[r], &c->scales, c->depth, &c->window, &c->run[r].data));
   }
   labels_make_unique(c);
   ATTEMPT(times_set(c));

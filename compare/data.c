@@ -117,7 +117,8 @@ static enum status lines_scaled(const struct geo_lines *from, double H, struct g
 }
 
 static enum status surfaces(const struct result_file *f, const struct cmp_scales *s, double depth,
-                            struct cmp_data *d) {
+                            const struct geo_box *window, struct cmp_data *d) {
+  struct cmp_jet_place place = {&d->walls, *window, 1, depth};
   size_t n = f->n_surfaces;
   d->t = calloc(n + 1, sizeof *d->t);
   d->surface = calloc(n + 1, sizeof *d->surface);
@@ -130,7 +131,7 @@ static enum status surfaces(const struct result_file *f, const struct cmp_scales
     d->t[d->n] = t;
     TRY(lines_scaled(&f->surface[i], s->H, &d->surface[d->n++]));
     const struct geo_lines *surface = &d->surface[d->n - 1];
-    cmp_jet_find(surface, 1, depth, &d->jet[d->n - 1]);
+    cmp_jet_find(surface, &place, &d->jet[d->n - 1]);
     double front = gauge_front(surface, d->bed, depth);
     if (isfinite(front)) series_add(&d->front, t, front);
   }
@@ -172,7 +173,7 @@ static enum status experiments(const struct result_file *f, const struct cmp_sca
 }
 
 enum status cmp_data_create(const struct result_file *f, const struct cmp_scales *s, double depth,
-                            struct cmp_data *d) {
+                            const struct geo_box *window, struct cmp_data *d) {
   *d = (struct cmp_data){.file = f, .dx = f->spacing / s->H};
   CHECK(f->spacing > 0, ERR_INPUT, "%s: its spacing is %g m; it must be positive", f->path,
         f->spacing);
@@ -180,7 +181,7 @@ enum status cmp_data_create(const struct result_file *f, const struct cmp_scales
   cmp_text_clean(d->label); /* also of a character cut in half */
   TRY(lines_scaled(&f->walls, s->H, &d->walls));
   d->bed = geo_lines_box(&d->walls).min[1];
-  TRY(surfaces(f, s, depth, d));
+  TRY(surfaces(f, s, depth, window, d));
   TRY(energies(f, s, d));
   d->n_probes = f->n_probes;
   TRY(series_list(f->probes, f->n_probes, s, s->p, &d->probes));

@@ -47,9 +47,10 @@ struct cmp_data {
   struct cmp_instant impact, overturning, touchdown;
 };
 
-/* `depth` (in H): the front is where the depth falls to it, and the least overhang of a jet. */
+/* `depth` (in H): the front is where the depth falls to it; the least overhang of a jet. `window`
+ * (in H): where jets are looked for. */
 enum status cmp_data_create(const struct result_file *file, const struct cmp_scales *s,
-                            double depth, struct cmp_data *d);
+                            double depth, const struct geo_box *window, struct cmp_data *d);
 void cmp_data_destroy(struct cmp_data *d);
 
 static inline struct cmp_signal cmp_series_signal(const struct cmp_series *s) {

@@ -12,7 +12,11 @@ static void measure_cells(struct page *p, const struct comparison *c, const stru
                           const char *name, size_t time, struct html_reasons *why) {
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_row *row = cmp_rows_find(rows, name, r, time);
-    if (row) html_value(p, &row->value, why);
+    if (!row) continue;
+    if (cmp_known(&row->value) && row->value.value < row->noise)
+      html_cell(p, "below", "%.4g", row->value.value);
+    else
+      html_value(p, &row->value, why);
   }
 }
 
@@ -168,9 +172,9 @@ void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity 
   }
   if (!shown) return;
   html_table_open(p);
-  html_headings(p, (const char *const[]){"run", "signal", "against", "common t*", "arrival t*",
-                                         "peak", "time of peak", "impulse", "rms difference",
-                                         "best shift", "rms if shifted", NULL});
+  html_headings(p, (const char *const[]){"run", "signal", "common t*", "arrival t*", "peak",
+                                         "time of peak", "impulse", "rms difference", "best shift",
+                                         "rms if shifted", NULL});
   for (size_t i = 0; i <= c->n_runs; i++) {
     size_t r = i == 0 ? SIZE_MAX : i - 1;
     const struct cmp_run *run = cmp_run_or_ref(c, r);
@@ -180,8 +184,8 @@ void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity 
       const struct cmp_signal_alone *a = &pair->m.a, *b = &pair->m.b;
       page_open(p, "tr", NULL);
       html_run(p, c, r);
-      html_cell(p, "t", "%s", pair->a->name);
-      html_cell(p, "t", "%s", pair->experiment == SIZE_MAX ? c->ref.data.label : pair->b->name);
+      html_cell(p, "t", "%s against %s", pair->a->name,
+                pair->experiment == SIZE_MAX ? c->ref.data.label : pair->b->name);
       html_cell(p, NULL, "%.3g–%.3g", pair->m.from, pair->m.to);
       both_cell(p, &a->onset, &b->onset, &why);
       both_cell(p, &a->peak, &b->peak, &why);

@@ -12,9 +12,22 @@ struct fold {         /* between a right-hand and a left-hand vertical tangent o
   double overhang;
 };
 
+static bool inside(const double *p, const struct geo_box *box) {
+  return p[0] >= box->min[0] && p[0] <= box->max[0] && p[1] >= box->min[1] && p[1] <= box->max[1];
+}
+
+/* Whether a fold can be a jet: in the window, and its cavity not inside a film on a wall. */
+static bool fold_counts(const double (*p)[2], size_t right, size_t left,
+                        const struct cmp_jet_place *place) {
+  return inside(p[right], &place->window) && inside(p[left], &place->window) &&
+         cmp_wall_distance(place->walls, p[right]) >= place->least &&
+         cmp_wall_distance(place->walls, p[left]) >= place->least;
+}
+
 /* Of all places where the surface turns back by more than `least` before going on, the largest. A
  * turn counts only once x has come back by `least`: noise does not. */
-static struct fold fold_largest(const double (*p)[2], size_t n, double least) {
+static struct fold fold_largest(const double (*p)[2], size_t n, const struct cmp_jet_place *place) {
+  double least = place->least;
   struct fold best = {0, 0, 0};
   size_t high = 0, low = 0;
   bool back = false; /* walking back: high is settled, low is being looked for */
@@ -29,7 +42,7 @@ static struct fold fold_largest(const double (*p)[2], size_t n, double least) {
       if (p[i][0] < p[low][0]) low = i;
       if (p[i][0] - p[low][0] > least || i + 1 == n) {
         double overhang = p[high][0] - p[low][0];
-        if (overhang > best.overhang && p[i][0] > p[low][0])
+        if (overhang > best.overhang && p[i][0] > p[low][0] && fold_counts(p, high, low, place))
           best = (struct fold){high, low, overhang};
         back = false;
         high = i;
@@ -164,7 +177,9 @@ static void cavity_measure(const double (*p)[2], size_t n, size_t tip, size_t ro
   if (!isfinite(jet->foot[0])) jet->cavity = cmp_unknown("no surface below the jet's tip");
 }
 
-void cmp_jet_find(const struct geo_lines *surface, double H, double least, struct cmp_jet *jet) {
+void cmp_jet_find(const struct geo_lines *surface, const struct cmp_jet_place *place,
+                  struct cmp_jet *jet) {
+  double H = place->H, least = place->least;
   memset(jet, 0, sizeof *jet);
   jet->direction = jet->cavity = cmp_unknown("the surface does not overhang");
   for (size_t k = 0; k < CMP_JET_STATIONS; k++) jet->thickness[k] = jet->direction;
@@ -172,7 +187,7 @@ void cmp_jet_find(const struct geo_lines *surface, double H, double least, struc
   if (piece == SIZE_MAX) return;
   const double(*p)[2] = (const double(*)[2])(surface->p + surface->first[piece]);
   size_t n = surface->first[piece + 1] - surface->first[piece];
-  struct fold fold = fold_largest(p, n, least);
+  struct fold fold = fold_largest(p, n, place);
   if (!(fold.overhang > least)) return;
 
   jet->forward = heading_up(p, n, fold.right, least) + heading_up(p, n, fold.left, least) < 0;

@@ -22,9 +22,19 @@ struct cmp_jet {
   struct cmp_value cavity; /* air between the jet, the surface below and the vertical at the tip */
 };
 
-/* `least` is the overhang that noise may have, about two particle spacings; H the scale of the
- * stations. All lengths alike in m, or in H with H = 1. */
-void cmp_jet_find(const struct geo_lines *surface, double H, double least, struct cmp_jet *jet);
+/* Where jets are looked for. */
+struct cmp_jet_place {
+  const struct geo_lines *walls;
+  struct geo_box window;
+  double H;     /* scale of the stations */
+  double least; /* the overhang that noise may have, about two particle spacings; and the thickness
+                   of films on walls, whose folds are not jets */
+};
+
+/* The jet with the largest overhang inside the window. All lengths alike in m, or in H with H = 1.
+ */
+void cmp_jet_find(const struct geo_lines *surface, const struct cmp_jet_place *place,
+                  struct cmp_jet *jet);
 
 /* The instants seen in a sequence of jets, [n] at times t in sqrt(H/g), lengths in H. Between
  * outputs the overhang is taken to grow as (t - t0)^(3/2), as it does at a generic vertical

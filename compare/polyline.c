@@ -125,20 +125,24 @@ static double segment_distance(const double *p, const double *a, const double *b
   return hypot(p[0] - a[0] - u * d[0], p[1] - a[1] - u * d[1]);
 }
 
+double cmp_wall_distance(const struct geo_lines *walls, const double *p) {
+  double nearest = INFINITY;
+  for (size_t k = 0; k < walls->pieces; k++) {
+    size_t a = walls->first[k], n = walls->first[k + 1] - a;
+    size_t segments = walls->closed[k] ? n : n ? n - 1 : 0;
+    for (size_t j = 0; j < segments; j++)
+      nearest = fmin(nearest, segment_distance(p, walls->p[a + j], walls->p[a + (j + 1) % n]));
+  }
+  return nearest;
+}
+
 enum status cmp_lines_away(const struct geo_lines *in, const struct geo_lines *walls,
                            double distance, struct geo_lines *out) {
   geo_lines_clear(out);
   TRY(geo_lines_begin(out, false));
-  for (size_t i = 0; i < in->points; i++) {
-    bool near = false;
-    for (size_t k = 0; k < walls->pieces && !near; k++) {
-      size_t a = walls->first[k], n = walls->first[k + 1] - a;
-      size_t segments = walls->closed[k] ? n : n ? n - 1 : 0;
-      for (size_t j = 0; j < segments && !near; j++)
-        near = segment_distance(in->p[i], walls->p[a + j], walls->p[a + (j + 1) % n]) < distance;
-    }
-    if (!near) TRY(geo_lines_add(out, in->p[i][0], in->p[i][1]));
-  }
+  for (size_t i = 0; i < in->points; i++)
+    if (cmp_wall_distance(walls, in->p[i]) >= distance)
+      TRY(geo_lines_add(out, in->p[i][0], in->p[i][1]));
   return OK;
 }
 

@@ -18,6 +18,9 @@ enum status cmp_lines_clip(const struct geo_lines *in, const struct geo_box *box
 /* Points every `step` metres along every piece (both ends of open pieces included). */
 enum status cmp_lines_sample(const struct geo_lines *in, double step, struct geo_lines *out);
 
+/* From p to the nearest wall, m; infinite without walls. */
+double cmp_wall_distance(const struct geo_lines *walls, const double *p);
+
 /* The points (one open piece) that are at least `distance` away from every wall. */
 enum status cmp_lines_away(const struct geo_lines *in, const struct geo_lines *walls,
                            double distance, struct geo_lines *out);

@@ -105,7 +105,7 @@ static void best_shift(const struct cmp_signal *a, const struct cmp_signal *b, d
   }
   if (!isfinite(least)) return;
   if (fabs(best) >= reach * (1 - 0.5 / COARSE)) {
-    pair->shift = cmp_unknown("no best shift within +- the largest tried");
+    pair->shift = cmp_unknown("no best shift within ±%g", reach);
     pair->rms_after = pair->shift;
     return;
   }

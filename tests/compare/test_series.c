@@ -1,0 +1,112 @@
+/* Signals whose peak, impulse, shift and rms are known in closed form. */
+#include "compare/series.h"
+
+#include "tests/test.h"
+
+enum { N = 2001 };
+static double t[N], a[N], b[N];
+
+static struct cmp_signal signal(const double *value) {
+  return (struct cmp_signal){N, t, value};
+}
+
+/* A Gaussian pulse of height 0.8 and width s at t0: peak 0.8 at t0, impulse 0.8 s sqrt(2 pi). */
+static double pulse(double time, double t0) {
+  return 0.8 * exp(-(time - t0) * (time - t0) / (2 * 0.15 * 0.15));
+}
+
+static void fill(double shift) {
+  for (int i = 0; i < N; i++) {
+    t[i] = 5.0 * i / (N - 1);
+    a[i] = pulse(t[i], 2.5 + shift);
+    b[i] = pulse(t[i], 2.5);
+  }
+}
+
+static void test_pulse_has_its_peak_impulse_and_onset(void) {
+  fill(0);
+  struct cmp_signal s = signal(b);
+  struct cmp_signal_alone m;
+  cmp_signal_measure(&s, 0, 5, 0.1, &m);
+  EXPECT_NEAR(m.peak.value, 0.8, 1e-12);
+  EXPECT_NEAR(m.peak_time.value, 2.5, 1e-12);
+  EXPECT_NEAR(m.impulse.value, 0.8 * 0.15 * sqrt(2 * M_PI), 1e-9); /* spectral for a Gaussian */
+  /* linear interpolation between rows 0.0025 apart: h^2 f'' / 8 over f' */
+  EXPECT_NEAR(m.onset.value, 2.5 - 0.15 * sqrt(2 * log(8)), 1e-5);
+}
+
+/* A late copy: its shift is found, and nothing remains when it is applied. */
+static void test_shift_is_found_and_not_applied(void) {
+  const double late = 0.0837;
+  fill(late);
+  struct cmp_signal x = signal(a), y = signal(b);
+  struct cmp_signal_pair m;
+  cmp_signal_compare(&x, &y, 0.1, 0.5, &m);
+  EXPECT_NEAR(m.shift.value, late, 1e-5);
+  EXPECT(m.rms_after.value < 1e-4 && m.rms.value > 0.03);
+  cmp_signal_compare(&y, &x, 0.1, 0.5, &m);
+  EXPECT_NEAR(m.shift.value, -late, 1e-5);
+}
+
+static void test_identity_is_zero(void) {
+  fill(0);
+  struct cmp_signal x = signal(b);
+  struct cmp_signal_pair m;
+  cmp_signal_compare(&x, &x, 0.1, 0.5, &m);
+  EXPECT(m.rms.value == 0 && m.shift.value == 0 && m.rms_after.value == 0);
+}
+
+/* rms of a constant offset is the offset; of sin, 1/sqrt 2 over whole periods. */
+static void test_rms_of_known_differences(void) {
+  for (int i = 0; i < N; i++) {
+    t[i] = 4 * M_PI * i / (N - 1);
+    a[i] = 1.25;
+    b[i] = 1.25 + sin(t[i]);
+  }
+  struct cmp_signal x = signal(a), y = signal(b);
+  struct cmp_signal_pair m;
+  cmp_signal_compare(&x, &y, 9, 0.5, &m);
+  EXPECT_NEAR(m.rms.value, sqrt(0.5), 1e-5);
+  EXPECT(!cmp_known(&m.a.onset) && m.a.onset.why[0]);
+}
+
+/* Only the common range counts, and signals that share none say so. */
+static void test_common_range(void) {
+  double u[] = {0, 1, 2}, v[] = {1, 1, 1}, w[] = {1.5, 3}, z[] = {2, 2}, far[] = {7, 8};
+  struct cmp_signal x = {3, u, v}, y = {2, w, z}, away = {2, far, z};
+  struct cmp_signal_pair m;
+  cmp_signal_compare(&x, &y, 0.1, 0.1, &m);
+  EXPECT_NEAR(m.from, 1.5, 0);
+  EXPECT_NEAR(m.to, 2, 0);
+  EXPECT_NEAR(m.rms.value, 1, 1e-12);
+  EXPECT_NEAR(m.a.impulse.value, 0.5, 1e-12);
+  cmp_signal_compare(&x, &away, 0.1, 0.1, &m);
+  EXPECT(!cmp_known(&m.rms) && m.rms.why[0]);
+  struct cmp_signal empty = {0, NULL, NULL};
+  cmp_signal_compare(&x, &empty, 0.1, 0.1, &m);
+  EXPECT(!cmp_known(&m.rms) && !cmp_known(&m.shift));
+}
+
+/* A dry gauge is a gap: a few are left out, too many leave nothing to say. */
+static void test_gaps_are_not_zeros(void) {
+  fill(0);
+  for (int i = 0; i < N; i++) a[i] = i < N / 10 ? NAN : b[i] + 0.5;
+  struct cmp_signal x = signal(a), y = signal(b);
+  struct cmp_signal_pair m;
+  cmp_signal_compare(&x, &y, 0.1, 0.1, &m);
+  EXPECT_NEAR(m.rms.value, 0.5, 1e-9);
+  EXPECT(!cmp_known(&m.a.impulse));
+  for (int i = 0; i < N / 2; i++) a[i] = NAN;
+  cmp_signal_compare(&x, &y, 0.1, 0.1, &m);
+  EXPECT(!cmp_known(&m.rms) && m.rms.why[0]);
+}
+
+int main(void) {
+  RUN(test_pulse_has_its_peak_impulse_and_onset);
+  RUN(test_shift_is_found_and_not_applied);
+  RUN(test_identity_is_zero);
+  RUN(test_rms_of_known_differences);
+  RUN(test_common_range);
+  RUN(test_gaps_are_not_zeros);
+  return TEST_RESULT;
+}
