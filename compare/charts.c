@@ -151,14 +151,15 @@ static struct extent family_extent(const struct cmp_chart *chart, const struct f
   free(e);
   free(span);
   if (!(all.low <= all.high)) return (struct extent){0, 1};
-  double margin = 0.06 * (all.high - all.low) + 1e-12;
+  double size = fmax(fabs(all.low), fabs(all.high));
+  double margin = fmax(0.06 * (all.high - all.low), size > 0 ? 1e-6 * size : 1e-6);
   return (struct extent){all.low - margin, all.high + margin};
 }
 
 static void panel_begin(struct cmp_chart *chart, const struct family *family, size_t k) {
   char range[64];
   struct extent e = family_extent(chart, family);
-  snprintf(range, sizeof range, "%.6g:%.6g", e.low, e.high);
+  snprintf(range, sizeof range, "%.12g:%.12g", e.low, e.high);
   cmp_chart_panel(chart, k, range, family->label);
 }
 
