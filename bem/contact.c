@@ -72,23 +72,23 @@ enum status bem_contact_meet_wall(struct bem_flow *f) {
   return replace_end(f, keep, 1, (const double(*)[3])end);
 }
 
-/* The last node that is still at least `film` from the wall. */
-static size_t film_begin(const struct bem_surface *s, double film) {
-  size_t k = s->n - 1;
-  while (k > 0 && s->tank - s->state[k] < film) k--;
-  return k;
-}
-
 bool bem_contact_crosses_wall(const struct bem_surface *s) {
   return crossing(s, s->state) + 1 < s->n;
+}
+
+/* The last node before the film becomes thinner than `film` for the first time; spikes beyond it do
+ * not make it thick again. */
+static size_t film_begin(const struct bem_surface *s, double film) {
+  size_t k = 0;
+  while (k + 1 < s->n && s->tank - s->state[k + 1] >= film) k++;
+  return k;
 }
 
 bool bem_contact_film_is_thin(const struct bem_surface *s, double film) {
   const double *x = s->state, *y = x + s->n;
   double length = 0;
-  for (size_t k = film_begin(s, film); k + 1 < s->n; k++) {
-    length += hypot(x[k + 1] - x[k], y[k + 1] - y[k]);
-  }
+  for (size_t k = film_begin(s, film); k + 1 < s->n; k++)
+    if (s->tank - x[k + 1] < film) length += hypot(x[k + 1] - x[k], y[k + 1] - y[k]);
   return length > WORTH;
 }
 

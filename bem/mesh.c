@@ -9,11 +9,11 @@
 /* The wanted number of nodes per H, divided by the resolution, is the root of the sum of squares of
  * 1, curvature/BEND and 1/(tip + GROWTH d), d the distance along the surface to the thin tip: a
  * function of the shape alone, so refining the resolution refines everything alike. */
-double BEND = 8, SHARPEST = 640;
-static const double GROWTH = 6;  /* 1/H */
-double SPREAD = 3;               /* implicit smoothing of the density over about sqrt(10) panels */
-double RELAX = 0.1;              /* sqrt(H/g), time in which misplaced nodes drift home */
-static const double OPEN = 0.15; /* rad: a kink that turns less is not one any more */
+static const double BEND = 4, SHARPEST = 60; /* 1/H; curvature beyond SHARPEST asks for no more */
+static const double GROWTH = 6;              /* 1/H */
+static const double SPREAD = 3;              /* implicit smoothing, over about sqrt(3) panels */
+static const double RELAX = 0.1;             /* sqrt(H/g), in which misplaced nodes drift home */
+static const double OPEN = 0.15;             /* rad: a kink that turns less is not one any more */
 static const size_t MOST = 6000, FEWEST = 7; /* nodes of a surface, of a piece */
 
 enum status bem_mesh_reserve(struct bem_mesh *m, size_t n) {
@@ -42,6 +42,7 @@ static void density(const struct bem_mesh *m, const struct bem_surface *s, const
   for (size_t k = 0; k < n; k++) {
     double speed = hypot(dx[k], dy[k]);
     double c = (dx[k] * ddy[k] - dy[k] * ddx[k]) / (speed * speed * speed);
+    c *= bem_surface_importance(s, x[k], y[k]);
     bend[k] = c * c / (1 + c * c / (SHARPEST * SHARPEST));
   }
   double distance = 0;

@@ -51,7 +51,7 @@ static const struct param params[] = {
      KEY(filter),
      .min = 0,
      .max = 100,
-     .value = "10",
+     .value = "30",
      .help = "rate, in 1/sqrt(H/g), of the sixth-difference filter against the sawtooth of two "
              "spacings; "
              "waves that span the tank go without it"},

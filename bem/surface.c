@@ -1,5 +1,6 @@
 #include "bem/surface.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 enum { FIVE = 5, FOUR = 4 };
@@ -52,6 +53,14 @@ void bem_surface_differences(size_t n, size_t corner, const double *f, double *f
     first[k] = a / 12;
     if (second) second[k] = b / 12;
   }
+}
+
+double bem_surface_importance(const struct bem_surface *s, double x, double y) {
+  const double FILM = 0.12, HIGH = 1.3; /* H: from the wall, above the bed */
+  if (s->tip == 0 || s->right == BEM_END_BED) return 1;
+  double near = 0.5 - 0.5 * tanh((s->tank - x - FILM) / (0.3 * FILM));
+  double high = 0.5 + 0.5 * tanh((y - HIGH) / (0.1 * HIGH));
+  return 1 - near * high;
 }
 
 /* Values and slopes at Gauss points of the panel that begins at position `at` of its stencil. */

@@ -30,6 +30,10 @@ void bem_surface_destroy(struct bem_surface *s);
 void bem_surface_differences(size_t n, size_t corner, const double *f, double *first,
                              double *second /* or NULL */);
 
+/* 0 in the high part of the film on the right wall, 1 elsewhere, smoothly: the thin spikes that the
+ * film throws there are of no account and must not be followed into ever finer detail. */
+double bem_surface_importance(const struct bem_surface *s, double x, double y);
+
 /* Integrals over the water from the surface alone: psi = 0 on the walls, and kinetic energy is
  * -1/2 integral phi d psi. Cubic interpolation in the node number: fourth order. */
 struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *psi);
