@@ -50,7 +50,7 @@ static bool check_piece(struct case_draft *d, const struct geo_lines *l, size_t 
     case_doc_problem(&d->doc, line, path, found, "points that differ", "remove one");
     return false;
   }
-  if (geo_piece_simple(l, k, &simple, at) != OK) {
+  if (geo_piece_simple(l, k, l->closed[k], &simple, at) != OK) {
     d->doc.problems->out_of_memory = true;
     return false;
   }
@@ -60,6 +60,32 @@ static bool check_piece(struct case_draft *d, const struct geo_lines *l, size_t 
   char allowed[64];
   snprintf(allowed, sizeof allowed, "a %s that does not meet itself", noun);
   case_doc_problem(&d->doc, line, path, found, allowed, "correct its points or their order");
+  return false;
+}
+
+/* The wall that makes the tank leaves a room between itself and the line from end to end. */
+static bool check_vessel(struct case_draft *d, size_t k) {
+  const struct geo_lines *w = &d->c->walls;
+  bool simple;
+  double at[2] = {0};
+  char path[CASE_PATH], found[128];
+  int line = item_line(d, d->at.tank, "walls", k);
+  snprintf(path, sizeof path, "tank.walls[%zu]", k);
+  if (geo_piece_simple(w, k, true, &simple, at) != OK) {
+    d->doc.problems->out_of_memory = true;
+    return false;
+  }
+  if (!simple) {
+    snprintf(found, sizeof found, "a wall that meets the line between its ends at (%.6g, %.6g) m",
+             at[0], at[1]);
+    case_doc_problem(&d->doc, line, path, found, "a wall that is open to one side",
+                     "extend its ends");
+    return false;
+  }
+  if (geo_piece_area(w, k) > 0) return true;
+  case_doc_problem(&d->doc, line, path, "a wall with the tank on its right",
+                   "water on the left: down the left side, along the bed, up the right side",
+                   "reverse the order of its points");
   return false;
 }
 
@@ -84,13 +110,8 @@ static void check_walls(struct case_draft *d) {
         good = false;
       }
     }
-  if (good && w->pieces == 1 && !w->closed[0] && geo_piece_area(w, 0) < 0) {
-    case_doc_problem(&d->doc, item_line(d, d->at.tank, "walls", 0), "tank.walls[0]",
-                     "a wall with the tank on its right",
-                     "water on the left: down the left side, along the bed, up the right side",
-                     "reverse the order of its points");
-    good = false;
-  }
+  size_t vessel = geo_lines_vessel(w);
+  if (good && vessel < w->pieces) good = check_vessel(d, vessel);
   if (good && !(d->c->tank.max[0] > d->c->tank.min[0])) {
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.tank, "walls"), "tank.walls",
                      "a tank without width", "walls that span some width", "add the bed");
@@ -99,19 +120,11 @@ static void check_walls(struct case_draft *d) {
   d->good.tank = good;
 }
 
-/* Whether the walls bound a room: one open wall, or closed ones only. */
-static bool walls_enclose(const struct geo_lines *w) {
-  size_t closed = 0;
-  for (size_t k = 0; k < w->pieces; k++) closed += w->closed[k];
-  return w->pieces == 1 ? geo_piece_area(w, 0) > 0 : closed == w->pieces;
-}
-
 static void check_region_in_tank(struct case_draft *d, size_t k, int line, const char *path) {
   const struct case_file *c = d->c;
   double part = 0, at[2] = {0};
   char found[128];
-  enum status status =
-      walls_enclose(&c->walls) ? geo_piece_outside(&c->water, k, &c->walls, &part, at) : OK;
+  enum status status = geo_piece_outside(&c->water, k, &c->walls, &part, at);
   if (status == OK && part > CASE_SAME * geo_piece_area(&c->water, k)) {
     snprintf(found, sizeof found, "water outside the tank, at (%.6g, %.6g) m for one", at[0],
              at[1]);

@@ -12,15 +12,20 @@ double case_water_area(const struct case_file *c) {
   return area;
 }
 
+/* In a box without a lid, from y = bed upwards. */
+static double box_potential(const struct case_file *c, double area) {
+  double width = c->tank.max[0] - c->tank.min[0], bed = c->tank.min[1], level = bed + area / width;
+  return c->density * c->gravity * width * (level * level - bed * bed) / 2;
+}
+
 double case_rest_potential(const struct case_file *c) {
-  double wanted = case_water_area(c), bed = c->tank.min[1], area = 0, centre[2] = {0, 0};
-  double width = c->tank.max[0] - c->tank.min[0];
-  if (c->rectangular || c->walls.pieces == 0) {
-    double level = bed + wanted / width;
-    return c->density * c->gravity * width * (level * level - bed * bed) / 2;
-  }
+  double wanted = case_water_area(c), low = c->tank.min[1], high = c->tank.max[1];
+  double area = 0, centre[2] = {0, 0};
+  if (c->rectangular) return box_potential(c, wanted);
+  if (geo_area_below(&c->walls, high, &area, centre) != OK) return NAN;
+  if (area < wanted)
+    return box_potential(c, wanted); /* the walls bound no room, or one too small */
   /* any other tank: the level by bisection, to the last digits that an area has */
-  double low = bed, high = c->tank.max[1];
   for (int i = 0; i < 60 && high - low > 1e-15 * fabs(high); i++) {
     double level = (low + high) / 2;
     if (geo_area_below(&c->walls, level, &area, centre) != OK) return NAN;

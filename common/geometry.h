@@ -6,10 +6,10 @@
 
 #include "common/status.h"
 
-/* A set of polylines ("pieces"). Piece k is points first[k] .. first[k+1]-1; a closed piece joins its
- * last point to its first without repeating it.
- * Free surfaces are oriented: walking along a piece, the water is on the right (so the main surface
- * of a tank runs from left to right; a drop is clockwise, a cavity counter-clockwise). */
+/* A set of polylines ("pieces"). Piece k is points first[k] .. first[k+1]-1; a closed piece joins
+ * its last point to its first without repeating it. Free surfaces are oriented: walking along a
+ * piece, the water is on the right (so the main surface of a tank runs from left to right; a drop
+ * is clockwise, a cavity counter-clockwise). */
 struct geo_lines {
   size_t pieces, points;
   size_t *first;         /* [pieces + 1], first[0] = 0, owned */

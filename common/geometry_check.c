@@ -86,8 +86,8 @@ static GEOSCoordSequence *coordinates(struct geos *g, const struct geo_lines *l,
   return s;
 }
 
-static GEOSGeometry *line_of(struct geos *g, const struct geo_lines *l, size_t piece) {
-  GEOSCoordSequence *s = coordinates(g, l, piece, l->closed[piece]);
+static GEOSGeometry *line_of(struct geos *g, const struct geo_lines *l, size_t piece, bool closed) {
+  GEOSCoordSequence *s = coordinates(g, l, piece, closed);
   return keep(g, s ? GEOSGeom_createLineString_r(g->h, s) : NULL);
 }
 
@@ -97,14 +97,27 @@ static GEOSGeometry *polygon_of(struct geos *g, const struct geo_lines *l, size_
   return keep(g, ring ? GEOSGeom_createPolygon_r(g->h, ring, NULL, 0) : NULL);
 }
 
-/* The water's side of the walls: the union of what runs counter-clockwise without what runs
- * clockwise (islands). Empty when the walls enclose nothing. */
-static GEOSGeometry *tank_polygon(struct geos *g, const struct geo_lines *tank) {
+size_t geo_lines_vessel(const struct geo_lines *l) {
+  size_t vessel = l->pieces;
+  double largest = 0;
+  for (size_t k = 0; k < l->pieces; k++) {
+    double area = l->closed[k] ? 0 : fabs(geo_piece_area(l, k));
+    if (area > largest) {
+      largest = area;
+      vessel = k;
+    }
+  }
+  return vessel;
+}
+
+/* Empty when the walls enclose nothing. */
+static GEOSGeometry *tank_room(struct geos *g, const struct geo_lines *tank) {
   GEOSGeometry *all = keep(g, g->failed ? NULL : GEOSGeom_createEmptyPolygon_r(g->h));
+  size_t vessel = geo_lines_vessel(tank);
   for (int islands = 0; islands < 2; islands++)
     for (size_t k = 0; k < tank->pieces && !g->failed; k++) {
       double area = geo_piece_area(tank, k);
-      if (tank->first[k + 1] - tank->first[k] < 3 || area == 0 || (area < 0) != islands) continue;
+      if ((!tank->closed[k] && k != vessel) || area == 0 || (area < 0) != islands) continue;
       GEOSGeometry *part = polygon_of(g, tank, k);
       GEOSGeometry *next = keep(g, g->failed ? NULL
                                    : islands ? GEOSDifference_r(g->h, all, part)
@@ -126,9 +139,10 @@ static void point_inside(struct geos *g, const GEOSGeometry *geometry, double at
 }
 
 /* The first place where two segments that are not neighbours meet. */
-static void find_meeting(struct geos *g, const struct geo_lines *l, size_t piece, double at[2]) {
+static void find_meeting(struct geos *g, const struct geo_lines *l, size_t piece, bool closed,
+                         double at[2]) {
   size_t a = l->first[piece], n = l->first[piece + 1] - a;
-  size_t segments = l->closed[piece] ? n : n - 1;
+  size_t segments = closed ? n : n - 1;
   for (size_t i = 0; i < segments; i++)
     for (size_t j = i + 1; j < segments; j++) {
       const double *p = l->p[a + i], *q = l->p[a + (i + 1) % n];
@@ -148,15 +162,16 @@ static void find_meeting(struct geos *g, const struct geo_lines *l, size_t piece
     }
 }
 
-enum status geo_piece_simple(const struct geo_lines *l, size_t piece, bool *simple, double at[2]) {
+enum status geo_piece_simple(const struct geo_lines *l, size_t piece, bool closed, bool *simple,
+                             double at[2]) {
   struct geos g = geos_begin();
-  GEOSGeometry *line = line_of(&g, l, piece);
+  GEOSGeometry *line = line_of(&g, l, piece, closed);
   *simple = true;
   if (line) {
     char answer = GEOSisSimple_r(g.h, line);
     if (answer == 2) g.failed = true;
     *simple = answer == 1;
-    if (!*simple) find_meeting(&g, l, piece, at);
+    if (!*simple) find_meeting(&g, l, piece, closed, at);
   }
   drop(&g, line);
   return geos_end(&g);
@@ -164,7 +179,7 @@ enum status geo_piece_simple(const struct geo_lines *l, size_t piece, bool *simp
 
 enum status geo_pieces_cross(const struct geo_lines *l, size_t a, size_t b, bool *cross) {
   struct geos g = geos_begin();
-  GEOSGeometry *p = line_of(&g, l, a), *q = line_of(&g, l, b);
+  GEOSGeometry *p = line_of(&g, l, a, l->closed[a]), *q = line_of(&g, l, b, l->closed[b]);
   *cross = false;
   if (!g.failed)
     *cross = GEOSCrosses_r(g.h, p, q) == 1 || GEOSOverlaps_r(g.h, p, q) == 1 ||
@@ -189,9 +204,13 @@ enum status geo_pieces_overlap(const struct geo_lines *l, size_t a, size_t b, do
 enum status geo_piece_outside(const struct geo_lines *l, size_t piece, const struct geo_lines *tank,
                               double *area, double at[2]) {
   struct geos g = geos_begin();
-  GEOSGeometry *p = polygon_of(&g, l, piece), *room = tank_polygon(&g, tank);
+  GEOSGeometry *p = polygon_of(&g, l, piece), *room = tank_room(&g, tank);
   GEOSGeometry *outside = keep(&g, g.failed ? NULL : GEOSDifference_r(g.h, p, room));
   *area = 0;
+  if (!g.failed && GEOSisEmpty_r(g.h, room) == 1) {
+    drop(&g, outside);
+    outside = NULL;
+  }
   if (outside) GEOSArea_r(g.h, outside, area);
   if (*area > 0) point_inside(&g, outside, at);
   drop(&g, p);
@@ -207,7 +226,7 @@ enum status geo_piece_crossed(const struct geo_lines *l, size_t piece,
   GEOSGeometry *rim = keep(&g, g.failed ? NULL : GEOSBoundary_r(g.h, p));
   *length = 0;
   for (size_t k = 0; k < walls->pieces && !g.failed; k++) {
-    GEOSGeometry *wall = line_of(&g, walls, k);
+    GEOSGeometry *wall = line_of(&g, walls, k, walls->closed[k]);
     GEOSGeometry *in = keep(&g, wall ? GEOSIntersection_r(g.h, wall, p) : NULL);
     GEOSGeometry *through = keep(&g, in ? GEOSDifference_r(g.h, in, rim) : NULL);
     double part = 0;
@@ -229,7 +248,7 @@ enum status geo_area_below(const struct geo_lines *tank, double level, double *a
                            double centroid[2]) {
   struct geos g = geos_begin();
   struct geo_box box = geo_lines_box(tank);
-  GEOSGeometry *room = tank_polygon(&g, tank);
+  GEOSGeometry *room = tank_room(&g, tank);
   /* a half plane would do; GEOS has rectangles */
   GEOSGeometry *below =
       keep(&g, g.failed ? NULL

@@ -7,8 +7,10 @@
 double geo_lines_distance(const struct geo_lines *l, double x, double y, double nearest[2],
                           size_t *piece);
 
-/* Whether a piece neither crosses nor touches itself; `at` says where it does. ERR_MEMORY. */
-enum status geo_piece_simple(const struct geo_lines *l, size_t piece, bool *simple, double at[2]);
+/* Whether a piece, as it is or closed by the straight line between its ends, neither crosses nor
+ * touches itself; `at` says where it does. ERR_MEMORY. */
+enum status geo_piece_simple(const struct geo_lines *l, size_t piece, bool closed, bool *simple,
+                             double at[2]);
 
 /* Whether two pieces, as lines, cross or run along each other (touching at ends is neither). */
 enum status geo_pieces_cross(const struct geo_lines *l, size_t a, size_t b, bool *cross);
@@ -16,9 +18,13 @@ enum status geo_pieces_cross(const struct geo_lines *l, size_t a, size_t b, bool
 /* Area that two closed pieces have in common, m^2. */
 enum status geo_pieces_overlap(const struct geo_lines *l, size_t a, size_t b, double *area);
 
-/* Closed piece `piece` of `l` against the polygon of `tank` (closed pieces; an open piece is closed
- * by the straight line between its ends): the area of the piece that lies outside, m^2, and a point
- * of it. */
+/* The open piece that, closed by the straight line between its ends, bounds the largest area: the
+ * wall that makes the tank. l->pieces when there is none with an area. */
+size_t geo_lines_vessel(const struct geo_lines *l);
+
+/* Closed piece `piece` of `l` against the room of `tank`, which its vessel and its
+ * counter-clockwise closed pieces bound, less its clockwise ones: the area that lies outside, m^2,
+ * and a point of it. Zero when the walls bound no room. */
 enum status geo_piece_outside(const struct geo_lines *l, size_t piece, const struct geo_lines *tank,
                               double *area, double at[2]);
 
@@ -26,7 +32,7 @@ enum status geo_piece_outside(const struct geo_lines *l, size_t piece, const str
 enum status geo_piece_crossed(const struct geo_lines *l, size_t piece,
                               const struct geo_lines *walls, double *length, double at[2]);
 
-/* The part of the polygon of `tank` below the horizontal y = level: its area (m^2) and centroid. */
+/* The part of the room of `tank` below the horizontal y = level: its area (m^2) and centroid. */
 enum status geo_area_below(const struct geo_lines *tank, double level, double *area,
                            double centroid[2]);
 
