@@ -224,10 +224,6 @@ static herr_t driver_write(H5FD_t *file, H5FD_mem_t type, hid_t dxpl, haddr_t ad
 }
 
 static const H5FD_class_t driver = {
-#if H5_VERSION_GE(1, 14, 0)
-    .version = H5FD_CLASS_VERSION,
-    .value = H5_VFD_RESERVED,
-#endif
     .name = "plunge store",
     .maxaddr = (haddr_t)INT64_MAX,
     .fc_degree = H5F_CLOSE_STRONG,
