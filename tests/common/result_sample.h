@@ -133,9 +133,9 @@ done:
 static inline const char *sample_folder(void) {
   static char folder[64];
   if (!*folder) {
-    const char *tmp = getenv("TMPDIR");
+    const char *memory = "/dev/shm"; /* finishing a result waits for the disk */
     snprintf(folder, sizeof folder, "%s/plunge-test-XXXXXX",
-             tmp && strlen(tmp) < 40 ? tmp : "/tmp");
+             access(memory, W_OK) ? "/tmp" : memory);
     if (!mkdtemp(folder)) perror(folder), exit(1);
   }
   return folder;
