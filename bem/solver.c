@@ -136,7 +136,8 @@ static enum status advance(struct run *r, const struct case_file *c, struct prog
     CHECK(short_steps < PATIENCE && step < MOST_STEPS, ERR_SOLVER,
           "the time step has fallen to %.2g sqrt(H/g)", r->dt);
     TRY(bem_output_surfaces(&r->output, &r->flow, r->stepper, r->time));
-    if (r->time < end) TRY(bem_output_series(&r->output, &r->flow, r->stepper, r->time, r->dt));
+    bool valid = r->time < end && !found[BEM_EVENT_TOUCHDOWN]; /* water that meets itself is not */
+    if (valid) TRY(bem_output_series(&r->output, &r->flow, r->stepper, r->time, r->dt));
     work += (double)r->flow.surface.n;
     progress_step(progress, step, r->time * r->output.time_scale, r->dt * r->output.time_scale,
                   work, "node", r->output.drift);
