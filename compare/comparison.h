@@ -47,7 +47,7 @@ struct comparison {
   struct cmp_scales scales;
   struct geo_box window; /* finite */
   bool window_whole;     /* the window leaves nothing out */
-  double depth;          /* at which fronts are taken; the least overhang of a jet; films */
+  double depth;          /* at which fronts are taken; films on walls are thinner */
   struct cmp_run ref;    /* at, evolution unused; pairs: against experiments */
   size_t n_runs;
   struct cmp_run *run;

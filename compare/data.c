@@ -118,7 +118,7 @@ static enum status lines_scaled(const struct geo_lines *from, double H, struct g
 
 static enum status surfaces(const struct result_file *f, const struct cmp_scales *s, double depth,
                             const struct geo_box *window, struct cmp_data *d) {
-  struct cmp_jet_place place = {&d->walls, *window, 1, depth};
+  struct cmp_jet_place place = {&d->walls, *window, 1, CMP_JET_LEAST * depth, depth};
   size_t n = f->n_surfaces;
   d->t = calloc(n + 1, sizeof *d->t);
   d->surface = calloc(n + 1, sizeof *d->surface);

@@ -47,8 +47,11 @@ struct cmp_data {
   struct cmp_instant impact, overturning, touchdown;
 };
 
-/* `depth` (in H): the front is where the depth falls to it; the least overhang of a jet. `window`
- * (in H): where jets are looked for. */
+/* A jet overhangs by more than this many times the depth at which fronts are taken. */
+#define CMP_JET_LEAST 1.5
+
+/* `depth` (in H): the front is where the depth falls to it, and films on walls are thinner.
+ * `window` (in H): where jets are looked for. */
 enum status cmp_data_create(const struct result_file *file, const struct cmp_scales *s,
                             double depth, const struct geo_box *window, struct cmp_data *d);
 void cmp_data_destroy(struct cmp_data *d);

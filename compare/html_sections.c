@@ -192,15 +192,17 @@ void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity 
       both_cell(p, &a->peak_time, &b->peak_time, &why);
       both_cell(p, &a->impulse, &b->impulse, &why);
       html_value(p, &pair->m.rms, &why);
-      html_value(p, &pair->m.shift, &why);
-      html_value(p, &pair->m.rms_after, &why);
+      if (cmp_known(&pair->m.shift))
+        html_cell(p, NULL, "%.3g → %.3g", pair->m.shift.value, pair->m.rms_after.value);
+      else
+        html_value(p, &pair->m.shift, &why);
       page_close(p);
     }
   }
   html_table_close(p);
   page_element(p, "p", "soft",
                "In brackets: the same of what it is compared with, over the same common time. "
-               "Best shift: positive when the run is late.");
+               "Best shift: positive when the run is late; it is not applied.");
   html_reasons_list(p, &why);
 }
 
@@ -299,9 +301,12 @@ void html_method(struct page *p, const struct comparison *c) {
                100 * CMP_MAIN_FRACTION);
   page_element(
       p, "li", NULL,
-      "Distances are taken from points every dx/2 along one surface, inside the window, to "
-      "the whole other surface, in both directions. Hausdorff and discrete Fréchet "
-      "distances are those of GEOS on the same points.");
+      "Mean and largest distance: from points every dx/2 along one main surface, inside the "
+      "window, to the whole of the other, in both directions. Films thinner than %.3g H (two "
+      "spacings of the coarsest run) on the tank's walls are left out, since no particle method "
+      "resolves them: points closer than that to a wall are not taken. The Hausdorff distance and "
+      "the discrete Fréchet distance (of the longest connected parts) leave out nothing.",
+      c->depth);
   page_element(
       p, "li", NULL,
       "Area: free surfaces are closed along the tank into regions of water; the area is "
@@ -315,12 +320,14 @@ void html_method(struct page *p, const struct comparison *c) {
       c->depth);
   page_element(
       p, "li", NULL,
-      "Jet: where the longest piece turns back by more than %.4g H. The tip is its point "
-      "furthest along the jet's own direction, which runs from the middle of the section at "
-      "0.1 H to the tip; thickness is the distance between the points where circles about "
+      "Jet: where the longest piece turns back by more than %.4g H "
+      "(three spacings of the coarsest run), films on walls left out. The tip is where "
+      "the surface turns most sharply around water (points 0.2 H before and after it along the "
+      "surface are closest); the direction runs to it from the middle of the section 0.2 H "
+      "behind; thickness is the distance between the points where circles about "
       "the tip cut its two sides; the cavity is closed by the vertical through the tip. "
       "Direction is counted counter-clockwise from +x.",
-      c->depth);
+      CMP_JET_LEAST * c->depth);
   page_element(
       p, "li", NULL,
       "Signals are compared over the time both cover, interpolated linearly. Arrival: first "

@@ -20,8 +20,8 @@ static bool inside(const double *p, const struct geo_box *box) {
 static bool fold_counts(const double (*p)[2], size_t right, size_t left,
                         const struct cmp_jet_place *place) {
   return inside(p[right], &place->window) && inside(p[left], &place->window) &&
-         cmp_wall_distance(place->walls, p[right]) >= place->least &&
-         cmp_wall_distance(place->walls, p[left]) >= place->least;
+         cmp_wall_distance(place->walls, p[right]) >= place->film &&
+         cmp_wall_distance(place->walls, p[left]) >= place->film;
 }
 
 /* Of all places where the surface turns back by more than `least` before going on, the largest. A

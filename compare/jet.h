@@ -27,8 +27,8 @@ struct cmp_jet_place {
   const struct geo_lines *walls;
   struct geo_box window;
   double H;     /* scale of the stations */
-  double least; /* the overhang that noise may have, about two particle spacings; and the thickness
-                   of films on walls, whose folds are not jets */
+  double least; /* the overhang that noise may have: about three particle spacings */
+  double film;  /* the thickness of films on walls, whose folds are not jets */
 };
 
 /* The jet with the largest overhang inside the window. All lengths alike in m, or in H with H = 1.

@@ -63,8 +63,9 @@ static bool jets(const struct look *l, const struct cmp_jet **a, const struct cm
   if ((*a)->found && (*b)->found) return true;
   const char *who = (*a)->found ? l->c->ref.data.label : l->run->data.label;
   *why = !(*a)->found && !(*b)->found
-             ? cmp_unknown("neither surface overhangs by %.3g H", l->c->depth)
-             : cmp_unknown("the surface of %.40s does not overhang by %.3g H", who, l->c->depth);
+             ? cmp_unknown("neither surface overhangs by %.3g H", CMP_JET_LEAST * l->c->depth)
+             : cmp_unknown("the surface of %.40s does not overhang by %.3g H", who,
+                           CMP_JET_LEAST * l->c->depth);
   return false;
 }
 

@@ -339,9 +339,9 @@ static void view_around(const struct cmp_jet *jet, struct geo_box *view) {
     }
 }
 
+/* Drawn when the reference has a jet: of one that only a run has, the overlay shows enough. */
 static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, size_t time) {
   const struct cmp_jet *main = jet_at(c, time, c->n_runs);
-  for (size_t r = 0; r < c->n_runs && !main; r++) main = jet_at(c, time, r);
   if (!main) return OK;
   struct geo_box view;
   view_around(main, &view);

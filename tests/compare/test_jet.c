@@ -7,7 +7,7 @@
 /* An empty world around the surface: no walls, no window. */
 static void find(const struct geo_lines *l, struct cmp_jet *jet) {
   static const struct geo_lines no_walls = {0};
-  struct cmp_jet_place place = {&no_walls, {{-9, -9}, {9, 9}}, 1, 0.04};
+  struct cmp_jet_place place = {&no_walls, {{-9, -9}, {9, 9}}, 1, 0.04, 0.04};
   cmp_jet_find(l, &place, jet);
 }
 
@@ -104,7 +104,7 @@ static void test_wall_films_and_what_is_outside_do_not_count(void) {
   for (int i = 0; i < 7; i++) shape_point(&l, points[i][0], points[i][1]);
   find(&l, &jet);
   EXPECT(jet.found && jet.overhang > 0.08);
-  struct cmp_jet_place place = {&walls, {{-9, -9}, {9, 9}}, 1, 0.04};
+  struct cmp_jet_place place = {&walls, {{-9, -9}, {9, 9}}, 1, 0.04, 0.04};
   cmp_jet_find(&l, &place, &jet);
   EXPECT(!jet.found);
   geo_lines_destroy(&l);
