@@ -373,3 +373,13 @@ void comparison_destroy(struct comparison *c) {
   free(c->times);
   free(c);
 }
+
+bool comparison_has_front(const struct comparison *c) {
+  const struct cmp_series *front = &c->ref.data.front;
+  double low = INFINITY, high = -INFINITY;
+  for (size_t i = 0; i < front->n; i++) {
+    low = fmin(low, front->value[i]);
+    high = fmax(high, front->value[i]);
+  }
+  return high - low > c->depth;
+}

@@ -58,3 +58,6 @@ struct comparison {
 enum status comparison_create(const struct case_file *settings, const struct result_file *ref,
                               size_t n, struct result_file *const *runs, struct comparison **out);
 void comparison_destroy(struct comparison *c);
+
+/* Whether a front runs in the reference: it moves by more than what it is known to. */
+bool comparison_has_front(const struct comparison *c);

@@ -9,18 +9,45 @@
 #include "compare/style.h"
 #include "compare/summary.h"
 
+/* Whether there is anything to say on a subject. */
+static bool has_always(const struct comparison *c) {
+  (void)c;
+  return true;
+}
+
+static bool has_jet(const struct comparison *c) {
+  for (size_t r = 0; r <= c->n_runs; r++) {
+    const struct cmp_data *d = &cmp_run_or_ref(c, r < c->n_runs ? r : SIZE_MAX)->data;
+    if (cmp_known(&d->overturning.time) || cmp_known(&d->touchdown.time)) return true;
+  }
+  return false;
+}
+
+static bool has_front(const struct comparison *c) {
+  return comparison_has_front(c);
+}
+
+static bool has_probes(const struct comparison *c) {
+  return c->ref.data.n_probes > 0;
+}
+
+static bool has_gauges(const struct comparison *c) {
+  return c->ref.data.n_gauges > 0;
+}
+
+/* X(name, title, has): the report's sections, in order. */
 #define SECTIONS(X)                                                                                \
-  X(summary, "Summary")                                                                            \
-  X(checks, "Checks")                                                                              \
-  X(distance, "Distance against time")                                                             \
-  X(overlays, "Overlays")                                                                          \
-  X(jet, "Plunging jet")                                                                           \
-  X(front, "Front")                                                                                \
-  X(energy, "Energy")                                                                              \
-  X(pressure, "Pressure")                                                                          \
-  X(gauges, "Water height")                                                                        \
-  X(runs, "Runs and provenance")                                                                   \
-  X(method, "How it is measured")
+  X(summary, "Summary", has_always)                                                                \
+  X(checks, "Checks", has_always)                                                                  \
+  X(distance, "Distance against time", has_always)                                                 \
+  X(overlays, "Overlays", has_always)                                                              \
+  X(jet, "Plunging jet", has_jet)                                                                  \
+  X(front, "Front", has_front)                                                                     \
+  X(energy, "Energy", has_always)                                                                  \
+  X(pressure, "Pressure", has_probes)                                                              \
+  X(gauges, "Water height", has_gauges)                                                            \
+  X(runs, "Runs and provenance", has_always)                                                       \
+  X(method, "How it is measured", has_always)
 
 static void section(struct page *p, const char *id, const char *title) {
   page_open(p, "h2", NULL);
@@ -29,14 +56,16 @@ static void section(struct page *p, const char *id, const char *title) {
   page_close(p);
 }
 
-static void contents(struct page *p) {
+static void contents(struct page *p, const struct comparison *c) {
   page_open(p, "nav", NULL);
   page_element(p, "b", NULL, "plunge report");
-#define X(name, title)                                                                             \
-  page_open(p, "a", NULL);                                                                         \
-  page_attribute(p, "href", "#" #name);                                                            \
-  page_text(p, "%s", title);                                                                       \
-  page_close(p);
+#define X(name, title, has)                                                                        \
+  if (has(c)) {                                                                                    \
+    page_open(p, "a", NULL);                                                                       \
+    page_attribute(p, "href", "#" #name);                                                          \
+    page_text(p, "%s", title);                                                                     \
+    page_close(p);                                                                                 \
+  }
   SECTIONS(X)
 #undef X
   page_close(p);
@@ -65,6 +94,30 @@ static void agreement_cell(struct page *p, const struct cmp_run *run, struct htm
     html_cell(p, NULL, "%.4g (end)", shared);
 }
 
+/* Columns of the summary after the distances; one that no run has a number for is left out. */
+static const struct {
+  const char *heading, *measure;
+  bool last; /* at the last comparison time */
+} columns[] = {
+    {"front / H", "front", false},     {"touchdown t*", "touchdown_time", false},
+    {"probe rms", "probe_rms", false}, {"rms to experiment", "experiment_probe_rms", false},
+    {"energy lost", "decay", true},    {"budget until impact", "budget_before_impact", false}};
+enum { COLUMNS = sizeof columns / sizeof *columns };
+
+static const struct cmp_row *column_row(const struct comparison *c, const struct cmp_rows *rows,
+                                        size_t k, size_t r) {
+  if (columns[k].last && !c->n_times) return NULL;
+  return cmp_rows_find(rows, columns[k].measure, r, columns[k].last ? c->n_times - 1 : SIZE_MAX);
+}
+
+static bool column_shown(const struct comparison *c, const struct cmp_rows *rows, size_t k) {
+  for (size_t r = 0; r < c->n_runs; r++) {
+    const struct cmp_row *row = column_row(c, rows, k, r);
+    if (row && cmp_known(&row->value)) return true;
+  }
+  return false;
+}
+
 static void summary_row(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
                         size_t r, struct html_reasons *why) {
   const struct cmp_run *run = &c->run[r];
@@ -79,12 +132,8 @@ static void summary_row(struct page *p, const struct comparison *c, const struct
     else
       html_value(p, v, why);
   }
-  static const char *const once[] = {"front", "touchdown_time", "probe_rms",
-                                     "experiment_probe_rms"};
-  for (size_t k = 0; k < sizeof once / sizeof *once; k++)
-    html_value(p, &cmp_rows_find(rows, once[k], r, SIZE_MAX)->value, why);
-  if (c->n_times) html_value(p, &cmp_rows_find(rows, "decay", r, c->n_times - 1)->value, why);
-  html_value(p, &run->closure_before, why);
+  for (size_t k = 0; k < COLUMNS; k++)
+    if (column_shown(c, rows, k)) html_value(p, &column_row(c, rows, k, r)->value, why);
   page_close(p);
 }
 
@@ -93,7 +142,6 @@ static enum status summary(struct page *p, const struct comparison *c,
   struct html_reasons why = {0};
   size_t *order;
   TRY(cmp_summary_order(c, &order));
-  section(p, "summary", "Summary");
   html_table_open(p);
   page_open(p, "tr", NULL);
   page_element(p, "th", "t", "run");
@@ -101,12 +149,13 @@ static enum status summary(struct page *p, const struct comparison *c,
   page_element(p, "th", NULL, "within one dx until t*");
   for (size_t k = 0; k < c->n_times; k++)
     page_element(p, "th", NULL, "mean distance / H at %.4g", c->times[k]);
-  static const char *const headings[] = {"front / H", "touchdown t*", "probe rms",
-                                         "rms to experiment"};
-  for (size_t k = 0; k < sizeof headings / sizeof *headings; k++)
-    page_element(p, "th", NULL, "%s", headings[k]);
-  if (c->n_times) page_element(p, "th", NULL, "energy lost at %.4g", c->times[c->n_times - 1]);
-  page_element(p, "th", NULL, "budget until impact");
+  for (size_t k = 0; k < COLUMNS; k++) {
+    if (!column_shown(c, rows, k)) continue;
+    if (columns[k].last)
+      page_element(p, "th", NULL, "energy lost at %.4g", c->times[c->n_times - 1]);
+    else
+      page_element(p, "th", NULL, "%s", columns[k].heading);
+  }
   page_close(p);
   for (size_t k = 0; k < c->n_runs; k++) summary_row(p, c, rows, order[k], &why);
   html_table_close(p);
@@ -145,7 +194,6 @@ static void check_row(struct page *p, const struct comparison *c, const struct c
 
 static void checks(struct page *p, const struct comparison *c, const struct cmp_rows *rows) {
   struct html_reasons why = {0};
-  section(p, "checks", "Checks");
   if (!rows->passed && !rows->failed) {
     page_element(
         p, "p", NULL,
@@ -171,49 +219,88 @@ static void checks(struct page *p, const struct comparison *c, const struct cmp_
 
 /* ---- the page ---- */
 
-static enum status body(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
-                        const struct cmp_figures *figures) {
-  TRY(summary(p, c, rows));
-  checks(p, c, rows);
+struct content { /* what sections are written from */
+  const struct comparison *c;
+  const struct cmp_rows *rows;
+  const struct cmp_figures *figures;
+};
 
-  section(p, "distance", "Distance against time");
-  TRY(html_figures(p, figures, CMP_SECTION_DISTANCE));
-  html_measures(p, c, rows,
+static enum status write_summary(struct page *p, const struct content *w) {
+  return summary(p, w->c, w->rows);
+}
+
+static enum status write_checks(struct page *p, const struct content *w) {
+  checks(p, w->c, w->rows);
+  return OK;
+}
+
+static enum status write_distance(struct page *p, const struct content *w) {
+  TRY(html_figures(p, w->figures, CMP_SECTION_DISTANCE));
+  html_measures(p, w->c, w->rows,
                 (const char *const[]){"mean_distance", "largest_distance", "hausdorff", "frechet",
                                       "area", NULL});
-  section(p, "overlays", "Overlays");
-  TRY(html_figures(p, figures, CMP_SECTION_OVERLAY));
+  return OK;
+}
 
-  section(p, "jet", "Plunging jet");
-  html_jets(p, c);
-  TRY(html_figures(p, figures, CMP_SECTION_JET));
+static enum status write_overlays(struct page *p, const struct content *w) {
+  return html_figures(p, w->figures, CMP_SECTION_OVERLAY);
+}
+
+static enum status write_jet(struct page *p, const struct content *w) {
+  html_jets(p, w->c);
+  TRY(html_figures(p, w->figures, CMP_SECTION_JET));
   page_element(p, "h3", NULL, "Differences from the reference");
-  html_measures(p, c, rows,
+  html_measures(p, w->c, w->rows,
                 (const char *const[]){"jet_tip", "jet_direction", "jet_thickness", "jet_cavity",
                                       "overturning_time", "touchdown_time", NULL});
+  return OK;
+}
 
-  section(p, "front", "Front");
-  TRY(html_figures(p, figures, CMP_SECTION_FRONT));
-  html_measures(p, c, rows, (const char *const[]){"front", NULL});
+static enum status write_front(struct page *p, const struct content *w) {
+  TRY(html_figures(p, w->figures, CMP_SECTION_FRONT));
+  html_measures(p, w->c, w->rows, (const char *const[]){"front", NULL});
+  html_signals(p, w->c, CMP_FRONT);
+  return OK;
+}
 
-  section(p, "energy", "Energy");
-  TRY(html_figures(p, figures, CMP_SECTION_ENERGY));
-  html_measures(p, c, rows,
+static enum status write_energy(struct page *p, const struct content *w) {
+  TRY(html_figures(p, w->figures, CMP_SECTION_ENERGY));
+  html_measures(p, w->c, w->rows,
                 (const char *const[]){"kinetic", "potential", "mechanical", "decay", "budget",
                                       "budget_before_impact", "volume", NULL});
+  return OK;
+}
 
-  section(p, "pressure", "Pressure");
-  TRY(html_figures(p, figures, CMP_SECTION_PRESSURE));
-  html_signals(p, c, CMP_PRESSURE);
+static enum status write_pressure(struct page *p, const struct content *w) {
+  TRY(html_figures(p, w->figures, CMP_SECTION_PRESSURE));
+  html_signals(p, w->c, CMP_PRESSURE);
+  return OK;
+}
 
-  section(p, "gauges", "Water height");
-  TRY(html_figures(p, figures, CMP_SECTION_GAUGE));
-  html_signals(p, c, CMP_ELEVATION);
+static enum status write_gauges(struct page *p, const struct content *w) {
+  TRY(html_figures(p, w->figures, CMP_SECTION_GAUGE));
+  html_signals(p, w->c, CMP_ELEVATION);
+  return OK;
+}
 
-  section(p, "runs", "Runs and provenance");
-  html_provenance(p, c);
-  section(p, "method", "How it is measured");
-  html_method(p, c);
+static enum status write_runs(struct page *p, const struct content *w) {
+  html_provenance(p, w->c);
+  return OK;
+}
+
+static enum status write_method(struct page *p, const struct content *w) {
+  html_method(p, w->c);
+  return OK;
+}
+
+static enum status body(struct page *p, const struct content *w) {
+#define X(name, title, has)                                                                        \
+  if (has(w->c)) {                                                                                 \
+    section(p, #name, title);                                                                      \
+    TRY(write_##name(p, w));                                                                       \
+  }
+  SECTIONS(X)
+#undef X
   return OK;
 }
 
@@ -223,7 +310,7 @@ static enum status page_write(struct page *p, const struct comparison *c,
   const char *title = c->ref.data.file->title;
   head(p, title && *title ? title : "plunge report");
   page_open(p, "body", NULL);
-  contents(p);
+  contents(p, c);
   page_open(p, "main", NULL);
   page_element(p, "h1", NULL, "%s", title && *title ? title : "plunge report");
   page_element(p, "p",
@@ -231,7 +318,7 @@ static enum status page_write(struct page *p, const struct comparison *c,
                : rows->passed ? "lead pass"
                               : "lead",
                "%s", sentence);
-  TRY(body(p, c, rows, figures));
+  TRY(body(p, &(struct content){c, rows, figures}));
   page_close(p);
   page_close(p);
   page_close(p);

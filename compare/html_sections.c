@@ -88,7 +88,7 @@ static void jets_table(struct page *p, const struct comparison *c) {
       any = any || jet_of(c, k, r < c->n_runs ? r : SIZE_MAX) != NULL;
   if (!any) {
     page_element(p, "p", NULL, "No surface overhangs by more than %.3g H at the comparison times.",
-                 c->depth);
+                 CMP_JET_LEAST * c->depth);
     return;
   }
   html_table_open(p);

@@ -130,8 +130,9 @@ static struct cmp_value touchdown_time(struct look *l) {
 
 static struct cmp_value series_at(const struct cmp_data *d, const struct cmp_series *s, double t) {
   struct cmp_signal signal = cmp_series_signal(s);
-  /* outputs and series rows may miss each other by rounding at the last instant */
-  if (s->n && t > s->t[s->n - 1] && t < s->t[s->n - 1] + 1e-6) t = s->t[s->n - 1];
+  /* the last row may precede the last output by up to a sampling interval and a step */
+  double interval = s->n > 1 ? (s->t[s->n - 1] - s->t[0]) / (double)(s->n - 1) : 0;
+  if (s->n && t > s->t[s->n - 1] && t <= s->t[s->n - 1] + 2 * interval + 1e-6) t = s->t[s->n - 1];
   double v = cmp_signal_at(&signal, t);
   if (isfinite(v)) return cmp_number(v);
   if (s->n && t >= s->t[0] && t <= s->t[s->n - 1])

@@ -236,7 +236,7 @@ static void panel_title(const struct comparison *c, const struct cmp_run *run, s
   if (fabs(at->t - at->ref_t) > 1e-6 || fabs(at->t - c->times[time]) > 1e-6)
     snprintf(when, sizeof when, " (t* = %.4g, %.40s at %.4g)", at->t, ref, at->ref_t);
   if (cmp_known(&at->mean) && cmp_known(&at->area))
-    snprintf(title, room, "%.60s%s: mean %.3f H, area %.3f H²", label, when, at->mean.value,
+    snprintf(title, room, "%.60s%s: mean %.2g H, area %.2g H²", label, when, at->mean.value,
              at->area.value);
   else
     snprintf(title, room, "%.60s%s", label, when);
