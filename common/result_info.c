@@ -5,6 +5,7 @@
 
 #include "common/result.h"
 #include "common/result_diff.h"
+#include "common/result_store.h"
 
 enum { LINES = 24, COLUMNS = 100 };
 
@@ -122,7 +123,9 @@ enum status result_info(const char *path, FILE *out) {
   say(&s, "file", "%s", path);
   say(&s, "title", "%s", f->title);
   say(&s, "run", "%s (%s), %s", f->run, f->solver,
-      f->complete ? "complete" : "stopped before its end");
+      f->complete                     ? "complete"
+      : result_store_is_written(path) ? "under way"
+                                      : "stopped before its end");
   say(&s, "program", "plunge %s, revision %s, run at %s", f->version, f->revision, f->created);
   say(&s, "scales", "H = %.6g m, g = %.6g m/s^2, density %.6g kg/m^3, spacing %.5g m (H/%.5g)",
       f->H, f->g, f->density, f->spacing, f->H / f->spacing);

@@ -424,6 +424,23 @@ enum status result_store_commit(struct result_store *s, bool last) {
 
 /* ---- life ---- */
 
+/* ".NAME.next" in the same folder; NULL without memory. */
+static char *twin_path(const char *path) {
+  const char *slash = strrchr(path, '/');
+  int folder = slash ? (int)(slash - path) + 1 : 0;
+  char *twin;
+  return asprintf(&twin, "%.*s.%s.next", folder, path, path + folder) < 0 ? NULL : twin;
+}
+
+bool result_store_is_written(const char *path) {
+  char *twin = twin_path(path);
+  int fd = twin ? open(twin, O_RDONLY | O_CLOEXEC) : -1;
+  bool written = fd >= 0 && flock(fd, LOCK_SH | LOCK_NB) && errno == EWOULDBLOCK;
+  if (fd >= 0) close(fd);
+  free(twin);
+  return written;
+}
+
 enum status result_store_create(const char *path, struct result_store **out) {
   struct result_store *s = calloc(1, sizeof *s);
   *out = NULL;
@@ -431,11 +448,9 @@ enum status result_store_create(const char *path, struct result_store **out) {
   s->fd[0] = s->fd[1] = -1;
   s->front = 1; /* so that the first commit goes into file 0 */
   s->path = strdup(path);
-  const char *slash = strrchr(path, '/');
-  int folder = slash ? (int)(slash - path) + 1 : 0;
-  if (!s->path || asprintf(&s->twin, "%.*s.%s.next", folder, path, path + folder) < 0)
-    s->twin = NULL;
-  enum status status = s->twin ? OK : status_raise(ERR_MEMORY, "no memory to write %s", path);
+  s->twin = twin_path(path);
+  enum status status =
+      s->path && s->twin ? OK : status_raise(ERR_MEMORY, "no memory to write %s", path);
   if (status == OK) status = open_twin(s, 0);
   if (status == OK && !lock_back(s)) {
     status = status_raise(ERR_IO, "another run is writing %s", path);
@@ -454,7 +469,7 @@ enum status result_store_create(const char *path, struct result_store **out) {
 
 void result_store_destroy(struct result_store *s) {
   if (!s) return;
-  if (s->fd[0] >= 0 || s->fd[1] >= 0) unlink(s->twin);
+  if (s->twin && (s->fd[0] >= 0 || s->fd[1] >= 0)) unlink(s->twin);
   for (int i = 0; i < 2; i++)
     if (s->fd[i] >= 0) close(s->fd[i]);
   for (size_t k = 0; k < s->n_pages; k++) free(s->page[k]);

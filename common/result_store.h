@@ -34,6 +34,9 @@ enum status result_store_commit(struct result_store *s, bool last);
 void result_store_destroy(
     struct result_store *s); /* leaves the last committed state; NULL is fine */
 
+/* Whether a run is writing the file at this moment (as far as file locks tell). */
+bool result_store_is_written(const char *path);
+
 enum result_seal { RESULT_SEAL_GOOD, RESULT_SEAL_NONE, RESULT_SEAL_BROKEN };
 
 /* Reads the whole file and compares it with its seal. ERR_INPUT when it cannot be read. */

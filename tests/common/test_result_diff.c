@@ -185,6 +185,24 @@ static void test_info_fits_a_screen(void) {
   if (getenv("SHOW")) puts(text);
 }
 
+static void test_info_tells_a_run_that_goes_on(void) {
+  char text[20000];
+  struct case_file *c = sample_case();
+  struct result *w = NULL;
+  EXPECT_OK(result_create(path[0], c, &c->runs[0], &w));
+  EXPECT_OK(sample_output(w, 0, 40));
+  FILE *out = fmemopen(text, sizeof text, "w");
+  EXPECT_OK(result_info(path[0], out));
+  fclose(out);
+  EXPECT(strstr(text, "antuono (sample), under way\n"));
+  result_destroy(w);
+  out = fmemopen(text, sizeof text, "w");
+  EXPECT_OK(result_info(path[0], out));
+  fclose(out);
+  EXPECT(strstr(text, "antuono (sample), stopped before its end\n"));
+  sample_case_destroy(c);
+}
+
 int main(void) {
   for (int k = 0; k < 2; k++)
     snprintf(path[k], sizeof path[k], "%s/%c.h5", sample_folder(), "ab"[k]);
@@ -197,6 +215,7 @@ int main(void) {
   RUN(test_wrong_tolerances_are_refused);
   RUN(test_trouble_is_not_a_difference);
   RUN(test_info_fits_a_screen);
+  RUN(test_info_tells_a_run_that_goes_on);
   sample_folder_remove();
   return TEST_RESULT;
 }
