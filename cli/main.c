@@ -23,10 +23,10 @@ static void print_help(FILE *out) {
         out);
 }
 
-/* Threads that wait for each other at the end of a loop spin for milliseconds by default, which costs
- * many times more than it gains as soon as another program wants the same processors. A few
- * microseconds are enough between our loops. The OpenMP library reads this before main() starts,
- * hence the second start. */
+/* Threads that wait for each other at the end of a loop spin for milliseconds by default: wasted as
+ * soon as another program wants the same processors, many times over. A thousand turns, about a
+ * microsecond, are enough between our loops. The OpenMP library reads this before main() starts, hence
+ * the second start. */
 static void pace_waiting_threads(char **argv) {
   if (getenv("OMP_WAIT_POLICY") || getenv("GOMP_SPINCOUNT")) return;
   if (!setenv("GOMP_SPINCOUNT", "1000", 1)) execv("/proc/self/exe", argv);
