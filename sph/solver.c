@@ -15,20 +15,32 @@
 #include "sph/sph.h"
 #include "sph/timestep.h"
 
-static enum status check_finite(const struct sph *s) {
+/* Values that are not finite, or a density that is not positive. */
+static enum status check_state(const struct sph *s) {
   const struct sph_state *w = &s->f.w;
-  double sum = 0; /* not finite as soon as one term is not */
-#pragma omp parallel for simd schedule(static) reduction(+ : sum)
-  for (size_t i = 0; i < s->f.n; i++)
+  double sum = 0, lightest = s->rho0; /* the sum is not finite as soon as one term is not */
+#pragma omp parallel for simd schedule(static) reduction(+ : sum) reduction(min : lightest)
+  for (size_t i = 0; i < s->f.n; i++) {
     sum += 0 * (w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]);
-  if (sum == 0) return OK;
+    lightest = fmin(lightest, w->rho[i]);
+  }
+  if (sum == 0 && lightest > 0) return OK;
   for (size_t i = 0; i < s->f.n; i++)
-    if (!isfinite(w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]))
-      return status_raise(
-          ERR_DIVERGED,
-          "particle %u at (%g, %g) m has velocity (%g, %g) m/s and density %g kg/m^3 "
-          "at t = %g s: lower cfl_acoustic, or raise alpha or delta",
-          s->f.id[i], w->x[i], w->y[i], w->u[i], w->v[i], w->rho[i], s->t);
+    if (!isfinite(w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]) || w->rho[i] <= 0)
+      return status_raise(ERR_DIVERGED,
+                          "particle %u at (%g, %g) m has velocity (%g, %g) m/s and density %g "
+                          "kg/m^3 at t = %g s: raise c0, alpha or delta, or lower cfl_acoustic",
+                          s->f.id[i], w->x[i], w->y[i], w->u[i], w->v[i], w->rho[i], s->t);
+  return OK;
+}
+
+/* Steps that shrink to nothing never end: some particle is being torn away. */
+static enum status check_step(const struct sph *s, double dt, double left) {
+  const double smallest = 1e-6 * s->h / s->c0;
+  CHECK(dt >= smallest || dt >= left, ERR_DIVERGED,
+        "the time step fell to %.2g s at t = %g s (speed up to %.3g m/s, acceleration up to %.3g "
+        "m/s^2): raise c0, alpha or delta",
+        dt, s->t, s->totals.speed, sqrt(s->totals.acceleration2));
   return OK;
 }
 
@@ -41,9 +53,10 @@ static enum status march(const struct case_file *c, struct sph *s, struct sph_ou
     TRY(sph_remove_outside(s));
     TRY(sph_rates(s, 0, true, true));
     double next = sph_output_next(output), dt = sph_timestep(s, next);
+    TRY(check_step(s, dt, next - s->t));
     TRY(sph_step(s, dt));
     if (next - s->t < 1e-9 * dt) s->t = next;
-    TRY(check_finite(s));
+    TRY(check_state(s));
     TRY(sph_output_step(output, s, dt));
     work += (double)s->f.n;
     progress_step(progress, s->steps, s->t, dt, work, "particles", sph_output_drift(output));

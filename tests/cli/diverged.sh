@@ -1,0 +1,27 @@
+# A run that blows up says where and when, fails with exit code 3, and leaves its outputs readable.
+set -u
+plunge=$1
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+export OMP_NUM_THREADS=1
+cat >"$dir/case.yaml" <<'YAML'
+title: a speed of sound far below that of the water
+scales: {H: 0.6}
+tank:
+  walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]
+water:
+  regions: [[[0, 0], [2 H, 0], [2 H, H], [0, H]]]
+  pressure: released
+time: {end: 4 sqrt(H/g), every: 0.05 sqrt(H/g)}
+runs:
+  - {name: none, solver: sph, resolution: 8, diffusion: none, alpha: 0, c0: 0.3, cfl_acoustic: 10, cfl_acceleration: 10}
+YAML
+fail=0
+"$plunge" run "$dir/case.yaml" --out "$dir" --quiet >"$dir/out" 2>"$dir/err"
+code=$?
+[ $code -eq 3 ] || { echo "exit code $code, expected 3"; fail=1; }
+grep -q 'run none: particle [0-9]* at .* at t = .* s: raise c0' "$dir/err" ||
+  { echo "no particle, place and time in:"; cat "$dir/err"; fail=1; }
+"$plunge" info "$dir/none.h5" >"$dir/info" || { echo "its file is not readable"; fail=1; }
+grep -q 'stopped before its end' "$dir/info" || { echo "the file does not say that it is incomplete"; fail=1; }
+exit $fail
