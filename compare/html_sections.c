@@ -173,8 +173,8 @@ void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity 
   if (!shown) return;
   html_table_open(p);
   html_headings(p, (const char *const[]){"run", "signal", "common t*", "arrival t*", "peak",
-                                         "time of peak", "impulse", "rms difference", "best shift",
-                                         "rms if shifted", NULL});
+                                         "time of peak", "impulse", "rms difference",
+                                         "best shift → rms then", NULL});
   for (size_t i = 0; i <= c->n_runs; i++) {
     size_t r = i == 0 ? SIZE_MAX : i - 1;
     const struct cmp_run *run = cmp_run_or_ref(c, r);
@@ -220,7 +220,6 @@ static void provenance_row(struct page *p, const struct comparison *c, size_t r)
   html_cell(p, NULL, "%.0f", f->n_steps ? f->steps[f->n_steps - 1].evaluations : 0.);
   html_cell(p, NULL, "%.1f", f->n_steps ? f->steps[f->n_steps - 1].wall_time : 0.);
   html_cell(p, "t", "%s, %s", f->version, f->revision);
-  html_cell(p, "t", "%.12s", f->fingerprint);
   html_cell(p, "w", "%s", f->path);
   page_close(p);
 }
@@ -259,8 +258,7 @@ static void case_text(struct page *p, const struct comparison *c, size_t r) {
 void html_provenance(struct page *p, const struct comparison *c) {
   html_table_open(p);
   html_headings(p, (const char *const[]){"run", "solver", "H/spacing", "outputs", "last t*",
-                                         "evaluations", "clock [s]", "program", "fingerprint",
-                                         "file", NULL});
+                                         "evaluations", "clock [s]", "program", "file", NULL});
   for (size_t i = 0; i <= c->n_runs; i++) provenance_row(p, c, i == 0 ? SIZE_MAX : i - 1);
   html_table_close(p);
   page_element(p, "p", "soft", "This report was made by plunge %s, revision %s.", PLUNGE_VERSION,

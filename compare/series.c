@@ -74,20 +74,22 @@ void cmp_signal_measure(const struct cmp_signal *s, double from, double to, doub
   m->onset = onset(s, threshold);
 }
 
-/* rms of a(t + shift) - b(t) over [from, to], trapezoidal on `points` instants; NaN when fewer than
- * four fifths of them have both. */
+/* rms of a(t + shift) - b(t) over [from, to], trapezoidal on `points` instants at which both are
+ * there (where both are not, as at a gauge that is still dry, there is nothing to compare); NaN
+ * when that is less than four fifths of those at which one is. */
 static double rms_shifted(const struct cmp_signal *a, const struct cmp_signal *b, double from,
                           double to, double shift, size_t points) {
-  double sum = 0, weight = 0;
+  double sum = 0, both = 0, either = 0;
   for (size_t i = 0; i < points; i++) {
     double t = from + (to - from) * (double)i / (double)(points - 1);
-    double d = cmp_signal_at(a, t + shift) - cmp_signal_at(b, t);
+    double x = cmp_signal_at(a, t + shift), y = cmp_signal_at(b, t);
     double w = i == 0 || i + 1 == points ? 0.5 : 1;
-    if (!isfinite(d)) continue;
-    sum += w * d * d;
-    weight += w;
+    if (isfinite(x) || isfinite(y)) either += w;
+    if (!isfinite(x - y)) continue;
+    sum += w * (x - y) * (x - y);
+    both += w;
   }
-  return weight >= 0.8 * (double)(points - 1) ? sqrt(sum / weight) : NAN;
+  return both > 0 && both >= 0.8 * either ? sqrt(sum / both) : NAN;
 }
 
 static void best_shift(const struct cmp_signal *a, const struct cmp_signal *b, double reach,

@@ -101,6 +101,20 @@ static void test_gaps_are_not_zeros(void) {
   EXPECT(!cmp_known(&m.rms) && m.rms.why[0]);
 }
 
+/* A gauge that is dry in both until t = 2 and then 0.1 higher in one. */
+static void test_dry_in_both_is_no_gap(void) {
+  fill(0);
+  for (int i = 0; i < N; i++) {
+    b[i] = t[i] < 2 ? NAN : 0.3 + 0.1 * sin(t[i]);
+    a[i] = b[i] + 0.1;
+  }
+  struct cmp_signal x = signal(a), y = signal(b);
+  struct cmp_signal_pair m;
+  cmp_signal_compare(&x, &y, 0.1, 0.1, &m);
+  EXPECT_NEAR(m.rms.value, 0.1, 1e-9);
+  EXPECT_NEAR(m.a.onset.value, 2, 0.0026); /* the first wet row */
+}
+
 int main(void) {
   RUN(test_pulse_has_its_peak_impulse_and_onset);
   RUN(test_shift_is_found_and_not_applied);
@@ -108,5 +122,6 @@ int main(void) {
   RUN(test_rms_of_known_differences);
   RUN(test_common_range);
   RUN(test_gaps_are_not_zeros);
+  RUN(test_dry_in_both_is_no_gap);
   return TEST_RESULT;
 }
