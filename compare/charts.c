@@ -300,7 +300,7 @@ static enum status front_chart(const struct comparison *c, struct cmp_figures *f
       c->depth);
   struct family family = {.target = "front", .column = "front [H]", .label = "x_{front} / H"};
   const struct cmp_value *impact = &c->ref.data.impact.time; /* what follows is no front */
-  if (!comparison_has_front(c)) return OK;
+  if (!cmp_comparison_has_front(c)) return OK;
   if (cmp_known(impact)) family.end = 1.1 * impact->value;
   return picked_chart(c, f, CMP_SECTION_FRONT, "front", caption, pick_own, "front", family);
 }

@@ -308,8 +308,9 @@ static enum status same_scales(const struct result_file *ref, const struct resul
   return OK;
 }
 
-enum status comparison_create(const struct case_file *settings, const struct result_file *ref,
-                              size_t n, struct result_file *const *runs, struct comparison **out) {
+enum status cmp_comparison_create(const struct case_file *settings, const struct result_file *ref,
+                                  size_t n, struct result_file *const *runs,
+                                  struct comparison **out) {
   enum status status = OK;
   struct cmp_geos *g = NULL;
   struct comparison *c = calloc(1, sizeof *c);
@@ -348,7 +349,7 @@ enum status comparison_create(const struct case_file *settings, const struct res
 done:
   cmp_geos_destroy(g);
   if (status != OK) {
-    comparison_destroy(c);
+    cmp_comparison_destroy(c);
     c = NULL;
   }
   *out = c;
@@ -365,7 +366,7 @@ static void run_destroy(struct cmp_run *run) {
   free(run->pairs);
 }
 
-void comparison_destroy(struct comparison *c) {
+void cmp_comparison_destroy(struct comparison *c) {
   if (!c) return;
   run_destroy(&c->ref);
   for (size_t r = 0; c->run && r < c->n_runs; r++) run_destroy(&c->run[r]);
@@ -374,7 +375,7 @@ void comparison_destroy(struct comparison *c) {
   free(c);
 }
 
-bool comparison_has_front(const struct comparison *c) {
+bool cmp_comparison_has_front(const struct comparison *c) {
   const struct cmp_series *front = &c->ref.data.front;
   double low = INFINITY, high = -INFINITY;
   for (size_t i = 0; i < front->n; i++) {

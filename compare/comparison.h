@@ -55,9 +55,10 @@ struct comparison {
   double *times; /* t*, ascending */
 };
 
-enum status comparison_create(const struct case_file *settings, const struct result_file *ref,
-                              size_t n, struct result_file *const *runs, struct comparison **out);
-void comparison_destroy(struct comparison *c);
+enum status cmp_comparison_create(const struct case_file *settings, const struct result_file *ref,
+                                  size_t n, struct result_file *const *runs,
+                                  struct comparison **out);
+void cmp_comparison_destroy(struct comparison *c);
 
 /* Whether a front runs in the reference: it moves by more than what it is known to. */
-bool comparison_has_front(const struct comparison *c);
+bool cmp_comparison_has_front(const struct comparison *c);

@@ -24,7 +24,7 @@ static bool has_jet(const struct comparison *c) {
 }
 
 static bool has_front(const struct comparison *c) {
-  return comparison_has_front(c);
+  return cmp_comparison_has_front(c);
 }
 
 static bool has_probes(const struct comparison *c) {
@@ -50,48 +50,49 @@ static bool has_gauges(const struct comparison *c) {
   X(method, "How it is measured", has_always)
 
 static void section(struct page *p, const char *id, const char *title) {
-  page_open(p, "h2", NULL);
-  page_attribute(p, "id", id);
-  page_text(p, "%s", title);
-  page_close(p);
+  cmp_page_open(p, "h2", NULL);
+  cmp_page_attribute(p, "id", id);
+  cmp_page_text(p, "%s", title);
+  cmp_page_close(p);
 }
 
 static void contents(struct page *p, const struct comparison *c) {
-  page_open(p, "nav", NULL);
-  page_element(p, "b", NULL, "plunge report");
+  cmp_page_open(p, "nav", NULL);
+  cmp_page_element(p, "b", NULL, "plunge report");
 #define X(name, title, has)                                                                        \
   if (has(c)) {                                                                                    \
-    page_open(p, "a", NULL);                                                                       \
-    page_attribute(p, "href", "#" #name);                                                          \
-    page_text(p, "%s", title);                                                                     \
-    page_close(p);                                                                                 \
+    cmp_page_open(p, "a", NULL);                                                                   \
+    cmp_page_attribute(p, "href", "#" #name);                                                      \
+    cmp_page_text(p, "%s", title);                                                                 \
+    cmp_page_close(p);                                                                             \
   }
   SECTIONS(X)
 #undef X
-  page_close(p);
+  cmp_page_close(p);
 }
 
 static void head(struct page *p, const char *title) {
-  page_open(p, "html", NULL);
-  page_attribute(p, "lang", "en");
-  page_open(p, "head", NULL);
-  page_raw(p, "<meta charset=\"utf-8\"/>"
-              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>");
-  page_element(p, "title", NULL, "%s", title);
-  page_open(p, "style", NULL);
-  page_raw(p, report_style);
-  page_close(p);
-  page_close(p);
+  cmp_page_open(p, "html", NULL);
+  cmp_page_attribute(p, "lang", "en");
+  cmp_page_open(p, "head", NULL);
+  cmp_page_raw(p, "<meta charset=\"utf-8\"/>"
+                  "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>");
+  cmp_page_element(p, "title", NULL, "%s", title);
+  cmp_page_open(p, "style", NULL);
+  cmp_page_raw(p, report_style);
+  cmp_page_close(p);
+  cmp_page_close(p);
 }
 
 /* ---- summary ---- */
 
-static void agreement_cell(struct page *p, const struct cmp_run *run, struct html_reasons *why) {
+static void agreement_cell(struct page *p, const struct cmp_run *run,
+                           struct cmp_html_reasons *why) {
   double shared = cmp_summary_shared(run);
   if (cmp_known(&run->agreement) || !isfinite(shared))
-    html_value(p, &run->agreement, why);
+    cmp_html_value(p, &run->agreement, why);
   else
-    html_cell(p, NULL, "%.4g (end)", shared);
+    cmp_html_cell(p, NULL, "%.4g (end)", shared);
 }
 
 /* Columns of the summary after the distances; one that no run has a number for is left out. */
@@ -119,53 +120,53 @@ static bool column_shown(const struct comparison *c, const struct cmp_rows *rows
 }
 
 static void summary_row(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
-                        size_t r, struct html_reasons *why) {
+                        size_t r, struct cmp_html_reasons *why) {
   const struct cmp_run *run = &c->run[r];
-  page_open(p, "tr", NULL);
-  html_run(p, c, r);
-  html_cell(p, NULL, "%.4g", run->data.dx);
+  cmp_page_open(p, "tr", NULL);
+  cmp_html_run(p, c, r);
+  cmp_html_cell(p, NULL, "%.4g", run->data.dx);
   agreement_cell(p, run, why);
   for (size_t k = 0; k < c->n_times; k++) {
     const struct cmp_value *v = &run->at[k].mean;
     if (cmp_known(v) && v->value < run->noise)
-      html_cell(p, "below", "%.3g", v->value);
+      cmp_html_cell(p, "below", "%.3g", v->value);
     else
-      html_value(p, v, why);
+      cmp_html_value(p, v, why);
   }
   for (size_t k = 0; k < COLUMNS; k++)
-    if (column_shown(c, rows, k)) html_value(p, &column_row(c, rows, k, r)->value, why);
-  page_close(p);
+    if (column_shown(c, rows, k)) cmp_html_value(p, &column_row(c, rows, k, r)->value, why);
+  cmp_page_close(p);
 }
 
 static enum status summary(struct page *p, const struct comparison *c,
                            const struct cmp_rows *rows) {
-  struct html_reasons why = {0};
+  struct cmp_html_reasons why = {0};
   size_t *order;
   TRY(cmp_summary_order(c, &order));
-  html_table_open(p);
-  page_open(p, "tr", NULL);
-  page_element(p, "th", "t", "run");
-  page_element(p, "th", NULL, "dx / H");
-  page_element(p, "th", NULL, "within one dx until t*");
+  cmp_html_table_open(p);
+  cmp_page_open(p, "tr", NULL);
+  cmp_page_element(p, "th", "t", "run");
+  cmp_page_element(p, "th", NULL, "dx / H");
+  cmp_page_element(p, "th", NULL, "within one dx until t*");
   for (size_t k = 0; k < c->n_times; k++)
-    page_element(p, "th", NULL, "mean distance / H at %.4g", c->times[k]);
+    cmp_page_element(p, "th", NULL, "mean distance / H at %.4g", c->times[k]);
   for (size_t k = 0; k < COLUMNS; k++) {
     if (!column_shown(c, rows, k)) continue;
     if (columns[k].last)
-      page_element(p, "th", NULL, "energy lost at %.4g", c->times[c->n_times - 1]);
+      cmp_page_element(p, "th", NULL, "energy lost at %.4g", c->times[c->n_times - 1]);
     else
-      page_element(p, "th", NULL, "%s", columns[k].heading);
+      cmp_page_element(p, "th", NULL, "%s", columns[k].heading);
   }
-  page_close(p);
+  cmp_page_close(p);
   for (size_t k = 0; k < c->n_runs; k++) summary_row(p, c, rows, order[k], &why);
-  html_table_close(p);
-  html_reasons_list(p, &why);
-  page_open(p, "p", "soft");
-  page_text(p,
-            "All against %s. Distances in H, times in √(H/g), pressures in ρgH (the worst "
-            "probe), energies in E0; grey: below the noise floor of half a particle spacing.",
-            c->ref.data.label);
-  page_close(p);
+  cmp_html_table_close(p);
+  cmp_html_reasons_list(p, &why);
+  cmp_page_open(p, "p", "soft");
+  cmp_page_text(p,
+                "All against %s. Distances in H, times in √(H/g), pressures in ρgH (the worst "
+                "probe), energies in E0; grey: below the noise floor of half a particle spacing.",
+                c->ref.data.label);
+  cmp_page_close(p);
   free(order);
   return OK;
 }
@@ -173,48 +174,48 @@ static enum status summary(struct page *p, const struct comparison *c,
 /* ---- checks ---- */
 
 static void check_row(struct page *p, const struct comparison *c, const struct cmp_row *row,
-                      struct html_reasons *why) {
-  page_open(p, "tr", NULL);
-  html_run(p, c, row->run);
-  html_cell(p, "t", "%s", row->measure->name);
-  html_cell(p, NULL, row->time == SIZE_MAX ? "all" : "%.4g",
-            row->time == SIZE_MAX ? 0. : c->times[row->time]);
-  html_value(p, &row->value, why);
-  html_cell(p, NULL, "%.4g", row->limit);
+                      struct cmp_html_reasons *why) {
+  cmp_page_open(p, "tr", NULL);
+  cmp_html_run(p, c, row->run);
+  cmp_html_cell(p, "t", "%s", row->measure->name);
+  cmp_html_cell(p, NULL, row->time == SIZE_MAX ? "all" : "%.4g",
+                row->time == SIZE_MAX ? 0. : c->times[row->time]);
+  cmp_html_value(p, &row->value, why);
+  cmp_html_cell(p, NULL, "%.4g", row->limit);
   if (isfinite(row->noise))
-    html_cell(p, NULL, "%.3g", row->noise);
+    cmp_html_cell(p, NULL, "%.3g", row->noise);
   else
-    html_cell(p, NULL, "–");
-  html_cell(p, "t", "%s", row->measure->units);
-  html_cell(p, "t", "%s", row->detail);
+    cmp_html_cell(p, NULL, "–");
+  cmp_html_cell(p, "t", "%s", row->measure->units);
+  cmp_html_cell(p, "t", "%s", row->detail);
   const char *outcome = row->outcome == CMP_PASS ? "PASS" : "FAIL";
-  html_cell(p, outcome, "%s", outcome);
-  page_close(p);
+  cmp_html_cell(p, outcome, "%s", outcome);
+  cmp_page_close(p);
 }
 
 static void checks(struct page *p, const struct comparison *c, const struct cmp_rows *rows) {
-  struct html_reasons why = {0};
+  struct cmp_html_reasons why = {0};
   if (!rows->passed && !rows->failed) {
-    page_element(
+    cmp_page_element(
         p, "p", NULL,
         "The case sets no tolerance for what was compared, so nothing passes or fails. Put "
         "tolerances under compare.tolerances, for instance {measure: mean_distance, max: "
         "0.02}; the measures are listed at the end of this page.");
     return;
   }
-  html_table_open(p);
-  html_headings(p, (const char *const[]){"run", "measure", "t*", "value", "limit", "noise floor",
-                                         "units", "where", "verdict", NULL});
+  cmp_html_table_open(p);
+  cmp_html_headings(p, (const char *const[]){"run", "measure", "t*", "value", "limit",
+                                             "noise floor", "units", "where", "verdict", NULL});
   for (int pass = 0; pass < 2; pass++) /* failures first */
     for (size_t i = 0; i < rows->n; i++)
       if (rows->row[i].outcome == (pass ? CMP_PASS : CMP_FAIL))
         check_row(p, c, &rows->row[i], &why);
-  html_table_close(p);
-  html_reasons_list(p, &why);
+  cmp_html_table_close(p);
+  cmp_html_reasons_list(p, &why);
   if (rows->unused)
-    page_element(p, "p", "soft",
-                 "Tolerances of the case that concern none of the runs compared here: %zu.",
-                 rows->unused);
+    cmp_page_element(p, "p", "soft",
+                     "Tolerances of the case that concern none of the runs compared here: %zu.",
+                     rows->unused);
 }
 
 /* ---- the page ---- */
@@ -235,61 +236,61 @@ static enum status write_checks(struct page *p, const struct content *w) {
 }
 
 static enum status write_distance(struct page *p, const struct content *w) {
-  TRY(html_figures(p, w->figures, CMP_SECTION_DISTANCE));
-  html_measures(p, w->c, w->rows,
-                (const char *const[]){"mean_distance", "largest_distance", "hausdorff", "frechet",
-                                      "area", NULL});
+  TRY(cmp_html_figures(p, w->figures, CMP_SECTION_DISTANCE));
+  cmp_html_measures(p, w->c, w->rows,
+                    (const char *const[]){"mean_distance", "largest_distance", "hausdorff",
+                                          "frechet", "area", NULL});
   return OK;
 }
 
 static enum status write_overlays(struct page *p, const struct content *w) {
-  return html_figures(p, w->figures, CMP_SECTION_OVERLAY);
+  return cmp_html_figures(p, w->figures, CMP_SECTION_OVERLAY);
 }
 
 static enum status write_jet(struct page *p, const struct content *w) {
-  html_jets(p, w->c);
-  TRY(html_figures(p, w->figures, CMP_SECTION_JET));
-  page_element(p, "h3", NULL, "Differences from the reference");
-  html_measures(p, w->c, w->rows,
-                (const char *const[]){"jet_tip", "jet_direction", "jet_thickness", "jet_cavity",
-                                      "overturning_time", "touchdown_time", NULL});
+  cmp_html_jets(p, w->c);
+  TRY(cmp_html_figures(p, w->figures, CMP_SECTION_JET));
+  cmp_page_element(p, "h3", NULL, "Differences from the reference");
+  cmp_html_measures(p, w->c, w->rows,
+                    (const char *const[]){"jet_tip", "jet_direction", "jet_thickness", "jet_cavity",
+                                          "overturning_time", "touchdown_time", NULL});
   return OK;
 }
 
 static enum status write_front(struct page *p, const struct content *w) {
-  TRY(html_figures(p, w->figures, CMP_SECTION_FRONT));
-  html_measures(p, w->c, w->rows, (const char *const[]){"front", NULL});
-  html_signals(p, w->c, CMP_FRONT);
+  TRY(cmp_html_figures(p, w->figures, CMP_SECTION_FRONT));
+  cmp_html_measures(p, w->c, w->rows, (const char *const[]){"front", NULL});
+  cmp_html_signals(p, w->c, CMP_FRONT);
   return OK;
 }
 
 static enum status write_energy(struct page *p, const struct content *w) {
-  TRY(html_figures(p, w->figures, CMP_SECTION_ENERGY));
-  html_measures(p, w->c, w->rows,
-                (const char *const[]){"kinetic", "potential", "mechanical", "decay", "budget",
-                                      "budget_before_impact", "volume", NULL});
+  TRY(cmp_html_figures(p, w->figures, CMP_SECTION_ENERGY));
+  cmp_html_measures(p, w->c, w->rows,
+                    (const char *const[]){"kinetic", "potential", "mechanical", "decay", "budget",
+                                          "budget_before_impact", "volume", NULL});
   return OK;
 }
 
 static enum status write_pressure(struct page *p, const struct content *w) {
-  TRY(html_figures(p, w->figures, CMP_SECTION_PRESSURE));
-  html_signals(p, w->c, CMP_PRESSURE);
+  TRY(cmp_html_figures(p, w->figures, CMP_SECTION_PRESSURE));
+  cmp_html_signals(p, w->c, CMP_PRESSURE);
   return OK;
 }
 
 static enum status write_gauges(struct page *p, const struct content *w) {
-  TRY(html_figures(p, w->figures, CMP_SECTION_GAUGE));
-  html_signals(p, w->c, CMP_ELEVATION);
+  TRY(cmp_html_figures(p, w->figures, CMP_SECTION_GAUGE));
+  cmp_html_signals(p, w->c, CMP_ELEVATION);
   return OK;
 }
 
 static enum status write_runs(struct page *p, const struct content *w) {
-  html_provenance(p, w->c);
+  cmp_html_provenance(p, w->c);
   return OK;
 }
 
 static enum status write_method(struct page *p, const struct content *w) {
-  html_method(p, w->c);
+  cmp_html_method(p, w->c);
   return OK;
 }
 
@@ -309,19 +310,19 @@ static enum status page_write(struct page *p, const struct comparison *c,
                               const char *sentence) {
   const char *title = c->ref.data.file->title;
   head(p, title && *title ? title : "plunge report");
-  page_open(p, "body", NULL);
+  cmp_page_open(p, "body", NULL);
   contents(p, c);
-  page_open(p, "main", NULL);
-  page_element(p, "h1", NULL, "%s", title && *title ? title : "plunge report");
-  page_element(p, "p",
-               rows->failed   ? "lead fail"
-               : rows->passed ? "lead pass"
-                              : "lead",
-               "%s", sentence);
+  cmp_page_open(p, "main", NULL);
+  cmp_page_element(p, "h1", NULL, "%s", title && *title ? title : "plunge report");
+  cmp_page_element(p, "p",
+                   rows->failed   ? "lead fail"
+                   : rows->passed ? "lead pass"
+                                  : "lead",
+                   "%s", sentence);
   TRY(body(p, &(struct content){c, rows, figures}));
-  page_close(p);
-  page_close(p);
-  page_close(p);
+  cmp_page_close(p);
+  cmp_page_close(p);
+  cmp_page_close(p);
   return OK;
 }
 
@@ -332,21 +333,21 @@ enum status cmp_html_write(const struct comparison *c, const struct cmp_rows *ro
   struct cmp_output out = {0};
   struct page *p = NULL;
   ATTEMPT(cmp_output_open(path, &out));
-  p = page_create(out.stream);
+  p = cmp_page_create(out.stream);
   if (!p) {
     status = status_raise(ERR_MEMORY, "no memory for %s", path);
     goto done;
   }
   ATTEMPT(page_write(p, c, rows, figures, sentence));
-  if (!page_finish(p)) {
+  if (!cmp_page_finish(p)) {
     status = status_raise(ERR_IO, "cannot write %s; is the disk full?", path);
     goto done;
   }
-  page_destroy(p);
+  cmp_page_destroy(p);
   p = NULL;
   ATTEMPT(cmp_output_commit(&out));
 done:
-  page_destroy(p);
+  cmp_page_destroy(p);
   cmp_output_abandon(&out);
   return status;
 }

@@ -9,14 +9,14 @@
 /* ---- measures ---- */
 
 static void measure_cells(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
-                          const char *name, size_t time, struct html_reasons *why) {
+                          const char *name, size_t time, struct cmp_html_reasons *why) {
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_row *row = cmp_rows_find(rows, name, r, time);
     if (!row) continue;
     if (cmp_known(&row->value) && row->value.value < row->noise)
-      html_cell(p, "below", "%.4g", row->value.value);
+      cmp_html_cell(p, "below", "%.4g", row->value.value);
     else
-      html_value(p, &row->value, why);
+      cmp_html_value(p, &row->value, why);
   }
 }
 
@@ -26,47 +26,47 @@ static const struct measure *measure_named(const char *name) {
   return NULL;
 }
 
-void html_measures(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
-                   const char *const *names) {
-  struct html_reasons why = {0};
-  html_table_open(p);
-  page_open(p, "tr", NULL);
-  page_element(p, "th", "t", "measure");
-  page_element(p, "th", NULL, "t*");
-  for (size_t r = 0; r < c->n_runs; r++) html_run(p, c, r);
-  page_close(p);
+void cmp_html_measures(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
+                       const char *const *names) {
+  struct cmp_html_reasons why = {0};
+  cmp_html_table_open(p);
+  cmp_page_open(p, "tr", NULL);
+  cmp_page_element(p, "th", "t", "measure");
+  cmp_page_element(p, "th", NULL, "t*");
+  for (size_t r = 0; r < c->n_runs; r++) cmp_html_run(p, c, r);
+  cmp_page_close(p);
   for (size_t k = 0; names[k]; k++) {
     const struct measure *m = measure_named(names[k]);
     bool whole = cmp_rows_find(rows, m->name, 0, SIZE_MAX) != NULL;
     size_t n = whole ? 1 : c->n_times;
     for (size_t i = 0; i < n; i++) {
-      page_open(p, "tr", NULL);
+      cmp_page_open(p, "tr", NULL);
       if (i == 0) {
         char span[24];
-        page_open(p, "th", "t");
+        cmp_page_open(p, "th", "t");
         snprintf(span, sizeof span, "%zu", n);
-        page_attribute(p, "rowspan", span);
-        page_attribute(p, "title", m->help);
-        page_text(p, "%s [%s]", m->name, m->units);
-        page_close(p);
+        cmp_page_attribute(p, "rowspan", span);
+        cmp_page_attribute(p, "title", m->help);
+        cmp_page_text(p, "%s [%s]", m->name, m->units);
+        cmp_page_close(p);
       }
-      html_cell(p, NULL, whole ? "all" : "%.4g", whole ? 0. : c->times[i]);
+      cmp_html_cell(p, NULL, whole ? "all" : "%.4g", whole ? 0. : c->times[i]);
       measure_cells(p, c, rows, m->name, whole ? SIZE_MAX : i, &why);
-      page_close(p);
+      cmp_page_close(p);
     }
   }
-  html_table_close(p);
-  html_reasons_list(p, &why);
+  cmp_html_table_close(p);
+  cmp_html_reasons_list(p, &why);
 }
 
 /* ---- the jet ---- */
 
-static void jet_cells(struct page *p, const struct cmp_jet *jet, struct html_reasons *why) {
-  html_cell(p, NULL, "%.4f", jet->tip[0]);
-  html_cell(p, NULL, "%.4f", jet->tip[1]);
-  html_value(p, &jet->direction, why);
-  for (size_t k = 0; k < CMP_JET_STATIONS; k++) html_value(p, &jet->thickness[k], why);
-  html_value(p, &jet->cavity, why);
+static void jet_cells(struct page *p, const struct cmp_jet *jet, struct cmp_html_reasons *why) {
+  cmp_html_cell(p, NULL, "%.4f", jet->tip[0]);
+  cmp_html_cell(p, NULL, "%.4f", jet->tip[1]);
+  cmp_html_value(p, &jet->direction, why);
+  for (size_t k = 0; k < CMP_JET_STATIONS; k++) cmp_html_value(p, &jet->thickness[k], why);
+  cmp_html_value(p, &jet->cavity, why);
 }
 
 static const struct cmp_jet *jet_of(const struct comparison *c, size_t time, size_t r) {
@@ -81,74 +81,77 @@ static const struct cmp_jet *jet_of(const struct comparison *c, size_t time, siz
 }
 
 static void jets_table(struct page *p, const struct comparison *c) {
-  struct html_reasons why = {0};
+  struct cmp_html_reasons why = {0};
   bool any = false;
   for (size_t k = 0; k < c->n_times; k++)
     for (size_t r = 0; r <= c->n_runs; r++)
       any = any || jet_of(c, k, r < c->n_runs ? r : SIZE_MAX) != NULL;
   if (!any) {
-    page_element(p, "p", NULL, "No surface overhangs by more than %.3g H at the comparison times.",
-                 CMP_JET_LEAST * c->depth);
+    cmp_page_element(p, "p", NULL,
+                     "No surface overhangs by more than %.3g H at the comparison times.",
+                     CMP_JET_LEAST * c->depth);
     return;
   }
-  html_table_open(p);
-  html_headings(p, (const char *const[]){"run", "t*", "tip x/H", "tip y/H", "direction [deg]",
-                                         "thickness at 0.05 H", "at 0.1 H", "at 0.2 H",
-                                         "cavity / H²", NULL});
+  cmp_html_table_open(p);
+  cmp_html_headings(p, (const char *const[]){"run", "t*", "tip x/H", "tip y/H", "direction [deg]",
+                                             "thickness at 0.05 H", "at 0.1 H", "at 0.2 H",
+                                             "cavity / H²", NULL});
   for (size_t k = 0; k < c->n_times; k++)
     for (size_t i = 0; i <= c->n_runs; i++) {
       size_t r = i == 0 ? SIZE_MAX : i - 1;
       const struct cmp_jet *jet = jet_of(c, k, r);
       if (!jet) continue;
-      page_open(p, "tr", NULL);
-      html_run(p, c, r);
-      html_cell(p, NULL, "%.4g", c->times[k]);
+      cmp_page_open(p, "tr", NULL);
+      cmp_html_run(p, c, r);
+      cmp_html_cell(p, NULL, "%.4g", c->times[k]);
       jet_cells(p, jet, &why);
-      page_close(p);
+      cmp_page_close(p);
     }
-  html_table_close(p);
-  html_reasons_list(p, &why);
+  cmp_html_table_close(p);
+  cmp_html_reasons_list(p, &why);
 }
 
-static void instant_cells(struct page *p, const struct cmp_instant *i, struct html_reasons *why) {
+static void instant_cells(struct page *p, const struct cmp_instant *i,
+                          struct cmp_html_reasons *why) {
   if (!cmp_known(&i->time)) {
-    html_value(p, &i->time, why);
-    html_cell(p, NULL, " ");
+    cmp_html_value(p, &i->time, why);
+    cmp_html_cell(p, NULL, " ");
     return;
   }
   if (i->error > 0)
-    html_cell(p, NULL, "%.3f ± %.2g", i->time.value, i->error);
+    cmp_html_cell(p, NULL, "%.3f ± %.2g", i->time.value, i->error);
   else
-    html_cell(p, NULL, "%.4f", i->time.value);
+    cmp_html_cell(p, NULL, "%.4f", i->time.value);
   if (isfinite(i->at[0]))
-    html_cell(p, NULL, "(%.3f, %.3f)", i->at[0], i->at[1]);
+    cmp_html_cell(p, NULL, "(%.3f, %.3f)", i->at[0], i->at[1]);
   else
-    html_cell(p, NULL, " ");
+    cmp_html_cell(p, NULL, " ");
 }
 
-void html_jets(struct page *p, const struct comparison *c) {
-  struct html_reasons why = {0};
-  page_element(p, "h3", NULL, "Instants");
-  html_table_open(p);
-  html_headings(p, (const char *const[]){"run", "wall impact t*", "at (x, y)/H", "overturning t*",
-                                         "at (x, y)/H", "touchdown t*", "at (x, y)/H", NULL});
+void cmp_html_jets(struct page *p, const struct comparison *c) {
+  struct cmp_html_reasons why = {0};
+  cmp_page_element(p, "h3", NULL, "Instants");
+  cmp_html_table_open(p);
+  cmp_html_headings(p,
+                    (const char *const[]){"run", "wall impact t*", "at (x, y)/H", "overturning t*",
+                                          "at (x, y)/H", "touchdown t*", "at (x, y)/H", NULL});
   for (size_t i = 0; i <= c->n_runs; i++) {
     size_t r = i == 0 ? SIZE_MAX : i - 1;
     const struct cmp_data *d = &cmp_run_or_ref(c, r)->data;
-    page_open(p, "tr", NULL);
-    html_run(p, c, r);
+    cmp_page_open(p, "tr", NULL);
+    cmp_html_run(p, c, r);
     instant_cells(p, &d->impact, &why);
     instant_cells(p, &d->overturning, &why);
     instant_cells(p, &d->touchdown, &why);
-    page_close(p);
+    cmp_page_close(p);
   }
-  html_table_close(p);
-  html_reasons_list(p, &why);
-  page_element(
+  cmp_html_table_close(p);
+  cmp_html_reasons_list(p, &why);
+  cmp_page_element(
       p, "p", "soft",
       "A time with ± was read off the sequence of surfaces, and ± is the half width of the "
       "interval between outputs that holds it; one without was located by the solver.");
-  page_element(p, "h3", NULL, "Shape");
+  cmp_page_element(p, "h3", NULL, "Shape");
   jets_table(p, c);
 }
 
@@ -156,25 +159,25 @@ void html_jets(struct page *p, const struct comparison *c) {
 
 /* "mine (theirs)" */
 static void both_cell(struct page *p, const struct cmp_value *mine, const struct cmp_value *theirs,
-                      struct html_reasons *why) {
+                      struct cmp_html_reasons *why) {
   if (cmp_known(mine) && cmp_known(theirs))
-    html_cell(p, NULL, "%.3g (%.3g)", mine->value, theirs->value);
+    cmp_html_cell(p, NULL, "%.3g (%.3g)", mine->value, theirs->value);
   else
-    html_value(p, cmp_known(mine) ? theirs : mine, why);
+    cmp_html_value(p, cmp_known(mine) ? theirs : mine, why);
 }
 
-void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity quantity) {
-  struct html_reasons why = {0};
+void cmp_html_signals(struct page *p, const struct comparison *c, enum cmp_quantity quantity) {
+  struct cmp_html_reasons why = {0};
   size_t shown = 0;
   for (size_t i = 0; i <= c->n_runs; i++) {
     const struct cmp_run *run = cmp_run_or_ref(c, i == 0 ? SIZE_MAX : i - 1);
     for (size_t k = 0; k < run->n_pairs; k++) shown += run->pairs[k].quantity == quantity;
   }
   if (!shown) return;
-  html_table_open(p);
-  html_headings(p, (const char *const[]){"run", "signal", "common t*", "arrival t*", "peak",
-                                         "time of peak", "impulse", "rms difference",
-                                         "best shift → rms then", NULL});
+  cmp_html_table_open(p);
+  cmp_html_headings(p, (const char *const[]){"run", "signal", "common t*", "arrival t*", "peak",
+                                             "time of peak", "impulse", "rms difference",
+                                             "best shift → rms then", NULL});
   for (size_t i = 0; i <= c->n_runs; i++) {
     size_t r = i == 0 ? SIZE_MAX : i - 1;
     const struct cmp_run *run = cmp_run_or_ref(c, r);
@@ -182,28 +185,28 @@ void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity 
       const struct cmp_pair *pair = &run->pairs[k];
       if (pair->quantity != quantity) continue;
       const struct cmp_signal_alone *a = &pair->m.a, *b = &pair->m.b;
-      page_open(p, "tr", NULL);
-      html_run(p, c, r);
-      html_cell(p, "t", "%s against %s", pair->a->name,
-                pair->experiment == SIZE_MAX ? c->ref.data.label : pair->b->name);
-      html_cell(p, NULL, "%.3g–%.3g", pair->m.from, pair->m.to);
+      cmp_page_open(p, "tr", NULL);
+      cmp_html_run(p, c, r);
+      cmp_html_cell(p, "t", "%s against %s", pair->a->name,
+                    pair->experiment == SIZE_MAX ? c->ref.data.label : pair->b->name);
+      cmp_html_cell(p, NULL, "%.3g–%.3g", pair->m.from, pair->m.to);
       both_cell(p, &a->onset, &b->onset, &why);
       both_cell(p, &a->peak, &b->peak, &why);
       both_cell(p, &a->peak_time, &b->peak_time, &why);
       both_cell(p, &a->impulse, &b->impulse, &why);
-      html_value(p, &pair->m.rms, &why);
+      cmp_html_value(p, &pair->m.rms, &why);
       if (cmp_known(&pair->m.shift))
-        html_cell(p, NULL, "%.3g → %.3g", pair->m.shift.value, pair->m.rms_after.value);
+        cmp_html_cell(p, NULL, "%.3g → %.3g", pair->m.shift.value, pair->m.rms_after.value);
       else
-        html_value(p, &pair->m.shift, &why);
-      page_close(p);
+        cmp_html_value(p, &pair->m.shift, &why);
+      cmp_page_close(p);
     }
   }
-  html_table_close(p);
-  page_element(p, "p", "soft",
-               "In brackets: the same of what it is compared with, over the same common time. "
-               "Best shift: positive when the run is late; it is not applied.");
-  html_reasons_list(p, &why);
+  cmp_html_table_close(p);
+  cmp_page_element(p, "p", "soft",
+                   "In brackets: the same of what it is compared with, over the same common time. "
+                   "Best shift: positive when the run is late; it is not applied.");
+  cmp_html_reasons_list(p, &why);
 }
 
 /* ---- provenance ---- */
@@ -211,76 +214,76 @@ void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity 
 static void provenance_row(struct page *p, const struct comparison *c, size_t r) {
   const struct cmp_data *d = &cmp_run_or_ref(c, r)->data;
   const struct result_file *f = d->file;
-  page_open(p, "tr", NULL);
-  html_run(p, c, r);
-  html_cell(p, "t", "%s%s", f->solver, f->complete ? "" : " (unfinished)");
-  html_cell(p, NULL, "%.4g", 1 / d->dx);
-  html_cell(p, NULL, "%zu", d->n);
-  html_cell(p, NULL, "%.4g", d->n ? d->t[d->n - 1] : 0.);
-  html_cell(p, NULL, "%.0f", f->n_steps ? f->steps[f->n_steps - 1].evaluations : 0.);
-  html_cell(p, NULL, "%.1f", f->n_steps ? f->steps[f->n_steps - 1].wall_time : 0.);
-  html_cell(p, "t", "%s, %s", f->version, f->revision);
-  html_cell(p, "w", "%s", f->path);
-  page_close(p);
+  cmp_page_open(p, "tr", NULL);
+  cmp_html_run(p, c, r);
+  cmp_html_cell(p, "t", "%s%s", f->solver, f->complete ? "" : " (unfinished)");
+  cmp_html_cell(p, NULL, "%.4g", 1 / d->dx);
+  cmp_html_cell(p, NULL, "%zu", d->n);
+  cmp_html_cell(p, NULL, "%.4g", d->n ? d->t[d->n - 1] : 0.);
+  cmp_html_cell(p, NULL, "%.0f", f->n_steps ? f->steps[f->n_steps - 1].evaluations : 0.);
+  cmp_html_cell(p, NULL, "%.1f", f->n_steps ? f->steps[f->n_steps - 1].wall_time : 0.);
+  cmp_html_cell(p, "t", "%s, %s", f->version, f->revision);
+  cmp_html_cell(p, "w", "%s", f->path);
+  cmp_page_close(p);
 }
 
 static void statistics_list(struct page *p, const struct comparison *c, size_t r) {
   const struct cmp_data *d = &cmp_run_or_ref(c, r)->data;
   if (!d->file->n_statistics) return;
-  page_open(p, "details", NULL);
-  page_element(p, "summary", NULL, "What %s counted", d->label);
-  html_table_open(p);
+  cmp_page_open(p, "details", NULL);
+  cmp_page_element(p, "summary", NULL, "What %s counted", d->label);
+  cmp_html_table_open(p);
   for (size_t k = 0; k < d->file->n_statistics; k++) {
     const struct result_statistic_read *s = &d->file->statistics[k];
-    page_open(p, "tr", NULL);
-    page_element(p, "th", "t", "%s", s->name);
-    html_cell(p, NULL, "%.6g", s->value);
-    html_cell(p, "w", "%s", s->help);
-    page_close(p);
+    cmp_page_open(p, "tr", NULL);
+    cmp_page_element(p, "th", "t", "%s", s->name);
+    cmp_html_cell(p, NULL, "%.6g", s->value);
+    cmp_html_cell(p, "w", "%s", s->help);
+    cmp_page_close(p);
   }
-  html_table_close(p);
-  page_close(p);
+  cmp_html_table_close(p);
+  cmp_page_close(p);
 }
 
 static void case_text(struct page *p, const struct comparison *c, size_t r) {
   const struct cmp_data *d = &cmp_run_or_ref(c, r)->data;
   const struct result_file *first = c->ref.data.file;
   if (r != SIZE_MAX && !strcmp(first->case_text, d->file->case_text)) return;
-  page_open(p, "details", NULL);
-  page_element(p, "summary", NULL, "The case as run by %s%s", d->label,
-               r == SIZE_MAX ? " (and by every run not listed with its own)" : "");
-  page_open(p, "pre", NULL);
-  page_text(p, "%s", d->file->case_text);
-  page_close(p);
-  page_close(p);
+  cmp_page_open(p, "details", NULL);
+  cmp_page_element(p, "summary", NULL, "The case as run by %s%s", d->label,
+                   r == SIZE_MAX ? " (and by every run not listed with its own)" : "");
+  cmp_page_open(p, "pre", NULL);
+  cmp_page_text(p, "%s", d->file->case_text);
+  cmp_page_close(p);
+  cmp_page_close(p);
 }
 
-void html_provenance(struct page *p, const struct comparison *c) {
-  html_table_open(p);
-  html_headings(p, (const char *const[]){"run", "solver", "H/spacing", "outputs", "last t*",
-                                         "evaluations", "clock [s]", "program", "file", NULL});
+void cmp_html_provenance(struct page *p, const struct comparison *c) {
+  cmp_html_table_open(p);
+  cmp_html_headings(p, (const char *const[]){"run", "solver", "H/spacing", "outputs", "last t*",
+                                             "evaluations", "clock [s]", "program", "file", NULL});
   for (size_t i = 0; i <= c->n_runs; i++) provenance_row(p, c, i == 0 ? SIZE_MAX : i - 1);
-  html_table_close(p);
-  page_element(p, "p", "soft", "This report was made by plunge %s, revision %s.", PLUNGE_VERSION,
-               PLUNGE_REVISION);
+  cmp_html_table_close(p);
+  cmp_page_element(p, "p", "soft", "This report was made by plunge %s, revision %s.",
+                   PLUNGE_VERSION, PLUNGE_REVISION);
   for (size_t i = 0; i <= c->n_runs; i++) statistics_list(p, c, i == 0 ? SIZE_MAX : i - 1);
   for (size_t i = 0; i <= c->n_runs; i++) case_text(p, c, i == 0 ? SIZE_MAX : i - 1);
   const struct result_file *f = c->ref.data.file;
   if (f->n_experiments) {
-    page_element(p, "h3", NULL, "Experiments");
-    page_open(p, "ul", NULL);
+    cmp_page_element(p, "h3", NULL, "Experiments");
+    cmp_page_open(p, "ul", NULL);
     for (size_t k = 0; k < f->n_experiments; k++)
-      page_element(p, "li", NULL, "%s (%s): %s", f->experiments[k].label, f->experiments[k].target,
-                   f->experiments[k].source);
-    page_close(p);
+      cmp_page_element(p, "li", NULL, "%s (%s): %s", f->experiments[k].label,
+                       f->experiments[k].target, f->experiments[k].source);
+    cmp_page_close(p);
   }
 }
 
 /* ---- method ---- */
 
-void html_method(struct page *p, const struct comparison *c) {
-  page_open(p, "ul", NULL);
-  page_element(
+void cmp_html_method(struct page *p, const struct comparison *c) {
+  cmp_page_open(p, "ul", NULL);
+  cmp_page_element(
       p, "li", NULL,
       "Scales: lengths in H = %.4g m, times t* in √(H/g) = %.4g s, pressures in ρgH = %.4g "
       "Pa, energies in E0 = %.4g J/m, %s.",
@@ -288,16 +291,17 @@ void html_method(struct page *p, const struct comparison *c) {
       c->scales.at_rest
           ? "the initial potential energy (the water starts at rest)"
           : "the reference's initial mechanical energy relative to the same water at rest");
-  page_element(
+  cmp_page_element(
       p, "li", NULL,
       "Noise floor: the surface of a cloud of particles is known to about half a particle "
       "spacing, dx/2; for the area, dx/2 times the length of the reference's surface in the "
       "window. Values below it are shown in grey: they are zero as far as can be told.");
-  page_element(p, "li", NULL,
-               "Main surface: pieces at least %g %% as long as the longest. Shorter ones are spray "
-               "and bubbles; they count in the Hausdorff distance and in the area only.",
-               100 * CMP_MAIN_FRACTION);
-  page_element(
+  cmp_page_element(
+      p, "li", NULL,
+      "Main surface: pieces at least %g %% as long as the longest. Shorter ones are spray "
+      "and bubbles; they count in the Hausdorff distance and in the area only.",
+      100 * CMP_MAIN_FRACTION);
+  cmp_page_element(
       p, "li", NULL,
       "Mean and largest distance: from points every dx/2 along one main surface, inside the "
       "window, to the whole of the other, in both directions. Films thinner than %.3g H (two "
@@ -305,18 +309,18 @@ void html_method(struct page *p, const struct comparison *c) {
       "resolves them: points closer than that to a wall are not taken. The Hausdorff distance and "
       "the discrete Fréchet distance (of the longest connected parts) leave out nothing.",
       c->depth);
-  page_element(
+  cmp_page_element(
       p, "li", NULL,
       "Area: free surfaces are closed along the tank into regions of water; the area is "
       "that of their symmetric difference within the window. It is withheld when an outline "
       "encloses less or more than the run's volume by a fifth.");
-  page_element(
+  cmp_page_element(
       p, "li", NULL,
       "Front: the largest x at which the water standing on the bed is deeper than %.4g H "
       "(two spacings of the coarsest run), the same depth in every run, until the reference "
       "reaches the wall.",
       c->depth);
-  page_element(
+  cmp_page_element(
       p, "li", NULL,
       "Jet: where the longest piece turns back by more than %.4g H "
       "(three spacings of the coarsest run), films on walls left out. The tip is where "
@@ -326,26 +330,26 @@ void html_method(struct page *p, const struct comparison *c) {
       "the tip cut its two sides; the cavity is closed by the vertical through the tip. "
       "Direction is counted counter-clockwise from +x.",
       CMP_JET_LEAST * c->depth);
-  page_element(
+  cmp_page_element(
       p, "li", NULL,
       "Signals are compared over the time both cover, interpolated linearly. Arrival: first "
       "time at %g ρgH (pressure) or %g H (height). The best shift is the one within ±%g "
       "√(H/g) with the smallest rms; positive: the run is late. It is never applied.",
       CMP_ONSET, CMP_ONSET, CMP_SHIFT_REACH);
-  page_element(
+  cmp_page_element(
       p, "li", NULL,
       "Energy: mechanical = kinetic + potential + the energy of water that a solver took "
       "out of its computation. The budget is kinetic + potential + elastic + viscous and "
       "diffusive losses + work on walls + removed; its closure is its change since t = 0.");
   if (!c->window_whole)
-    page_element(p, "li", NULL, "Window: x/H from %.4g to %.4g, y/H from %.4g to %.4g.",
-                 c->window.min[0], c->window.max[0], c->window.min[1], c->window.max[1]);
-  page_close(p);
-  page_element(p, "h3", NULL, "The measures that compare.tolerances may name");
-  page_open(p, "dl", NULL);
+    cmp_page_element(p, "li", NULL, "Window: x/H from %.4g to %.4g, y/H from %.4g to %.4g.",
+                     c->window.min[0], c->window.max[0], c->window.min[1], c->window.max[1]);
+  cmp_page_close(p);
+  cmp_page_element(p, "h3", NULL, "The measures that compare.tolerances may name");
+  cmp_page_open(p, "dl", NULL);
   for (size_t m = 0; m < CMP_N_MEASURES; m++) {
-    page_element(p, "dt", NULL, "%s [%s]", cmp_measures[m].name, cmp_measures[m].units);
-    page_element(p, "dd", NULL, "%s", cmp_measures[m].help);
+    cmp_page_element(p, "dt", NULL, "%s [%s]", cmp_measures[m].name, cmp_measures[m].units);
+    cmp_page_element(p, "dd", NULL, "%s", cmp_measures[m].help);
   }
-  page_close(p);
+  cmp_page_close(p);
 }

@@ -4,11 +4,11 @@
 
 /* Tables of the measures named in a NULL-terminated list: one that is taken at the comparison times
  * has a row per time, one of the whole run a row; a column per run. */
-void html_measures(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
-                   const char *const *names);
+void cmp_html_measures(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
+                       const char *const *names);
 
-void html_jets(struct page *p, const struct comparison *c);
+void cmp_html_jets(struct page *p, const struct comparison *c);
 /* Signals of one quantity. */
-void html_signals(struct page *p, const struct comparison *c, enum cmp_quantity quantity);
-void html_provenance(struct page *p, const struct comparison *c);
-void html_method(struct page *p, const struct comparison *c);
+void cmp_html_signals(struct page *p, const struct comparison *c, enum cmp_quantity quantity);
+void cmp_html_provenance(struct page *p, const struct comparison *c);
+void cmp_html_method(struct page *p, const struct comparison *c);

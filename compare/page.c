@@ -16,7 +16,7 @@ static void note(struct page *p, int outcome) {
   if (outcome < 0) p->failed = true;
 }
 
-struct page *page_create(FILE *stream) {
+struct page *cmp_page_create(FILE *stream) {
   struct page *p = calloc(1, sizeof *p);
   if (!p) return NULL;
   xmlOutputBufferPtr buffer = xmlOutputBufferCreateFile(stream, NULL);
@@ -26,28 +26,28 @@ struct page *page_create(FILE *stream) {
     free(p);
     return NULL;
   }
-  page_raw(p, "<!DOCTYPE html>\n");
+  cmp_page_raw(p, "<!DOCTYPE html>\n");
   return p;
 }
 
-bool page_finish(struct page *p) {
+bool cmp_page_finish(struct page *p) {
   note(p, xmlTextWriterEndDocument(p->writer));
   note(p, xmlTextWriterFlush(p->writer));
   return !p->failed;
 }
 
-void page_destroy(struct page *p) {
+void cmp_page_destroy(struct page *p) {
   if (!p) return;
   xmlFreeTextWriter(p->writer);
   free(p);
 }
 
-void page_open(struct page *p, const char *tag, const char *class) {
+void cmp_page_open(struct page *p, const char *tag, const char *class) {
   note(p, xmlTextWriterStartElement(p->writer, BAD_CAST tag));
-  if (class) page_attribute(p, "class", class);
+  if (class) cmp_page_attribute(p, "class", class);
 }
 
-void page_attribute(struct page *p, const char *name, const char *value) {
+void cmp_page_attribute(struct page *p, const char *name, const char *value) {
   char *clean = cmp_text_copy(value);
   if (clean)
     note(p, xmlTextWriterWriteAttribute(p->writer, BAD_CAST name, BAD_CAST clean));
@@ -56,7 +56,7 @@ void page_attribute(struct page *p, const char *name, const char *value) {
   free(clean);
 }
 
-void page_close(struct page *p) {
+void cmp_page_close(struct page *p) {
   /* "full": never <td/>, which HTML would take for an opening tag */
   note(p, xmlTextWriterFullEndElement(p->writer));
 }
@@ -72,35 +72,35 @@ static void text_write(struct page *p, const char *format, va_list args) {
   free(text);
 }
 
-void page_text(struct page *p, const char *format, ...) {
+void cmp_page_text(struct page *p, const char *format, ...) {
   va_list args;
   va_start(args, format);
   text_write(p, format, args);
   va_end(args);
 }
 
-void page_raw(struct page *p, const char *markup) {
+void cmp_page_raw(struct page *p, const char *markup) {
   note(p, xmlTextWriterWriteRaw(p->writer, BAD_CAST markup));
 }
 
-void page_element(struct page *p, const char *tag, const char *class, const char *format, ...) {
+void cmp_page_element(struct page *p, const char *tag, const char *class, const char *format, ...) {
   va_list args;
-  page_open(p, tag, class);
+  cmp_page_open(p, tag, class);
   va_start(args, format);
   text_write(p, format, args);
   va_end(args);
-  page_close(p);
+  cmp_page_close(p);
 }
 
-void page_image(struct page *p, const char *type, const char *bytes, size_t n, const char *alt,
-                int width, int height) {
+void cmp_page_image(struct page *p, const char *type, const char *bytes, size_t n, const char *alt,
+                    int width, int height) {
   char size[16];
   note(p, xmlTextWriterStartElement(p->writer, BAD_CAST "img"));
-  page_attribute(p, "alt", alt);
+  cmp_page_attribute(p, "alt", alt);
   snprintf(size, sizeof size, "%d", width);
-  page_attribute(p, "width", size);
+  cmp_page_attribute(p, "width", size);
   snprintf(size, sizeof size, "%d", height);
-  page_attribute(p, "height", size);
+  cmp_page_attribute(p, "height", size);
   note(p, xmlTextWriterStartAttribute(p->writer, BAD_CAST "src"));
   note(p, xmlTextWriterWriteFormatString(p->writer, "data:%s;base64,", type));
   note(p, xmlTextWriterWriteBase64(p->writer, bytes, 0, (int)n));

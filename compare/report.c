@@ -22,7 +22,7 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   TRY(cmp_path_join(out_dir, "report.json", json));
   TRY(cmp_directory_make(out_dir));
 
-  ATTEMPT(comparison_create(settings, reference, n, runs, &c));
+  ATTEMPT(cmp_comparison_create(settings, reference, n, runs, &c));
   ATTEMPT(cmp_rows_create(c, &rows));
   ATTEMPT(cmp_summary_sentence(c, &rows, verdict->sentence, sizeof verdict->sentence));
   verdict->passed = rows.passed;
@@ -36,6 +36,6 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
 done:
   cmp_figures_close(&figures);
   cmp_rows_destroy(&rows);
-  comparison_destroy(c);
+  cmp_comparison_destroy(c);
   return status;
 }
