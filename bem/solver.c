@@ -35,7 +35,7 @@ static const struct param params[] = {
      KEY(dense),
      .min = 0,
      .max = 2000,
-     .value = "60",
+     .value = "128",
      .help = "surfaces of up to so many nodes are solved by dense factorisation (LAPACK) instead"},
     {.key = "film",
      .type = PARAM_REAL,

@@ -82,12 +82,13 @@ enum status bem_start_surface(const struct case_file *c, const struct case_run *
   s->corner = released ? top : 0;
   TRY(bem_surface_reserve(s, top + side + 1));
   double *x = s->state, *y = x + s->n, *phi = y + s->n;
-  double wave = 2 * M_PI * c->H / c->wave.wavelength, amplitude = c->wave.amplitude / c->H;
+  bool wave = c->wave.kind != CASE_WAVE_NONE;
+  double k0 = wave ? 2 * M_PI * c->H / c->wave.wavelength : 0;
   for (size_t k = 0; k < s->n; k++) {
     x[k] = k < top ? wide * (double)k / (double)top : wide;
     y[k] = k <= top ? high : high * (double)(s->n - 1 - k) / (double)side;
     phi[k] = 0;
-    if (c->wave.kind != CASE_WAVE_NONE) y[k] += amplitude * cos(wave * x[k]);
+    if (wave) y[k] += c->wave.amplitude / c->H * cos(k0 * x[k]);
   }
   if (released) /* the spacing at the toe is found by repetition */
     for (int i = 0; i < 4; i++) TRY(bem_mesh_regrid(&f->mesh, s));
