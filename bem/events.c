@@ -58,6 +58,11 @@ static double least_gap(const struct bem_surface *s, const double *state, size_t
   return least;
 }
 
+double bem_events_gap(const struct bem_events *e, const double *state) {
+  size_t where;
+  return e->overturned ? least_gap(e->surface, state, &where) : 1;
+}
+
 void bem_events_roots(void *data, double time, const double *state, double root[BEM_ROOTS]) {
   (void)time;
   const struct bem_events *e = data;
@@ -67,7 +72,7 @@ void bem_events_roots(void *data, double time, const double *state, double root[
   root[BEM_EVENT_IMPACT] = dry ? s->tank - state[s->n - 1] : 1;
   root[BEM_EVENT_WALL] = dry ? e->thickness - bem_contact_height(s, state) : 1;
   root[BEM_EVENT_OVERTURN] = s->tip > 0 && !dry ? least_tangent(s, state, &where) : 1;
-  root[BEM_EVENT_TOUCHDOWN] = e->overturned ? least_gap(s, state, &where) : 1;
+  root[BEM_EVENT_TOUCHDOWN] = bem_events_gap(e, state);
 }
 
 void bem_events_place(const struct bem_events *e, enum bem_event event, const double *state,

@@ -19,6 +19,9 @@ struct bem_events {
 /* A bem_root_function (data: struct bem_events): every function falls through zero at its event. */
 void bem_events_roots(void *events, double time, const double *state, double root[BEM_ROOTS]);
 
+/* Distance of the jet from the water below, H; 1 while there is no jet. */
+double bem_events_gap(const struct bem_events *e, const double *state);
+
 /* Where event e, found at this state, happens. */
 void bem_events_place(const struct bem_events *e, enum bem_event event, const double *state,
                       double *x, double *y);

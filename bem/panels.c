@@ -92,7 +92,7 @@ void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const doubl
                     double length) {
   p->n = n;
   p->length = length;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
   for (size_t k = 0; k < n; k++) {
     double complex z = CMPLX(x[k], y[k]);
     p->zeta[k] = bem_map(length, z);
@@ -100,7 +100,7 @@ void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const doubl
     p->re[k] = creal(p->zeta[k]);
     p->im[k] = cimag(p->zeta[k]);
   }
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
   for (size_t j = 0; j < n; j++) {
     size_t first = bem_stencil_first(n, j, BEM_DERIVATIVE);
     derivative(p->zeta + first, j - first, p->slope[j]);

@@ -14,8 +14,10 @@
 #include "common/status.h"
 
 enum {
-  BEM_STENCIL = 4,   /* nodes that carry the polynomial of a panel */
-  BEM_DERIVATIVE = 5 /* nodes that give d beta / d zeta at a node */
+  BEM_STENCIL = 4,    /* nodes that carry the polynomial of a panel */
+  BEM_DERIVATIVE = 5, /* nodes that give d beta / d zeta at a node */
+  BEM_PARALLEL = 2000 /* nodes from which work that is linear in them, or a product with the matrix,
+                         is worth waking other threads for; the rows of the matrix always are */
 };
 
 struct bem_panels {

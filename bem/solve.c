@@ -48,7 +48,7 @@ static int multiply(void *data, N_Vector v, N_Vector z) {
   const size_t n = s->n;
   const double *x = N_VGetArrayPointer(v);
   double *y = N_VGetArrayPointer(z);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
   for (size_t k = 0; k < n; k++) {
     const double *a = s->a + k * n;
     double sum = 0;

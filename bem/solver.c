@@ -67,7 +67,10 @@ static const struct param params[] = {
          "1976)"},
 };
 
-static const double IMPACT = 0.01;   /* H, thickness of the film when it is cut at the wall */
+static const double IMPACT = 0.01; /* H, thickness of the film when it is cut at the wall */
+/* H: with a gap no wider than the panels' own curvature psi is wrong; 0.002 sqrt(H/g) remain then
+ */
+static const double CLOSEST = 0.003;
 static const double SHORTEST = 1e-9; /* sqrt(H/g), steps that lead nowhere */
 enum { PATIENCE = 50, MOST_STEPS = 1000000 };
 
@@ -136,7 +139,7 @@ static enum status advance(struct run *r, const struct case_file *c, struct prog
     CHECK(short_steps < PATIENCE && step < MOST_STEPS, ERR_SOLVER,
           "the time step has fallen to %.2g sqrt(H/g)", r->dt);
     TRY(bem_output_surfaces(&r->output, &r->flow, r->stepper, r->time));
-    bool valid = r->time < end && !found[BEM_EVENT_TOUCHDOWN]; /* water that meets itself is not */
+    bool valid = r->time < end && bem_events_gap(&r->events, r->flow.surface.state) > CLOSEST;
     if (valid) TRY(bem_output_series(&r->output, &r->flow, r->stepper, r->time, r->dt));
     work += (double)r->flow.surface.n;
     progress_step(progress, step, r->time * r->output.time_scale, r->dt * r->output.time_scale,
