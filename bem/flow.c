@@ -50,7 +50,6 @@ enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
   *(s->right == BEM_END_BED ? &f->v[n - 1] : &f->u[n - 1]) = 0;
   f->w[0] = CMPLX(f->u[0], -f->v[0]);
   f->w[n - 1] = CMPLX(f->u[n - 1], -f->v[n - 1]);
-  f->evaluations++;
   return OK;
 }
 

@@ -16,7 +16,6 @@ struct bem_flow {
   double level;               /* y where the Bernoulli constant makes p = 0 in water at rest, H */
   double smoothing;           /* rate of the five-point formula at the thin tip, sqrt(g/H) */
   double filter;              /* rate of the sixth-difference filter everywhere, sqrt(g/H) */
-  double evaluations;
   size_t room;
   double *psi, *u, *v, *tx, *ty, *q; /* nodal values of the last evaluation, [n], owned */
   double complex *w;                 /* u - i v, [n], owned */

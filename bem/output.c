@@ -109,10 +109,9 @@ enum status bem_output_series(struct bem_output *o, struct bem_flow *f,
   o->next_sample = (size_t)floor(seconds / c->sample) + 1;
   TRY(bem_flow_solve(f, state, c->n_probes > 0));
   struct bem_totals t = bem_surface_totals(&f->surface, f->psi);
-  o->volume = t.volume + o->removed_volume;
-  o->energy = t.kinetic + t.potential + o->removed_energy;
-  if (time == 0) o->first_energy = o->energy;
-  o->drift = o->first_energy != 0 ? o->energy / o->first_energy - 1 : 0;
+  double energy = t.kinetic + t.potential + o->removed_energy;
+  if (time == 0) o->first_energy = energy;
+  o->drift = o->first_energy != 0 ? energy / o->first_energy - 1 : 0;
 
   double area = c->H * c->H, joule = c->density * c->gravity * area * c->H;
   double lift =

@@ -14,7 +14,6 @@ struct bem_output {
   double time_scale; /* sqrt(H/g), s */
   size_t next_output, next_sample;
   double removed_volume, removed_energy; /* H^2, rho g H^3 */
-  double volume, energy;                 /* now, with what was removed; H^2, rho g H^3 */
   double drift;                          /* of the energy, relative to the initial one */
   double first_energy;
   size_t most_nodes;
