@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# The architecture's rules hold: who includes whom, what names a library exports, how long a file is.
+program=$1 source=$2
+build=$(dirname "$program")
+cd "$source" || exit 1
+failed=0
+complain() {
+  echo "$1"
+  failed=1
+}
+
+forbidden() { # folder, what it must not include
+  grep -nE "#include \"($2)/" -r "$1" && complain "$1/ includes what docs/architecture.md forbids"
+}
+forbidden common 'sph|bem|compare|cli'
+forbidden sph 'bem|compare|cli'
+forbidden bem 'sph|compare|cli'
+forbidden compare 'sph|bem|cli'
+
+exported() { # library, allowed prefixes
+  local strangers
+  strangers=$(nm -g --defined-only "$build/libplunge_$1.a" | awk 'NF == 3 {print $3}' |
+    grep -vE "^(_|\.)" | grep -vE "^($2)_" | sort -u)
+  [ -z "$strangers" ] || complain "libplunge_$1 exports names without its prefix: $strangers"
+}
+exported common 'case|result|geo|gauge|wave|progress|status|params?|problems|vtkhdf|xdmf|hdf|CASE'
+exported sph 'sph'
+exported bem 'bem'
+exported compare cmp
+
+while read -r lines file; do
+  complain "$file has $lines lines"
+done < <(wc -l {common,sph,bem,compare,cli,tests/*,bench}/*.[ch] | awk '$1 > 600 && $2 != "total"')
+exit $failed
