@@ -19,6 +19,7 @@
 
 struct result_store {
   char *path, *twin; /* owned */
+  hid_t driver;      /* of HDF5, -1 until registered */
   int fd[2];         /* the two files, -1 until opened */
   int front;         /* which of them is at `path` (before the first commit: neither) */
   bool locked;       /* the back file is ours alone */
@@ -240,15 +241,15 @@ static const H5FD_class_t driver = {
 };
 
 enum status result_store_open(struct result_store *s, hid_t *file) {
-  hid_t id = H5FDregister(&driver);
+  /* kept until the file is closed: HDF5 1.10 reads a driver once more after it has given it up */
+  s->driver = H5FDregister(&driver);
   hid_t fapl = H5Pcreate(H5P_FILE_ACCESS);
   *file = -1;
   /* the format of 2008: checksummed headers, and every HDF5 program since can read it */
-  if (id >= 0 && H5Pset_driver(fapl, id, &s) >= 0 &&
+  if (s->driver >= 0 && H5Pset_driver(fapl, s->driver, &s) >= 0 &&
       H5Pset_libver_bounds(fapl, H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0)
     *file = H5Fcreate(s->path, H5F_ACC_TRUNC, H5P_DEFAULT, fapl);
   H5Pclose(fapl);
-  if (id >= 0) H5FDunregister(id);
   return *file >= 0 ? OK : hdf_raise(ERR_IO, "cannot create %s", s->path);
 }
 
@@ -446,6 +447,7 @@ enum status result_store_create(const char *path, struct result_store **out) {
   *out = NULL;
   CHECK(s, ERR_MEMORY, "no memory to write %s", path);
   s->fd[0] = s->fd[1] = -1;
+  s->driver = -1;
   s->front = 1; /* so that the first commit goes into file 0 */
   s->path = strdup(path);
   s->twin = twin_path(path);
@@ -469,6 +471,7 @@ enum status result_store_create(const char *path, struct result_store **out) {
 
 void result_store_destroy(struct result_store *s) {
   if (!s) return;
+  if (s->driver >= 0) H5FDunregister(s->driver);
   if (s->twin && (s->fd[0] >= 0 || s->fd[1] >= 0)) unlink(s->twin);
   for (int i = 0; i < 2; i++)
     if (s->fd[i] >= 0) close(s->fd[i]);
