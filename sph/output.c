@@ -138,8 +138,11 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
                             .removed_volume = s->budget.removed_volume};
   TRY(result_step(o->result, &row));
   if (o->c->n_probes) sph_pack_water(s);
-  for (size_t k = 0; k < o->c->n_probes; k++)
-    TRY(result_probe(o->result, k, s->t, sph_probe(s, &o->c->probes[k], &o->c->walls)));
+  for (size_t k = 0; k < o->c->n_probes; k++) {
+    double p;
+    TRY(sph_probe(s, &o->c->probes[k], &o->c->walls, &p));
+    TRY(result_probe(o->result, k, s->t, p));
+  }
   if (!o->c->n_gauges) return OK;
   TRY(find_surface(o, s));
   for (size_t k = 0; k < o->c->n_gauges; k++)

@@ -27,35 +27,37 @@ static void wall_direction(const struct geo_lines *walls, double x, double y, do
 }
 
 /* At up to SPH_LANES points. The lists' own grid finds the water near them. */
-static vec pressure_at(const struct sph *s, vec x, vec y) {
+static enum status pressure_at(const struct sph *s, vec x, vec y, vec *p) {
   struct sph_lists near = {0};
   double xs[SPH_LANES], ys[SPH_LANES];
   for (size_t l = 0; l < SPH_LANES; l++) {
     xs[l] = x[l];
     ys[l] = y[l];
   }
-  vec p = {0};
-  if (sph_lists_build(&near, SPH_LANES, xs, ys, &s->grid, s->f.x_listed, s->f.y_listed,
-                      SPH_KERNEL_SUPPORT * s->h + s->skin) == OK) {
-    size_t n;
-    const uint32_t *list = sph_lists_of(&near, 0, &n);
-    p = mls_at((enum sph_kernel)s->o.kernel, s->h, farthest2, x, y, n, list, s->pack).p;
-  }
+  enum status status = OK;
+  ATTEMPT(sph_lists_build(&near, SPH_LANES, xs, ys, &s->grid, s->f.x_listed, s->f.y_listed,
+                          SPH_KERNEL_SUPPORT * s->h + s->skin));
+  size_t n;
+  const uint32_t *list = sph_lists_of(&near, 0, &n);
+  *p = mls_at((enum sph_kernel)s->o.kernel, s->h, farthest2, x, y, n, list, s->pack).p;
+done:
   sph_lists_destroy(&near);
-  return p;
+  return status;
 }
 
-double sph_probe(const struct sph *s, const struct case_probe *probe,
-                 const struct geo_lines *walls) {
+enum status sph_probe(const struct sph *s, const struct case_probe *probe,
+                      const struct geo_lines *walls, double *pressure) {
   double t[2];
   wall_direction(walls, probe->x, probe->y, t);
   size_t groups = probe->size > 0 ? (size_t)ceil(probe->size / (0.5 * s->dx * SPH_LANES)) : 1;
   double points = (double)(groups * SPH_LANES), sum = 0;
   for (size_t k = 0; k < groups; k++) {
-    vec at;
+    vec at, p;
     for (size_t l = 0; l < SPH_LANES; l++)
       at[l] = (((double)(k * SPH_LANES + l) + 0.5) / points - 0.5) * probe->size;
-    sum += vec_sum(pressure_at(s, probe->x + at * t[0], probe->y + at * t[1]));
+    TRY(pressure_at(s, probe->x + at * t[0], probe->y + at * t[1], &p));
+    sum += vec_sum(p);
   }
-  return sum / points;
+  *pressure = sum / points;
+  return OK;
 }

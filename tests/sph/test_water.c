@@ -93,6 +93,13 @@ static void test_ghosts_reflect_the_normal_velocity_and_keep_the_tangential(void
   case_destroy(c);
 }
 
+static double pressure(const struct sph *s, const struct case_probe *probe,
+                       const struct case_file *c) {
+  double p = NAN;
+  EXPECT_OK(sph_probe(s, probe, &c->walls, &p));
+  return p;
+}
+
 /* Hydrostatic pressure at the wall: linear, so the fit is exact up to the elastic part; the mean
  * over a size is that of the middle. */
 static void test_probes_read_still_water(void) {
@@ -101,13 +108,13 @@ static void test_probes_read_still_water(void) {
   sph_pack_water(s);
   struct case_probe probe = {.x = 2, .y = 0.2385};
   double P = s->rho0 * s->g;
-  EXPECT_NEAR(sph_probe(s, &probe, &c->walls) / P, 1 - 0.2385, 1e-9);
+  EXPECT_NEAR(pressure(s, &probe, c) / P, 1 - 0.2385, 1e-9);
   probe.size = 0.1;
-  EXPECT_NEAR(sph_probe(s, &probe, &c->walls) / P, 1 - 0.2385, 1e-9);
+  EXPECT_NEAR(pressure(s, &probe, c) / P, 1 - 0.2385, 1e-9);
   probe = (struct case_probe){.x = 0.77, .y = 0, .size = 0.05};
-  EXPECT_NEAR(sph_probe(s, &probe, &c->walls) / P, 1, 1e-9);
+  EXPECT_NEAR(pressure(s, &probe, c) / P, 1, 1e-9);
   probe = (struct case_probe){.x = 0, .y = 1.9};
-  EXPECT(sph_probe(s, &probe, &c->walls) == 0); /* dry */
+  EXPECT(pressure(s, &probe, c) == 0); /* dry */
   sph_destroy(s);
   case_destroy(c);
 }
@@ -177,6 +184,29 @@ static void test_mirrored_case_gives_the_mirrored_result(void) {
   }
 }
 
+/* d e = p/rho^2 d rho, zero at rho0. By a central difference, whose own error at x = rho/rho0 - 1
+ * is (2/3) d^2/x of it with d = 1e-5, so 7e-9 at most. */
+static void test_elastic_energy_is_the_work_of_the_pressure(void) {
+  struct case_file *c = pool_case(POOL_DROP, "resolution: 20");
+  struct sph *s = pool_create(c);
+  s->g = 0;
+  const double m = s->f.m[0], d = 1e-5 * s->rho0;
+  s->f.w.rho[0] = s->rho0;
+  EXPECT(sph_energy_of(s, 0) == 0);
+  for (double x = -0.03; x < 0.04; x += 0.02) {
+    double rho = s->rho0 * (1 + x), e[2];
+    for (int k = 0; k < 2; k++) {
+      s->f.w.rho[0] = rho + (k ? d : -d);
+      e[k] = sph_energy_of(s, 0);
+    }
+    s->f.w.rho[0] = rho;
+    EXPECT_NEAR((e[1] - e[0]) / (2 * d) / (m * pool_p(s, 0) / (rho * rho)), 1, 1e-8);
+    EXPECT(sph_energy_of(s, 0) > 0);
+  }
+  sph_destroy(s);
+  case_destroy(c);
+}
+
 /* Water thrown at a wall comes back with its energy. */
 static void test_water_that_crosses_a_wall_is_reflected(void) {
   struct case_file *c = pool_case(POOL_DROP, "resolution: 20");
@@ -224,6 +254,7 @@ int main(void) {
   RUN(test_probes_read_still_water);
   RUN(test_bits_do_not_depend_on_the_number_of_threads);
   RUN(test_mirrored_case_gives_the_mirrored_result);
+  RUN(test_elastic_energy_is_the_work_of_the_pressure);
   RUN(test_water_that_crosses_a_wall_is_reflected);
   RUN(test_water_outside_the_tank_is_removed_and_counted);
   return TEST_RESULT;
