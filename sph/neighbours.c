@@ -12,8 +12,14 @@ static const double column_width = 2.83, bin_height = 1;
 enum status sph_grid_create(struct sph_grid *g, const struct geo_box *box, double dx) {
   g->x0 = box->min[0];
   g->y0 = box->min[1];
-  g->columns = (size_t)fmax(1, ceil((box->max[0] - box->min[0]) / (column_width * dx)));
-  g->bins = (size_t)fmax(1, ceil((box->max[1] - box->min[1]) / (bin_height * dx)));
+  double columns = fmax(1, ceil((box->max[0] - box->min[0]) / (column_width * dx)));
+  double bins = fmax(1, ceil((box->max[1] - box->min[1]) / (bin_height * dx)));
+  CHECK(columns * bins < (double)UINT32_MAX, ERR_INPUT,
+        "the tank is %.3g by %.3g particle spacings, too many cells to number: lower the "
+        "resolution or the walls",
+        columns * column_width, bins * bin_height);
+  g->columns = (size_t)columns;
+  g->bins = (size_t)bins;
   g->per_x = 1 / (column_width * dx);
   g->per_y = 1 / (bin_height * dx);
   g->start = calloc(g->columns * g->bins + 1, sizeof *g->start);

@@ -29,12 +29,13 @@ struct sph_lists {
   struct sph_chunk *chunks; /* [n_chunks], owned */
 };
 
-/* A grid over the box for points about dx apart. */
+/* A grid over the box for points about dx apart. ERR_INPUT when it has more cells than can be
+ * numbered; ERR_MEMORY. */
 enum status sph_grid_create(struct sph_grid *g, const struct geo_box *box, double dx);
 void sph_grid_destroy(struct sph_grid *g);
 
 /* Sorts points: fills order [n] (place -> point) and g->start. key is scratch [n]. Points that
- * keep() refuses are left out; returns how many are in. */
+ * marked in drop (NULL: none) are left out; returns how many are in. */
 size_t sph_grid_sort(struct sph_grid *g, size_t n, const double *x, const double *y,
                      const unsigned char *drop, uint32_t *key, uint32_t *order);
 

@@ -49,6 +49,13 @@ static void test_lists_hold_every_pair_within_the_support(void) {
   case_destroy(c);
 }
 
+/* A tank of 2e5 spacings a side: its cells could not be told apart by 32-bit numbers. */
+static void test_grid_refuses_more_cells_than_it_can_number(void) {
+  struct sph_grid g = {0};
+  EXPECT(sph_grid_create(&g, &(struct geo_box){{0, 0}, {2e5, 2e5}}, 1) == ERR_INPUT);
+  EXPECT(!g.start);
+}
+
 /* Antisymmetric pairs: only rounding is left, relative to the sum of the magnitudes. */
 static void test_momentum_is_conserved_and_diffusion_conserves_density(void) {
   for (int d = 0; d < SPH_N_DIFFUSIONS; d++) {
@@ -195,6 +202,7 @@ static void test_operators_converge_at_second_order_inside_the_water(void) {
 
 int main(void) {
   RUN(test_lists_hold_every_pair_within_the_support);
+  RUN(test_grid_refuses_more_cells_than_it_can_number);
   RUN(test_momentum_is_conserved_and_diffusion_conserves_density);
   RUN(test_powers_close_the_energy_budget);
   RUN(test_renormalised_gradient_is_exact_for_linear_pressure);
