@@ -1,6 +1,8 @@
 /* Integrators and time steps. */
 #include "tests/test.h"
 
+#include <complex.h>
+
 #include "sph/integrator.h"
 #include "sph/timestep.h"
 #include "tests/sph/pool.h"
@@ -66,7 +68,7 @@ static void test_integrators_have_the_order_they_declare(void) {
   }
 }
 
-/* Each bound by hand, for water at rest: a c0 of 62.6 m/s, h = 1/15 m. */
+/* Each bound by hand, for water at rest, h = 1/15 m. */
 static void test_time_step_obeys_every_bound(void) {
   struct case_file *c = pool_case(POOL_DROP, "resolution: 20, diffusion: antuono, delta: 0.3, "
                                              "alpha: 0.4, integrator: rk4, c0: 50");
@@ -89,7 +91,53 @@ static void test_time_step_obeys_every_bound(void) {
   case_destroy(c);
 }
 
-/* Two particles' worth of separation: u = (a x, 0) has pi = a x^2/r^2, at most a. */
+/* |1 + z b.(1 + z A 1 + ...)|: how much dw/dt = lambda w grows in a step, z = lambda dt. */
+static double growth(const struct sph_integrator *m, double complex z) {
+  double complex k[SPH_MAX_STAGES], sum = 1;
+  for (int r = 0; r < m->stages; r++) {
+    double complex w = 1;
+    for (int q = 0; q < r; q++) w += m->a[r][q] * k[q];
+    k[r] = z * w;
+    sum += m->b[r] * k[r];
+  }
+  return cabs(sum);
+}
+
+/* First z = direction * distance at which the method amplifies, by steps of 1e-3. Next to z = 0 it
+ * does so by rounding at most. */
+static double stable_up_to(const struct sph_integrator *m, double complex direction) {
+  double distance = 1e-3;
+  while (growth(m, distance * direction) <= 1 + 1e-12) distance += 1e-3;
+  return distance;
+}
+
+/* Sound and convection lie on the imaginary axis, diffusion on the negative real one; P found its
+ * factors for classic RK4. Within the steps of the search. */
+static void test_time_step_factors_are_the_limits_of_stability(void) {
+  const struct sph_integrator *rk4 = &sph_integrators[0];
+  for (int k = 0; sph_integrator_names[k]; k++) {
+    const struct sph_integrator *m = &sph_integrators[k];
+    EXPECT_NEAR(m->acoustic, stable_up_to(m, I) / stable_up_to(rk4, I), 1e-3);
+    EXPECT_NEAR(m->diffusive, stable_up_to(m, -1) / stable_up_to(rk4, -1), 1e-3);
+  }
+}
+
+/* The bounds of other integrators and diffusions than RK4 with Antuono's are scaled. */
+static void test_time_step_bounds_know_the_integrator_and_the_diffusion(void) {
+  struct case_file *c = pool_case(POOL_DROP, "resolution: 20, diffusion: ferrari, alpha: 0, "
+                                             "integrator: tvd-rk3, c0: 50");
+  struct sph *s = pool_create(c);
+  EXPECT_OK(sph_rates(s, 0, true, true));
+  struct sph_bounds b = sph_timestep_bounds(s);
+  double h = 4. / 3 / 20;
+  EXPECT_NEAR(b.diffusive / (0.44 * h / (sqrt(M_PI) / 4 * 50)), 2.513 / 2.785, 1e-3);
+  EXPECT_NEAR(b.acoustic / (2.2 * h / 50), sqrt(3) / sqrt(8), 1e-3);
+  EXPECT(isinf(b.viscous));
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* u = (a x, 0) has pi = a x^2/r^2, at most a. */
 static void test_acoustic_bound_sees_velocity_gradients(void) {
   struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, c0: 50");
   struct sph *s = pool_create(c);
@@ -122,6 +170,8 @@ static void test_tables_are_explicit_and_consistent(void) {
 int main(void) {
   RUN(test_integrators_have_the_order_they_declare);
   RUN(test_time_step_obeys_every_bound);
+  RUN(test_time_step_factors_are_the_limits_of_stability);
+  RUN(test_time_step_bounds_know_the_integrator_and_the_diffusion);
   RUN(test_acoustic_bound_sees_velocity_gradients);
   RUN(test_tables_are_explicit_and_consistent);
   return TEST_RESULT;
