@@ -14,7 +14,7 @@ static const double GROWTH = 6;              /* 1/H */
 static const double SPREAD = 3;              /* implicit smoothing, over about sqrt(3) panels */
 static const double RELAX = 0.1;             /* sqrt(H/g), in which misplaced nodes drift home */
 static const double OPEN = 0.15;             /* rad: a kink that turns less is not one any more */
-static const size_t MOST = 6000, FEWEST = 7; /* nodes of a surface, of a piece */
+static const size_t FEWEST = 7;              /* nodes of a piece */
 
 enum status bem_mesh_reserve(struct bem_mesh *m, size_t n) {
   if (n <= m->room) return OK;
@@ -145,8 +145,10 @@ enum status bem_mesh_regrid(struct bem_mesh *m, struct bem_surface *s) {
       arc[j + 1] = arc[j] + l;
       whole += rho[j] * l;
     }
-    CHECK(whole < (double)MOST, ERR_SOLVER,
-          "the surface has become too rough: it asks for %.3g nodes", whole);
+    CHECK(whole < BEM_MOST_NODES, ERR_SOLVER,
+          "the surface asks for %.3g nodes, more than %d: it has become too rough, or the "
+          "resolution is too high",
+          whole, BEM_MOST_NODES);
     fresh[i] = (size_t)fmax(ceil(whole), (double)FEWEST);
     total += fresh[i];
   }

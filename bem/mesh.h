@@ -4,6 +4,8 @@
 #pragma once
 #include "bem/surface.h"
 
+enum { BEM_MOST_NODES = 6000 }; /* on a surface: their dense matrix takes 0.3 GB */
+
 struct bem_mesh {
   double resolution; /* nodes per H where the surface is smooth */
   size_t room;

@@ -15,6 +15,16 @@ static bool is_rectangle(const struct geo_lines *l, const struct geo_box *b) {
   return true;
 }
 
+/* `length` of the surface in H. */
+static void check_most(const struct case_run *r, double length, struct problems *problems) {
+  if (length * r->resolution < BEM_MOST_NODES) return;
+  problems_add(problems, r->line,
+               "runs.%s.resolution: found '%.6g', %.0f nodes on the surface; allowed: fewer than "
+               "%d nodes; lower it to %g",
+               r->name, r->resolution, length * r->resolution, BEM_MOST_NODES,
+               floor(0.5 * BEM_MOST_NODES / length));
+}
+
 void bem_start_check(const struct case_file *c, const struct case_run *r,
                      struct problems *problems) {
   if (!c->rectangular)
@@ -30,6 +40,7 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                    "%d nodes; raise it to %g",
                    r->name, r->resolution, width / c->H * r->resolution, FEWEST,
                    ceil(FEWEST * c->H / width));
+    check_most(r, width / c->H, problems);
     return;
   }
   if (c->water.pieces != 1) {
@@ -58,6 +69,7 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "runs.%s.resolution: found '%.6g', %.3g nodes on the shorter side of the water; "
                  "allowed: at least %d nodes; raise it to %g",
                  r->name, r->resolution, shortest * r->resolution, FEWEST, ceil(FEWEST / shortest));
+  check_most(r, (b.max[0] - b.min[0] + b.max[1] - b.min[1]) / c->H, problems);
 }
 
 enum status bem_start_surface(const struct case_file *c, const struct case_run *r,

@@ -97,6 +97,11 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
   double dx = c->H / r->resolution;
   double support = SPH_KERNEL_SUPPORT * o->h_over_dx * dx;
   double width = c->tank.max[0] - c->tank.min[0], height = c->tank.max[1] - c->tank.min[1];
+  if (o->delta < 0 && o->delta != -1)
+    problems_add(problems, r->line,
+                 "runs.%s.delta: found '%g'; allowed: 0 to 10, or -1 for the usual one of the "
+                 "diffusion; correct it",
+                 r->name, o->delta);
   if (!c->rectangular)
     problems_add(problems, r->line,
                  "runs.%s.solver: found 'sph' in a tank that is not rectangular; allowed: one wall "
