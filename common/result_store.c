@@ -20,9 +20,11 @@
 struct result_store {
   char *path, *twin; /* owned */
   hid_t driver;      /* of HDF5, -1 until registered */
+  char *lock_path;   /* owned; an empty file, locked as long as the store lives */
+  int lock;          /* -1 until we hold it */
   int fd[2];         /* the two files, -1 until opened */
   int front;         /* which of them is at `path` (before the first commit: neither) */
-  bool locked;       /* the back file is ours alone */
+  bool locked;       /* no reader holds the back file */
   haddr_t eoa;       /* end of what HDF5 has allocated */
   haddr_t committed; /* the same at the last commit */
 
@@ -289,8 +291,7 @@ static enum status write_at(const struct result_store *s, int fd, haddr_t at, si
 
 static enum status open_twin(struct result_store *s, int i) {
   s->fd[i] = open(s->twin, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  CHECK(s->fd[i] >= 0, ERR_IO, "cannot write beside %s: %s%s", s->path, strerror(errno),
-        errno == ENOENT ? " (create the directory first)" : "");
+  CHECK(s->fd[i] >= 0, ERR_IO, "cannot write beside %s: %s", s->path, strerror(errno));
   return OK;
 }
 
@@ -425,42 +426,74 @@ enum status result_store_commit(struct result_store *s, bool last) {
 
 /* ---- life ---- */
 
-/* ".NAME.next" in the same folder; NULL without memory. */
-static char *twin_path(const char *path) {
+/* ".NAME.SUFFIX" in the same folder; NULL without memory. */
+static char *hidden_path(const char *path, const char *suffix) {
   const char *slash = strrchr(path, '/');
   int folder = slash ? (int)(slash - path) + 1 : 0;
-  char *twin;
-  return asprintf(&twin, "%.*s.%s.next", folder, path, path + folder) < 0 ? NULL : twin;
+  char *hidden;
+  int n = asprintf(&hidden, "%.*s.%s.%s", folder, path, path + folder, suffix);
+  return n < 0 ? NULL : hidden;
 }
 
 bool result_store_is_written(const char *path) {
-  char *twin = twin_path(path);
-  int fd = twin ? open(twin, O_RDONLY | O_CLOEXEC) : -1;
+  char *lock = hidden_path(path, "lock");
+  int fd = lock ? open(lock, O_RDONLY | O_CLOEXEC) : -1;
   bool written = fd >= 0 && flock(fd, LOCK_SH | LOCK_NB) && errno == EWOULDBLOCK;
   if (fd >= 0) close(fd);
-  free(twin);
+  free(lock);
   return written;
+}
+
+static bool is_at(int fd, const char *path) {
+  struct stat mine, there;
+  return !fstat(fd, &mine) && !stat(path, &there) && mine.st_dev == there.st_dev &&
+         mine.st_ino == there.st_ino;
+}
+
+/* Keeps other runs out. The two data files cannot do it: they change their names, and a reader may
+ * hold either. */
+static enum status lock_take(struct result_store *s) {
+  for (;;) {
+    s->lock = open(s->lock_path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    CHECK(s->lock >= 0, ERR_IO, "cannot write beside %s: %s%s", s->path, strerror(errno),
+          errno == ENOENT ? " (create the directory first)" : "");
+    if (flock(s->lock, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK) {
+      close(s->lock);
+      s->lock = -1; /* not ours to remove */
+      return status_raise(ERR_IO, "another run is writing %s", s->path);
+    }
+    if (is_at(s->lock, s->lock_path)) return OK;
+    close(s->lock); /* the run before us removed it just now */
+  }
+}
+
+/* The first back file; one that a killed run left is used again, unless somebody reads it. */
+static enum status open_first(struct result_store *s) {
+  TRY(open_twin(s, 0));
+  if (!lock_back(s)) {
+    drop_back(s);
+    TRY(open_twin(s, 0));
+    (void)lock_back(s);
+  }
+  CHECK(!ftruncate(s->fd[0], 0), ERR_IO, "cannot write %s: %s", s->path, strerror(errno));
+  return OK;
 }
 
 enum status result_store_create(const char *path, struct result_store **out) {
   struct result_store *s = calloc(1, sizeof *s);
   *out = NULL;
   CHECK(s, ERR_MEMORY, "no memory to write %s", path);
-  s->fd[0] = s->fd[1] = -1;
   s->driver = -1;
+  s->fd[0] = s->fd[1] = s->lock = -1;
   s->front = 1; /* so that the first commit goes into file 0 */
   s->path = strdup(path);
-  s->twin = twin_path(path);
-  enum status status =
-      s->path && s->twin ? OK : status_raise(ERR_MEMORY, "no memory to write %s", path);
-  if (status == OK) status = open_twin(s, 0);
-  if (status == OK && !lock_back(s)) {
-    status = status_raise(ERR_IO, "another run is writing %s", path);
-    close(s->fd[0]);
-    s->fd[0] = -1; /* the twin is not ours to remove */
-  }
-  if (status == OK && ftruncate(s->fd[0], 0))
-    status = status_raise(ERR_IO, "cannot write %s: %s", path, strerror(errno));
+  s->twin = hidden_path(path, "next");
+  s->lock_path = hidden_path(path, "lock");
+  enum status status = s->path && s->twin && s->lock_path
+                           ? OK
+                           : status_raise(ERR_MEMORY, "no memory to write %s", path);
+  if (status == OK) status = lock_take(s);
+  if (status == OK) status = open_first(s);
   if (status != OK) {
     result_store_destroy(s);
     return status;
@@ -475,11 +508,16 @@ void result_store_destroy(struct result_store *s) {
   if (s->twin && (s->fd[0] >= 0 || s->fd[1] >= 0)) unlink(s->twin);
   for (int i = 0; i < 2; i++)
     if (s->fd[i] >= 0) close(s->fd[i]);
+  if (s->lock >= 0) {
+    unlink(s->lock_path);
+    close(s->lock);
+  }
   for (size_t k = 0; k < s->n_pages; k++) free(s->page[k]);
   free(s->page);
   free(s->fresh);
   free(s->sum);
   free(s->path);
   free(s->twin);
+  free(s->lock_path);
   free(s);
 }

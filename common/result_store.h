@@ -7,7 +7,7 @@
  * after any kind of death, finds exactly one of the committed states. The price is twice the disk
  * space until the run ends. A reader that has the file open keeps the state it opened: HDF5 locks
  * what it reads, and a back file that is still locked is left to its reader and replaced by a copy
- * of the front.
+ * of the front. A third, empty file, .NAME.lock, keeps other runs out for as long as the run goes on.
  *
  * A commit also puts a seal behind the HDF5 data: a checksum of the whole file, by which a reader
  * knows a damaged file before HDF5 touches it. HDF5 programs ignore those bytes. */

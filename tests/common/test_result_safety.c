@@ -1,13 +1,16 @@
 /* What was flushed survives: a kill at any moment, a full disk, a limit on file sizes. And a file
  * that is not as it was written is refused in one sentence, whatever its bytes are. */
 #include <errno.h>
+#include <fcntl.h>
 #include <hdf5.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "tests/common/result_sample.h"
 #include "tests/test.h"
@@ -289,13 +292,18 @@ static void test_two_runs_cannot_write_one_file(void) {
   EXPECT_OK(result_create(path, c, &c->runs[0], &w));
   for (size_t k = 0; k < 3; k++) {
     EXPECT_OK(sample_output(w, k, 30));
-    if (k) EXPECT(result_create(path, c, &c->runs[0], &other) == ERR_IO && !other);
+    EXPECT(result_create(path, c, &c->runs[0], &other) == ERR_IO && !other);
   }
   EXPECT(strstr(status_message(), "another run is writing "));
+  int reader = open(path, O_RDONLY | O_CLOEXEC); /* the next output cannot lock what is read */
+  EXPECT(reader >= 0 && !flock(reader, LOCK_SH));
+  EXPECT_OK(sample_output(w, 3, 30));
+  close(reader);
+  EXPECT(result_create(path, c, &c->runs[0], &other) == ERR_IO && !other);
   EXPECT_OK(result_finish(w));
   result_destroy(w);
   EXPECT_OK(result_read(path, &f));
-  EXPECT(f && f->complete && f->n_outputs == 3);
+  EXPECT(f && f->complete && f->n_outputs == 4);
   result_file_destroy(f);
   sample_case_destroy(c);
 }
