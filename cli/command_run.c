@@ -147,7 +147,9 @@ static int run_case(struct run_arguments *a, const struct case_file *c, struct p
   else {
     const char *base = strrchr(a->case_path, '/');
     base = base ? base + 1 : a->case_path;
-    snprintf(folder, sizeof folder, "out/%.*s", (int)strcspn(base, "."), base);
+    const char *dot = strrchr(base, '.');
+    int n = dot > base ? (int)(dot - base) : (int)strlen(base);
+    snprintf(folder, sizeof folder, "out/%.*s", n, base);
   }
   bool *chosen = calloc(c->n_runs, sizeof *chosen);
   int exit_code = EXIT_FINE;

@@ -61,15 +61,20 @@ void cmp_output_abandon(struct cmp_output *o) {
 
 enum status cmp_directory_make(const char *path) {
   char part[PATH_MAX];
+  struct stat info;
+  CHECK(*path, ERR_USAGE, "the folder's name is empty");
   int n = snprintf(part, sizeof part, "%s", path);
   CHECK(n > 0 && n < PATH_MAX, ERR_IO, "the path %.100s... is too long", path);
   for (char *slash = strchr(part + 1, '/');; slash = strchr(slash + 1, '/')) {
     if (slash) *slash = 0;
     CHECK(mkdir(part, 0777) == 0 || errno == EEXIST, ERR_IO, "cannot make the folder %s: %s", part,
           strerror(errno));
-    if (!slash) return OK;
+    if (!slash) break;
     *slash = '/';
   }
+  CHECK(!stat(path, &info) && S_ISDIR(info.st_mode), ERR_USAGE,
+        "%s is not a folder; choose another --out", path);
+  return OK;
 }
 
 enum status cmp_file_read(const char *path, char **bytes, size_t *n) {

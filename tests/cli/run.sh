@@ -84,6 +84,12 @@ expect "a stopped run's file says so" grep -q "stopped before its end" log
 code 2 "$program" run dam.yaml --out out --only nobody
 code 2 "$program" run dam.yaml --out out --set runs.sph.alpha=-1
 code 2 "$program" run dam.yaml --out out --threads 0
+code 2 "$program" run dam.yaml --out dam.yaml
+expect "a folder that is a file is one complaint" test "$(wc -l <log)" = 1
+code 2 "$program" run dam.yaml --out ""
+cp dam.yaml dam.v2.yaml
+code 0 "$program" run dam.v2.yaml --only bem
+expect "only the last suffix is left out of the folder's name" test -s out/dam.v2/bem.h5
 code 2 "$program" run missing.yaml
 code 2 "$program" no-such-command
 code 2 "$program" compare out/bem.h5
