@@ -12,8 +12,9 @@ int command_report(const struct case_file *c, const struct result_file *ref, siz
   struct cmp_verdict verdict;
   progress_say(progress, "comparing %zu run%s with %s", n, n == 1 ? "" : "s", ref->run);
   enum status status = cmp_report(c, ref, n, runs, out, &verdict);
+  if (*verdict.sentence) puts(verdict.sentence); /* even when the report could not be written */
   if (status != OK) return command_fail(status);
-  printf("%s\n%zu of %zu checks passed; report: %s/report.html\n", verdict.sentence, verdict.passed,
+  printf("%zu of %zu checks passed; report: %s/report.html\n", verdict.passed,
          verdict.passed + verdict.failed, out);
   return verdict.failed ? EXIT_VERDICT : EXIT_FINE;
 }

@@ -8,6 +8,23 @@
 
 /* ---- distance ---- */
 
+/* Of a panel of distances: gnuplot finds no range where there is no number. */
+static const char *distance_range(const struct comparison *c, size_t panel) {
+  for (size_t r = 0; r < c->n_runs; r++) {
+    const struct cmp_evolution *e = &c->run[r].evolution;
+    const double *value = panel == 0 ? e->mean : panel == 1 ? e->largest : e->area;
+    for (size_t i = 0; i < e->n; i++)
+      if (isfinite(value[i])) return "0:*";
+  }
+  return "0:1";
+}
+
+static bool distance_known(const struct comparison *c) {
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (c->run[r].evolution.n) return true;
+  return false;
+}
+
 static enum status distance_chart(const struct comparison *c, struct cmp_figures *f) {
   struct cmp_chart chart;
   TRY(cmp_chart_begin(c, f, CMP_SECTION_DISTANCE, 3, 190, NULL, 0,
@@ -26,7 +43,7 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
   }
   static const char *const label[] = {"mean distance / H", "largest distance / H", "area / H^2"};
   for (size_t panel = 0; panel < 3; panel++) {
-    cmp_chart_panel(&chart, panel, "0:*", label[panel]);
+    cmp_chart_panel(&chart, panel, distance_range(c, panel), label[panel]);
     for (size_t r = 0; r < c->n_runs; r++)
       cmp_chart_curve(
           &chart, &(struct cmp_curve){r, panel, c->run[r].data.label, cmp_colour(r), 1.3, 0, 0});
@@ -306,7 +323,7 @@ static enum status front_chart(const struct comparison *c, struct cmp_figures *f
 }
 
 enum status cmp_charts_write(const struct comparison *c, struct cmp_figures *f) {
-  if (c->n_runs) TRY(distance_chart(c, f));
+  if (distance_known(c)) TRY(distance_chart(c, f));
   TRY(front_chart(c, f));
   TRY(energy_charts(c, f));
   TRY(probe_charts(c, f));

@@ -240,5 +240,7 @@ enum status cmp_figures_draw(struct cmp_figures *f) {
     }
   }
   for (size_t i = 0; status == OK && i < f->n; i++) status = drawing_check(f, &f->figure[i]);
-  return status == OK ? figures_publish(f) : status;
+  if (status == OK) status = figures_publish(f);
+  f->drawn = status == OK;
+  return status;
 }

@@ -31,6 +31,7 @@ struct cmp_figures {
   char dir[PATH_MAX], temporary[PATH_MAX];
   size_t n, room;
   struct cmp_figure *figure;
+  bool drawn; /* all of them are in `dir` */
 };
 
 enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f);

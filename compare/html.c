@@ -319,6 +319,8 @@ static enum status page_write(struct page *p, const struct comparison *c,
                    : rows->passed ? "lead pass"
                                   : "lead",
                    "%s", sentence);
+  if (!figures->drawn)
+    cmp_page_element(p, "p", "lead fail", "There are no figures: %s.", status_message());
   TRY(body(p, &(struct content){c, rows, figures}));
   cmp_page_close(p);
   cmp_page_close(p);

@@ -118,7 +118,7 @@ static enum status figure_show(struct page *p, const struct cmp_figures *figures
 
 enum status cmp_html_figures(struct page *p, const struct cmp_figures *figures,
                              enum cmp_section section) {
-  for (size_t k = 0; k < figures->n; k++)
+  for (size_t k = 0; figures->drawn && k < figures->n; k++)
     if (figures->figure[k].section == section) TRY(figure_show(p, figures, &figures->figure[k]));
   return OK;
 }

@@ -31,8 +31,9 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   ATTEMPT(cmp_figures_open(out_dir, &figures));
   ATTEMPT(cmp_charts_write(c, &figures));
   ATTEMPT(cmp_overlays_write(c, &figures));
-  ATTEMPT(cmp_figures_draw(&figures));
-  ATTEMPT(cmp_html_write(c, &rows, &figures, verdict->sentence, html));
+  enum status drawn = cmp_figures_draw(&figures);
+  ATTEMPT(cmp_html_write(c, &rows, &figures, verdict->sentence, html)); /* the numbers at least */
+  status = drawn;
 done:
   cmp_figures_close(&figures);
   cmp_rows_destroy(&rows);

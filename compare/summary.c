@@ -47,16 +47,36 @@ __attribute__((format(printf, 2, 3))) static void append(struct text *t, const c
   t->room -= used;
 }
 
+/* How many runs from the k-th on agree until the same end: they are named together. */
+static size_t alike(const struct comparison *c, const size_t *order, size_t k) {
+  const struct cmp_run *first = &c->run[order[k]];
+  double shared = cmp_summary_shared(first);
+  size_t m = k + 1;
+  if (cmp_known(&first->agreement) || !first->data.file->complete) return 1;
+  while (m < c->n_runs && !cmp_known(&c->run[order[m]].agreement) &&
+         c->run[order[m]].data.file->complete && c->run[order[m]].data.dx == first->data.dx &&
+         cmp_summary_shared(&c->run[order[m]]) == shared)
+    m++;
+  return m - k;
+}
+
 enum status cmp_summary_sentence(const struct comparison *c, const struct cmp_rows *rows,
                                  char *sentence, size_t room) {
   struct text t = {sentence, room};
   size_t *order;
   sentence[0] = 0;
   TRY(cmp_summary_order(c, &order));
-  for (size_t k = 0; k < c->n_runs; k++) {
+  for (size_t k = 0, n; k < c->n_runs; k += n) {
     const struct cmp_run *run = &c->run[order[k]];
     double shared = cmp_summary_shared(run);
-    append(&t, "%s%.60s ", k ? "; " : "", run->data.label);
+    n = alike(c, order, k);
+    for (size_t m = 0; m < n; m++)
+      append(&t, "%s%.60s",
+             m   ? (m + 1 < n ? ", " : " and ")
+             : k ? "; "
+                 : "",
+             c->run[order[k + m]].data.label);
+    append(&t, " ");
     if (!isfinite(shared))
       append(&t, "cannot be compared (%s)", run->agreement.why);
     else {
@@ -64,9 +84,10 @@ enum status cmp_summary_sentence(const struct comparison *c, const struct cmp_ro
       double until = leaves ? run->agreement.value : shared;
       if (k == 0)
         append(&t,
-               "stays within one particle spacing (%.3g H, on average along the surface) of %.60s ",
-               run->data.dx, c->ref.data.label);
+               "%s within one particle spacing (%.3g H, on average along the surface) of %.60s ",
+               n > 1 ? "stay" : "stays", run->data.dx, c->ref.data.label);
       append(&t, leaves ? "until t* = %.3g" : "to the end of what they share, t* = %.3g", until);
+      if (!leaves && !run->data.file->complete) append(&t, " (unfinished)");
     }
   }
   if (!c->n_runs) append(&t, "There is no run to compare with %.60s", c->ref.data.label);

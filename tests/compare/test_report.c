@@ -221,6 +221,63 @@ static void test_missing_times_are_not_zero(void) {
   result_file_destroy(b);
 }
 
+/* Runs that do equally well are named together. */
+static void test_sentence_groups_runs(void) {
+  struct case_file c;
+  settings_make(&c);
+  struct result_file *a = made_up("a", "alike", (struct flaws){.until = end}), *runs[3];
+  for (size_t r = 0; r < 3; r++)
+    runs[r] = made_up((const char *[]){"x", "y", "z"}[r], "", (struct flaws){.until = end});
+  runs[2]->complete = false;
+  struct cmp_verdict v = compare(&c, a, 3, runs);
+  EXPECT(strstr(v.sentence, "x and y stay within one particle spacing"));
+  EXPECT(strstr(v.sentence, "; z to the end of what they share, t* = 4 (unfinished)."));
+  settings_free(&c);
+  result_file_destroy(a);
+  for (size_t r = 0; r < 3; r++) result_file_destroy(runs[r]);
+}
+
+/* Without gnuplot there is a page with the numbers that says what is missing, and an error. */
+static void test_page_without_figures(void) {
+  struct case_file c;
+  struct cmp_verdict v;
+  char path[PATH_MAX], *bytes = NULL;
+  size_t n;
+  settings_make(&c);
+  struct result_file *a = made_up("a", "bare", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "bare", (struct flaws){.until = end});
+  char *usual = text(getenv("PATH"));
+  setenv("PATH", "/nonexistent", 1);
+  EXPECT(cmp_report(&c, a, 1, &b, folder, &v) == ERR_IO);
+  setenv("PATH", usual, 1);
+  EXPECT(strstr(status_message(), "gnuplot is not installed"));
+  EXPECT(*v.sentence);
+  path_in("report.html", path);
+  EXPECT_OK(cmp_file_read(path, &bytes, &n));
+  EXPECT(bytes && strstr(bytes, "There are no figures: ") && strstr(bytes, "mean_distance"));
+  EXPECT(bytes && !strstr(bytes, "<img"));
+  free(bytes);
+  free(usual);
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
+/* Runs that have no time in common are reported, as far as they can be. */
+static void test_nothing_in_common(void) {
+  struct case_file c;
+  settings_make(&c);
+  struct result_file *a = made_up("a", "apart", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "apart", (struct flaws){.until = end});
+  for (size_t i = 0; i < b->n_surfaces; i++) b->surface_time[i] += 2 * end;
+  struct cmp_verdict v = compare(&c, a, 1, &b);
+  EXPECT(isnan(value_of("mean_distance", "b", 2)));
+  EXPECT(strstr(v.sentence, "cannot be compared"));
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
 static void test_other_scales_are_refused(void) {
   struct case_file c;
   settings_make(&c);
@@ -312,6 +369,9 @@ int main(void) {
   RUN(test_identity_passes_every_check);
   RUN(test_known_flaws_are_measured);
   RUN(test_missing_times_are_not_zero);
+  RUN(test_sentence_groups_runs);
+  RUN(test_page_without_figures);
+  RUN(test_nothing_in_common);
   RUN(test_other_scales_are_refused);
   RUN(test_names_stay_text);
   RUN(test_figures_are_complete);
