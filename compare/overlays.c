@@ -305,10 +305,10 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
   layers_draw(fig, &l, &view, c, cloud, top);
   cmp_figure_formats(fig);
   fprintf(fig->script,
-          "%sset cbrange [0:%g]\nset cblabel 'p / (ρ g H)'\n"
+          "%sset cbrange [0:%g]\nset cbtics %g\nset cblabel 'p / (ρ g H)'\n"
           "unset key\nunset grid\nset tics front\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset ytics 0.5\nset multiplot\n",
-          palette, top, view.min[0], view.max[0], view.min[1], view.max[1]);
+          palette, top, top / 4, view.min[0], view.max[0], view.min[1], view.max[1]);
   for (size_t r = 0; r < c->n_runs; r++) panel_draw(c, fig, &l, &view, &cloud[r], time, r);
   fputs("unset multiplot\n", fig->script);
   return cmp_figure_end(fig);
