@@ -14,8 +14,11 @@ int command_report(const struct case_file *c, const struct result_file *ref, siz
   enum status status = cmp_report(c, ref, n, runs, out, &verdict);
   if (*verdict.sentence) puts(verdict.sentence); /* even when the report could not be written */
   if (status != OK) return command_fail(status);
-  printf("%zu of %zu checks passed; report: %s/report.html\n", verdict.passed,
-         verdict.passed + verdict.failed, out);
+  if (verdict.passed + verdict.failed)
+    printf("%zu of %zu checks passed; ", verdict.passed, verdict.passed + verdict.failed);
+  else
+    printf("the case sets no tolerance to check; ");
+  printf("report: %s/report.html\n", out);
   return verdict.failed ? EXIT_VERDICT : EXIT_FINE;
 }
 

@@ -230,7 +230,7 @@ static struct cmp_value largest_magnitude(const struct cmp_series *s, double unt
     if (!isfinite(s->value[i])) return cmp_unknown("the energies are not all numbers");
     worst = fmax(worst, fabs(s->value[i]));
   }
-  return worst >= 0 ? cmp_number(worst) : cmp_unknown("the file has no energies");
+  return worst >= 0 ? cmp_number(worst) : cmp_unknown("the file has no energies then");
 }
 
 static void budget_measure(const struct comparison *c, struct cmp_run *run) {
@@ -373,6 +373,12 @@ void cmp_comparison_destroy(struct comparison *c) {
   free(c->run);
   free(c->times);
   free(c);
+}
+
+bool cmp_comparison_has_output(const struct comparison *c, size_t time) {
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (c->run[r].at[time].output != SIZE_MAX) return true;
+  return false;
 }
 
 bool cmp_comparison_has_front(const struct comparison *c) {

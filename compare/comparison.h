@@ -60,5 +60,8 @@ enum status cmp_comparison_create(const struct case_file *settings, const struct
                                   struct comparison **out);
 void cmp_comparison_destroy(struct comparison *c);
 
+/* Whether any run has an output at the comparison time. */
+bool cmp_comparison_has_output(const struct comparison *c, size_t time);
+
 /* Whether a front runs in the reference: it moves by more than what it is known to. */
 bool cmp_comparison_has_front(const struct comparison *c);

@@ -15,6 +15,12 @@ static bool has_always(const struct comparison *c) {
   return true;
 }
 
+static bool has_overlays(const struct comparison *c) {
+  for (size_t k = 0; k < c->n_times; k++)
+    if (cmp_comparison_has_output(c, k)) return true;
+  return false;
+}
+
 static bool has_jet(const struct comparison *c) {
   for (size_t r = 0; r <= c->n_runs; r++) {
     const struct cmp_data *d = &cmp_run_or_ref(c, r < c->n_runs ? r : SIZE_MAX)->data;
@@ -40,7 +46,7 @@ static bool has_gauges(const struct comparison *c) {
   X(summary, "Summary", has_always)                                                                \
   X(checks, "Checks", has_always)                                                                  \
   X(distance, "Distance against time", has_always)                                                 \
-  X(overlays, "Overlays", has_always)                                                              \
+  X(overlays, "Overlays", has_overlays)                                                            \
   X(jet, "Plunging jet", has_jet)                                                                  \
   X(front, "Front", has_front)                                                                     \
   X(energy, "Energy", has_always)                                                                  \

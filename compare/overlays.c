@@ -394,7 +394,8 @@ enum status cmp_overlays_write(const struct comparison *c, struct cmp_figures *f
   enum status status = OK;
   struct cloud *cloud = calloc(c->n_runs + 1, sizeof *cloud);
   CHECK(cloud, ERR_MEMORY, "no memory for the pictures");
-  for (size_t k = 0; k < c->n_times && c->n_runs; k++) {
+  for (size_t k = 0; k < c->n_times; k++) {
+    if (!cmp_comparison_has_output(c, k)) continue;
     for (size_t r = 0; r < c->n_runs; r++) cloud_read(c, &c->run[r], c->run[r].at[k].t, &cloud[r]);
     ATTEMPT(overlay_draw(c, f, k, cloud));
     for (size_t r = 0; r < c->n_runs; r++) cloud_free(&cloud[r]);
