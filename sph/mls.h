@@ -9,8 +9,11 @@
  * Extrapolation amplifies noise: the variance of the fit is 1 + d^2 times that of the mean, where d
  * is the (Mahalanobis) distance of the point from the neighbours' centre. On a lattice with h/dx =
  * 4/3, d^2 is 0.57 half a spacing inside flat water, 1.14 in its corner, 2.4 and 4.8 on the edge
- * and corner themselves, and 9 half a spacing outside. The fit goes no farther than the caller's
- * farthest2. */
+ * and corner themselves, and 9 half a spacing outside. The pressure is taken no farther out than
+ * the caller's farthest2. For the velocity that limit counts only as much as there is noise: with
+ * R^2 the part of the neighbours' variance that the plane explains, it is farthest2 / (1 - R^2). A
+ * smooth wave at a wall is thus continued as far as its ghosts need (with a fixed limit it lost 10
+ * % more amplitude than the viscosity takes), and the ghosts of a torn sheet stay at the mean. */
 #pragma once
 #include "sph/kernel.h"
 #include "sph/moments.h"
@@ -29,7 +32,8 @@ SPECIALISE struct mls_fit mls_at(enum sph_kernel kernel, double h, double farthe
   const double per_h2 = 1 / (h * h);
   const vec cutoff2 = (vec){0} + kernel_cutoff2(h);
   vec S = {0}, X = {0}, Y = {0}, XX = {0}, XY = {0}, YY = {0};
-  vec P = {0}, PX = {0}, PY = {0}, U = {0}, UX = {0}, UY = {0}, V = {0}, VX = {0}, VY = {0};
+  vec P = {0}, PX = {0}, PY = {0}, U = {0}, UX = {0}, UY = {0}, V = {0}, VX = {0}, VY = {0},
+      UV2 = {0};
   for (size_t k = 0; k < n; k++) {
     const struct sph_pack *j = &pack[list[k]];
     vec x = j->x - xi, y = j->y - yi, r2 = x * x + y * y;
@@ -50,6 +54,7 @@ SPECIALISE struct mls_fit mls_at(enum sph_kernel kernel, double h, double farthe
     V += w * j->v;
     VX += wx * j->v;
     VY += wy * j->v;
+    UV2 += w * (j->u * j->u + j->v * j->v);
   }
   struct mls_fit f = {.weight = kernel_value_scale(kernel, h) * S};
   vec per_S = 1 / vec_max(S, (vec){0} + 1e-30);
@@ -57,23 +62,27 @@ SPECIALISE struct mls_fit mls_at(enum sph_kernel kernel, double h, double farthe
   Y *= per_S;
   vec xx = XX * per_S - X * X, xy = XY * per_S - X * Y, yy = YY * per_S - Y * Y;
   const double spread = SPH_MLS_SPREAD * h * h;
-  vec qx, qy;
-  moments_solve(xx, xy, yy, spread, X, Y, &qx, &qy);
-  vec d2 = qx * X + qy * Y;
-  vec reach = 1 / vec_sqrt(vec_max(d2 * (1 / farthest2), (vec){0} + 1));
-  qx *= reach;
-  qy *= reach;
-#define FIT(Q, QX, QY)                                                                             \
+#define CENTRE(Q, QX, QY)                                                                          \
   Q *= per_S;                                                                                      \
   QX = QX * per_S - Q * X;                                                                         \
   QY = QY * per_S - Q * Y
-  FIT(U, UX, UY);
-  FIT(V, VX, VY);
-  FIT(P, PX, PY);
-#undef FIT
-  f.u = U - (qx * UX + qy * UY);
-  f.v = V - (qx * VX + qy * VY);
-  f.p = P - (qx * PX + qy * PY);
+  CENTRE(U, UX, UY);
+  CENTRE(V, VX, VY);
+  CENTRE(P, PX, PY);
+#undef CENTRE
+  vec qx, qy, ux, uy, vx, vy;
+  moments_solve(xx, xy, yy, spread, X, Y, &qx, &qy);
+  moments_solve(xx, xy, yy, spread, UX, UY, &ux, &uy);
+  moments_solve(xx, xy, yy, spread, VX, VY, &vx, &vy);
   moments_solve(xx, xy, yy, spread, PX, PY, &f.px, &f.py);
+  const vec one = (vec){0} + 1;
+  vec d2 = (qx * X + qy * Y) * (1 / farthest2);
+  vec variance = vec_max(UV2 * per_S - U * U - V * V, (vec){0} + 1e-30);
+  vec explained = ux * UX + uy * UY + vx * VX + vy * VY;
+  vec noise = vec_max(one - explained / variance, (vec){0}); /* 1 - R^2 */
+  vec reach = 1 / vec_sqrt(vec_max(d2 * noise, one));
+  f.u = U - reach * (ux * X + uy * Y);
+  f.v = V - reach * (vx * X + vy * Y);
+  f.p = P - (f.px * X + f.py * Y) / vec_sqrt(vec_max(d2, one));
   return f;
 }
