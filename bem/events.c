@@ -13,53 +13,85 @@ static double tangent(const struct bem_surface *s, const double *state, size_t k
   return dx / hypot(dx, dy);
 }
 
+/* Least value of the parabola through three neighbouring values, `least` the middle one; *offset,
+ * in nodes from the middle, is where. The middle one itself unless it is below both. */
+static double refine(double before, double least, double after, double *offset) {
+  *offset = 0;
+  if (!(before > least && after > least)) return least;
+  double bend = before - 2 * least + after, slope = 0.5 * (after - before);
+  *offset = -slope / bend;
+  return least - 0.5 * slope * slope / bend;
+}
+
 /* Smallest horizontal component of the unit tangent (surface walked from left to right) where the
- * breaker rises, refined by a parabola through the three nodes around the least. */
-static double least_tangent(const struct bem_surface *s, const double *state, size_t *where) {
+ * breaker rises, and where: in nodes, with fractions; 0 when nothing rises. */
+static double least_tangent(const struct bem_surface *s, const double *state, double *where) {
   const double *x = state, *y = state + s->n;
-  double least = 1;
+  double least = 1, offset;
+  size_t at = 0;
   *where = 0;
   for (size_t k = 3; k + 3 < s->n; k++) {
     if (y[k + 1] <= y[k - 1] || s->tank - x[k] < FILM || y[k] > HIGH) continue;
     double t = tangent(s, state, k);
     if (t >= least) continue;
     least = t;
-    *where = k;
+    at = k;
   }
-  if (!*where) return least;
-  double before = tangent(s, state, *where - 1), after = tangent(s, state, *where + 1);
-  double bend = before - 2 * least + after, slope = 0.5 * (after - before);
-  return before > least && after > least ? least - 0.5 * slope * slope / bend : least;
+  if (!at) return least;
+  least = refine(tangent(s, state, at - 1), least, tangent(s, state, at + 1), &offset);
+  *where = (double)at + offset;
+  return least;
+}
+
+/* Vertical distance of node k from the surface left of the node `cavity`; *below is where the last
+ * search ended. */
+static double height_over(const struct bem_surface *s, const double *state, size_t cavity, size_t k,
+                          size_t *below) {
+  const double *x = state, *y = state + s->n;
+  while (*below > 0 && x[*below] > x[k]) --*below;
+  while (*below + 1 < cavity && x[*below + 1] < x[k]) ++*below;
+  double a = (x[k] - x[*below]) / (x[*below + 1] - x[*below]);
+  return y[k] - y[*below] - a * (y[*below + 1] - y[*below]);
 }
 
 /* Vertical distance of the jet from the surface below it, least over the jet's far half: the
  * cavity's deepest point is the first node from the left where x turns back, and from there the
- * distance first grows from zero. 1 while nothing hangs over. */
-static double least_gap(const struct bem_surface *s, const double *state, size_t *where) {
-  const double *x = state, *y = state + s->n;
-  size_t cavity = 1;
+ * distance first grows from zero. 1 while nothing hangs over. *where in nodes, with fractions. */
+static double least_gap(const struct bem_surface *s, const double *state, double *where) {
+  const double *x = state;
+  size_t cavity = 1, at = 0;
   *where = 0;
   while (cavity + 2 < s->n && x[cavity + 1] > x[cavity]) cavity++;
   if (cavity + 2 >= s->n || s->tank - x[cavity] < FILM) return 1;
-  double most = 0, least = 1;
+  double most = 0, least = 1, offset;
   size_t below = cavity;
   for (size_t k = cavity + 1; k < s->n && x[k] < x[cavity]; k++) {
-    while (below > 0 && x[below] > x[k]) below--;
-    while (below + 1 < cavity && x[below + 1] < x[k]) below++;
-    double a = (x[k] - x[below]) / (x[below + 1] - x[below]);
-    double gap = y[k] - y[below] - a * (y[below + 1] - y[below]);
+    double gap = height_over(s, state, cavity, k, &below);
     if (gap > most && least == 1) {
       most = gap;
     } else if (gap < least) {
       least = gap;
-      *where = k;
+      at = k;
     }
   }
+  *where = (double)at;
+  if (!at || at + 1 >= s->n || x[at + 1] >= x[cavity]) return least;
+  double before = height_over(s, state, cavity, at - 1, &below);
+  least = refine(before, least, height_over(s, state, cavity, at + 1, &below), &offset);
+  *where += offset;
   return least;
 }
 
+/* The value at a fractional node, by the parabola through the three nearest nodes. */
+static double value_at(const double *a, size_t n, double where) {
+  size_t k = (size_t)(where + 0.5);
+  if (k < 1 || k + 1 >= n) return a[k];
+  double t = where - (double)k;
+  return a[k] + 0.5 * t * (a[k + 1] - a[k - 1] + t * (a[k + 1] - 2 * a[k] + a[k - 1]));
+}
+
 double bem_events_gap(const struct bem_events *e, const double *state) {
-  size_t where;
+  double where;
   return e->overturned ? least_gap(e->surface, state, &where) : 1;
 }
 
@@ -68,7 +100,7 @@ void bem_events_roots(void *data, double time, const double *state, double root[
   const struct bem_events *e = data;
   const struct bem_surface *s = e->surface;
   bool dry = s->right == BEM_END_BED;
-  size_t where;
+  double where;
   root[BEM_EVENT_IMPACT] = dry ? s->tank - state[s->n - 1] : 1;
   root[BEM_EVENT_WALL] = dry ? e->thickness - bem_contact_height(s, state) : 1;
   root[BEM_EVENT_OVERTURN] = s->tip > 0 && !dry ? least_tangent(s, state, &where) : 1;
@@ -78,9 +110,9 @@ void bem_events_roots(void *data, double time, const double *state, double root[
 void bem_events_place(const struct bem_events *e, enum bem_event event, const double *state,
                       double *x, double *y) {
   const struct bem_surface *s = e->surface;
-  size_t where = s->n - 1;
+  double where = (double)(s->n - 1);
   if (event == BEM_EVENT_OVERTURN) least_tangent(s, state, &where);
   if (event == BEM_EVENT_TOUCHDOWN) least_gap(s, state, &where);
-  *x = state[where];
-  *y = state[s->n + where];
+  *x = value_at(state, s->n, where);
+  *y = value_at(state + s->n, s->n, where);
 }

@@ -61,6 +61,7 @@ static void test_dam_break_converges_to_touchdown(void) {
     EXPECT_NEAR(all[i].impact, all[2].impact, 5e-4);
     EXPECT_NEAR(all[i].overturn[0], all[2].overturn[0], 5e-3);
     EXPECT_NEAR(all[i].overturn[1], all[2].overturn[1], 5e-3);
+    EXPECT_NEAR(all[i].overturn[2], all[2].overturn[2], 6e-3); /* flat in y: measured 5.2e-3 */
     EXPECT_NEAR(all[i].touchdown[0], all[2].touchdown[0], 5e-3);
     EXPECT_NEAR(all[i].touchdown[1], all[2].touchdown[1], 5e-3);
     EXPECT_NEAR(all[i].touchdown[2], all[2].touchdown[2], 5e-3);
