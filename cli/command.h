@@ -23,6 +23,10 @@ COMMANDS(X)
 /* Prints "plunge: message" of a failed status to stderr and returns its exit code. */
 int command_fail(enum status status);
 
+/* Sends off what was printed; the exit code, which becomes EXIT_RUN_FAILED when that is not
+ * possible (a full disk). */
+int command_finish(int exit_code);
+
 /* Loads a case; prints every problem to stderr. NULL when there is any. */
 struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set);
 

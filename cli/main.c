@@ -51,7 +51,7 @@ int main(int argc, char **argv) {
 #define X(command, args, help)                                                                     \
   if (!strcmp(name, #command)) {                                                                   \
     argv[1] = title;                                                                               \
-    return command_##command(argc - 1, argv + 1);                                                  \
+    return command_finish(command_##command(argc - 1, argv + 1));                                  \
   }
   COMMANDS(X)
 #undef X

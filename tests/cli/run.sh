@@ -93,6 +93,14 @@ expect "only the last suffix is left out of the folder's name" test -s out/dam.v
 code 2 "$program" run missing.yaml
 code 2 "$program" no-such-command
 code 2 "$program" compare out/bem.h5
+if [ -c /dev/full ]; then
+  got=0
+  "$program" info out/sph.h5 >/dev/full 2>log || got=$?
+  expect "output that cannot be written is an error" test $got = 3
+  expect "it says so" grep -q "cannot write the output" log
+fi
+"$program" list 2>log | head -1 >/dev/null
+expect "a reader may stop early" test ! -s log
 head -c 5000 out/sph.h5 >short.h5
 for command in "info short.h5" "diff short.h5 out/sph.h5" "compare out/bem.h5 short.h5"; do
   # shellcheck disable=SC2086
