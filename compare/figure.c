@@ -159,6 +159,8 @@ static void complaint_read(const struct cmp_figures *f, const struct cmp_figure 
 static enum status child_check(const struct cmp_figures *f, const struct cmp_figure *fig,
                                int outcome) {
   if (WIFEXITED(outcome) && WEXITSTATUS(outcome) == 0) return OK;
+  CHECK(!WIFSIGNALED(outcome), ERR_IO, "drawing %s was stopped (%s)", fig->name,
+        strsignal(WTERMSIG(outcome)));
   CHECK(!(WIFEXITED(outcome) && WEXITSTATUS(outcome) == 127), ERR_IO,
         "cannot draw figures: gnuplot is not installed (apt install gnuplot-nox)");
   char why[256];
