@@ -118,6 +118,7 @@ static const struct cmp_row *column_row(const struct comparison *c, const struct
 }
 
 static bool column_shown(const struct comparison *c, const struct cmp_rows *rows, size_t k) {
+  if (!strcmp(columns[k].measure, "front") && !cmp_comparison_has_front(c)) return false;
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_row *row = column_row(c, rows, k, r);
     if (row && cmp_known(&row->value)) return true;

@@ -54,10 +54,15 @@ static size_t alike(const struct comparison *c, const size_t *order, size_t k) {
   size_t m = k + 1;
   if (cmp_known(&first->agreement) || !first->data.file->complete) return 1;
   while (m < c->n_runs && !cmp_known(&c->run[order[m]].agreement) &&
-         c->run[order[m]].data.file->complete && c->run[order[m]].data.dx == first->data.dx &&
-         cmp_summary_shared(&c->run[order[m]]) == shared)
+         c->run[order[m]].data.file->complete && cmp_summary_shared(&c->run[order[m]]) == shared)
     m++;
   return m - k;
+}
+
+static bool one_spacing(const struct comparison *c) {
+  for (size_t r = 1; r < c->n_runs; r++)
+    if (c->run[r].data.dx != c->run[0].data.dx) return false;
+  return true;
 }
 
 enum status cmp_summary_sentence(const struct comparison *c, const struct cmp_rows *rows,
@@ -82,10 +87,11 @@ enum status cmp_summary_sentence(const struct comparison *c, const struct cmp_ro
     else {
       bool leaves = cmp_known(&run->agreement);
       double until = leaves ? run->agreement.value : shared;
-      if (k == 0)
-        append(&t,
-               "%s within one particle spacing (%.3g H, on average along the surface) of %.60s ",
-               n > 1 ? "stay" : "stays", run->data.dx, c->ref.data.label);
+      if (k == 0) {
+        append(&t, "%s within one particle spacing (", n > 1 ? "stay" : "stays");
+        if (one_spacing(c)) append(&t, "%.3g H, ", run->data.dx);
+        append(&t, "on average along the surface) of %.60s ", c->ref.data.label);
+      }
       append(&t, leaves ? "until t* = %.3g" : "to the end of what they share, t* = %.3g", until);
       if (!leaves && !run->data.file->complete) append(&t, " (unfinished)");
     }
