@@ -14,6 +14,9 @@ extern void dgetrf_(const int *m, const int *n, double *a, const int *lda, int *
 extern void dgetrs_(const char *trans, const int *n, const int *nrhs, const double *a,
                     const int *lda, const int *pivot, double *b, const int *ldb, int *info);
 
+/* OpenBLAS's, absent from other libraries. */
+extern void openblas_set_num_threads(int n) __attribute__((weak));
+
 enum {
   KRYLOV = 80,
   RESTARTS = 3,
@@ -73,6 +76,8 @@ enum status bem_solve_create(const struct bem_solve_options *options, struct bem
   CHECK(s, ERR_MEMORY, "no memory for the linear solver");
   s->options = *options;
   *out = s;
+  /* Its own threads change the last bits with their number, under LAPACK and under UMFPACK. */
+  if (openblas_set_num_threads) openblas_set_num_threads(1);
   CHECK(SUNContext_Create(NULL, &s->context) == 0, ERR_SOLVER, "SUNDIALS gives no context");
   return OK;
 }

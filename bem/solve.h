@@ -1,7 +1,7 @@
 /* The linear system for psi at the inner surface nodes (psi = 0 at the two contact points), and who
  * solves it: LAPACK's dense factorisation for few nodes; for many GMRES (SUNDIALS SPGMR), whose
  * right preconditioner is the near field of the matrix, factorised by UMFPACK and kept until the
- * iteration slows down. */
+ * iteration slows down. The bits do not depend on the number of threads. */
 #pragma once
 #include "bem/panels.h"
 

@@ -1,8 +1,11 @@
 /* The same bits for any number of threads: rows of the matrix and of its products are summed by one
- * thread each. */
+ * thread each, and the libraries underneath are kept to one. */
 #include <omp.h>
 
+#include "bem/solve.h"
 #include "tests/bem/run.h"
+
+extern void openblas_set_num_threads(int n) __attribute__((weak));
 
 static const char text[] =
     "title: dam break\n"
@@ -33,7 +36,31 @@ static void test_result_does_not_depend_on_the_number_of_threads(void) {
   }
 }
 
+/* Large enough for OpenBLAS to share it out, which it does from about a hundred unknowns. */
+static void test_dense_solution_does_not_depend_on_the_threads_of_lapack(void) {
+  enum { N = 300 };
+  double x[N], y[N], phi[N], psi[2][N];
+  for (size_t k = 0; k < N; k++) {
+    x[k] = (double)k / (N - 1);
+    y[k] = 0.5 + 0.05 * cos(M_PI * x[k]);
+    phi[k] = cos(7 * x[k]);
+  }
+  struct bem_panels p = {0};
+  EXPECT_OK(bem_panels_reserve(&p, N));
+  bem_panels_set(&p, N, x, y, 1);
+  for (int i = 0; i < 2; i++) {
+    struct bem_solve *s;
+    if (openblas_set_num_threads) openblas_set_num_threads(i ? 3 : 1);
+    EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-9, N}, &s));
+    EXPECT_OK(bem_solve_first(s, &p, phi, psi[i], 0));
+    bem_solve_destroy(s);
+  }
+  EXPECT(memcmp(psi[0], psi[1], sizeof psi[0]) == 0);
+  bem_panels_destroy(&p);
+}
+
 int main(void) {
+  RUN(test_dense_solution_does_not_depend_on_the_threads_of_lapack);
   RUN(test_result_does_not_depend_on_the_number_of_threads);
   return TEST_RESULT;
 }
