@@ -1,5 +1,7 @@
 #include "tests/test.h"
 
+#include <fenv.h>
+
 #include "sph/kernel.h"
 
 static const double h = 0.2385;
@@ -54,7 +56,20 @@ static void test_exponential_is_accurate_to_4e_14(void) {
   EXPECT_NEAR(worst, 0, 4e-14);
 }
 
+#ifdef PLUNGE_TRAP_FLOATS
+static void test_kernel_does_not_overflow_far_away(void) {
+  feclearexcept(FE_ALL_EXCEPT);
+  for (int k = 0; k < SPH_N_KERNELS; k++)
+    for (double r = h; r < 1e4 * h; r *= 2)
+      EXPECT(isfinite(slope((enum sph_kernel)k, r)) && isfinite(value((enum sph_kernel)k, r)));
+  EXPECT(!fetestexcept(FE_OVERFLOW | FE_INVALID));
+}
+#endif
+
 int main(void) {
+#ifdef PLUNGE_TRAP_FLOATS
+  RUN(test_kernel_does_not_overflow_far_away);
+#endif
   RUN(test_kernel_integrates_to_one_over_the_plane);
   RUN(test_kernel_slope_is_the_derivative_of_its_value);
   RUN(test_kernel_vanishes_at_the_edge_of_its_support);
