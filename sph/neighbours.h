@@ -34,7 +34,7 @@ struct sph_lists {
 enum status sph_grid_create(struct sph_grid *g, const struct geo_box *box, double dx);
 void sph_grid_destroy(struct sph_grid *g);
 
-/* Sorts points: fills order [n] (place -> point) and g->start. key is scratch [n]. Points that
+/* Sorts points: fills order [n] (place -> point) and g->start. key is scratch [n]. Points
  * marked in drop (NULL: none) are left out; returns how many are in. */
 size_t sph_grid_sort(struct sph_grid *g, size_t n, const double *x, const double *y,
                      const unsigned char *drop, uint32_t *key, uint32_t *order);
