@@ -13,10 +13,9 @@ static const double farthest2 = 1.2;
 
 struct ghosts {
   size_t room;
-  double left_top, right_top; /* m */
-  double *x, *y;              /* interpolation nodes, m, [n] padded to whole clusters */
-  double *rx, *ry;            /* sign of the velocity components after reflection, [n] padded */
-  struct sph_lists lists;     /* water near the nodes */
+  double *x, *y;          /* interpolation nodes, m, [n] padded to whole clusters */
+  double *rx, *ry;        /* sign of the velocity components after reflection, [n] padded */
+  struct sph_lists lists; /* water near the nodes */
 };
 
 /* A strip of ghosts: columns along one direction at `first + i step`, rows along the other. */
@@ -60,8 +59,6 @@ static enum status ghosts_create(struct sph *s, const struct geo_lines *walls) {
   TRY(sph_allocate(1, sizeof *g, &g));
   s->w.data = g;
   s->w.n = n;
-  g->left_top = walls->p[0][1];
-  g->right_top = walls->p[walls->points - 1][1];
   g->room = (n + SPH_LANES - 1) / SPH_LANES * SPH_LANES;
   double *x = NULL, *y = NULL;
   uint32_t *key = NULL, *order = NULL;
@@ -158,33 +155,6 @@ static void ghosts_fill(struct sph *s) {
   fills[s->o.kernel](s);
 }
 
-static void ghosts_confine(struct sph *s) {
-  const struct ghosts *g = s->w.data;
-  const struct sph_state *w = &s->f.w;
-  const struct geo_box *t = &s->tank;
-  size_t reflections = 0;
-  for (size_t i = 0; i < s->f.n; i++) {
-    if (w->x[i] < t->min[0] && w->y[i] < g->left_top) {
-      w->x[i] = 2 * t->min[0] - w->x[i];
-      w->u[i] = -w->u[i];
-      reflections++;
-    }
-    if (w->x[i] > t->max[0] && w->y[i] < g->right_top) {
-      w->x[i] = 2 * t->max[0] - w->x[i];
-      w->u[i] = -w->u[i];
-      reflections++;
-    }
-    if (w->y[i] < t->min[1] && w->x[i] > t->min[0] && w->x[i] < t->max[0]) {
-      double lift = 2 * (t->min[1] - w->y[i]);
-      w->y[i] += lift;
-      w->v[i] = -w->v[i];
-      s->budget.walls -= s->f.m[i] * s->g * lift;
-      reflections++;
-    }
-  }
-  s->reflections += reflections;
-}
-
 static void ghosts_destroy(struct sph *s) {
   struct ghosts *g = s->w.data;
   if (!g) return;
@@ -202,6 +172,5 @@ const struct sph_wall sph_wall_ghost = {
     .create = ghosts_create,
     .list = ghosts_list,
     .fill = ghosts_fill,
-    .confine = ghosts_confine,
     .destroy = ghosts_destroy,
 };

@@ -16,7 +16,10 @@
  * renormalised gradient is exact up to the wall: the hydrostatic solution is kept. For this the
  * ghosts also need a gradient: that of the fit, whose excess over the hydrostatic one is reflected
  * like a velocity. A ghost whose node is far from water is dry; no water is then near the ghost
- * either. */
+ * either.
+ *
+ * Fitted values do a little work on the water, which falls with the spacing where the flow is
+ * smooth. Noisy flow without viscosity and diffusion needs mirror.h. */
 #pragma once
 #include "sph/wall.h"
 

@@ -108,7 +108,7 @@ enum status sph_step(struct sph *s, double dt) {
     dissipate(s, method->b[r] * dt);
   }
   set_state(s, method->b, method->stages, dt);
-  s->wall->confine(s);
+  sph_wall_confine(s);
   s->t += dt;
   s->steps++;
   return OK;

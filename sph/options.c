@@ -36,7 +36,7 @@ const struct param sph_params[SPH_N_PARAMS] = {
     {"integrator", PARAM_CHOICE, QTY_NUMBER, AT(integrator), 0, 0, "rk4-frozen",
      sph_integrator_names, "time integration (paper, IV; rk4-frozen is eq. 25)"},
     {"walls", PARAM_CHOICE, QTY_NUMBER, AT(walls), 0, 0, "ghost", sph_wall_names,
-     "treatment of the walls (fixed ghost particles with free slip)"},
+     "free-slip walls: fixed ghost particles (paper), or mirror images, which do no work"},
     {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,
      "factor of the bound from sound and convection (paper, eq. 29); of rk4, scaled for others"},
     {"cfl_diffusive", PARAM_REAL, QTY_NUMBER, AT(cfl_diffusive), 1e-3, 10, "0.44", NULL,

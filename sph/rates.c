@@ -49,13 +49,19 @@ struct sums {
   vec pi_most; /* max |pi| */
 };
 
+/* Added to squared distances: the particle itself gives 0/tiny. */
+SPECIALISE double tiny2(const struct sph *s) {
+  return 1e-24 * s->h * s->h;
+}
+
+/* soft2: what is added to squared distances in pi_most. */
 SPECIALISE struct sums sum_pairs(const struct sph *s, enum sph_kernel kernel, enum sph_diffusion d,
                                  bool viscous, bool bounds, const struct lanes *i, size_t n,
-                                 const uint32_t *list, const struct sph_pack *pack) {
+                                 const uint32_t *list, const struct sph_pack *pack, double soft2) {
   struct sums a = {0};
   const double per_h2 = 1 / (s->h * s->h);
   const vec cutoff2 = (vec){0} + kernel_cutoff2(s->h);
-  const double tiny = 1e-24 * s->h * s->h; /* the particle itself gives 0/tiny */
+  const double tiny = tiny2(s);
   for (size_t k = 0; k < n; k++) {
     const struct sph_pack *j = &pack[list[k]];
     vec x = j->x - i->x, y = j->y - i->y;
@@ -68,7 +74,10 @@ SPECIALISE struct sums sum_pairs(const struct sph *s, enum sph_kernel kernel, en
     a.div += approach * e;
     if (viscous || bounds) {
       vec pi = approach / (r2 + tiny);
-      if (bounds) a.pi_most = vec_max(a.pi_most, vec_where_less(vec_abs(pi), r2, cutoff2));
+      if (bounds) {
+        vec soft = approach / (r2 + soft2);
+        a.pi_most = vec_max(a.pi_most, vec_where_less(vec_abs(soft), r2, cutoff2));
+      }
       if (viscous) {
         vec drag = pi * e;
         a.vx += drag * x;
@@ -101,9 +110,13 @@ SPECIALISE void cluster_rates(struct sph *s, enum sph_kernel kernel, enum sph_di
 
   size_t n;
   const uint32_t *list = sph_lists_of(&s->water_water, cluster, &n);
-  struct sums a = sum_pairs(s, kernel, d, viscous, bounds, &i, n, list, s->pack), b = {0};
+  struct sums a = sum_pairs(s, kernel, d, viscous, bounds, &i, n, list, s->pack, tiny2(s)), b = {0};
   list = sph_lists_of(&s->water_wall, cluster, &n);
-  if (n) b = sum_pairs(s, kernel, diffusion_at_walls(d), viscous, bounds, &i, n, list, s->w.pack);
+  /* A particle that comes through the wall meets its own image at no distance: nearer than h/100
+   * that must not stop the clock. */
+  const double soft2 = s->wall->moving ? 1e-4 * s->h * s->h : tiny2(s);
+  if (n)
+    b = sum_pairs(s, kernel, diffusion_at_walls(d), viscous, bounds, &i, n, list, s->w.pack, soft2);
 
   const double F = kernel_slope_scale(kernel, s->h);
   const vec per_rho = 1 / rho;
@@ -182,7 +195,10 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
   TRY(sph_neighbours_update(s));
   sph_pack_water(s);
   s->wall->fill(s);
-  if (diffusion_needs_gradient(d)) sph_gradient(s);
+  if (diffusion_needs_gradient(d)) {
+    sph_gradient(s);
+    if (s->wall->fill_gradients) s->wall->fill_gradients(s);
+  }
   loops[s->o.kernel][d][s->o.alpha > 0][bounds](s, stage, diffuse);
   add_totals(s);
   s->evaluations++;

@@ -25,9 +25,9 @@ static enum status sort_and_list(struct sph *s, const unsigned char *drop) {
   double reach = SPH_KERNEL_SUPPORT * s->h;
   TRY(sph_lists_build(&s->water_water, n, f->w.x, f->w.y, &s->grid, f->w.x, f->w.y,
                       reach + s->skin));
-  TRY(sph_lists_build(&s->water_wall, n, f->w.x, f->w.y, &s->w.grid, s->w.x, s->w.y,
-                      reach + s->skin / 2));
   TRY(s->wall->list(s));
+  TRY(sph_lists_build(&s->water_wall, n, f->w.x, f->w.y, &s->w.grid, s->w.x, s->w.y,
+                      reach + (s->wall->moving ? s->skin : s->skin / 2)));
   s->rebuilds++;
   return OK;
 }

@@ -60,6 +60,7 @@ struct sph {
   struct sph_totals *cluster_totals; /* [f.room / SPH_LANES], owned */
 
   const struct sph_wall *wall;
+  double wall_top[2]; /* m: upper ends of the left and the right wall */
   struct sph_wall_particles w;
 
   struct sph_grid grid; /* of the water */

@@ -4,6 +4,7 @@
 #include "sph/energy.h"
 #include "sph/gradient.h"
 #include "sph/neighbours.h"
+#include "sph/wall.h"
 #include "tests/sph/pool.h"
 
 static const char *const names[] = {
@@ -88,9 +89,10 @@ static void test_momentum_is_conserved_and_diffusion_conserves_density(void) {
  */
 static void test_powers_close_the_energy_budget(void) {
   for (int d = 0; d < SPH_N_DIFFUSIONS; d++)
-    for (int walls = 0; walls < 2; walls++) {
+    for (int walls = 0; !walls || sph_wall_names[walls - 1]; walls++) {
       char run[200];
-      snprintf(run, sizeof run, "resolution: 16, diffusion: %s, alpha: 0.1", names[d]);
+      snprintf(run, sizeof run, "resolution: 16, diffusion: %s, alpha: 0.1, walls: %s", names[d],
+               sph_wall_names[walls ? walls - 1 : 0]);
       struct case_file *c = pool_case(walls ? POOL_STILL : POOL_DROP, run);
       struct sph *s = pool_create(c);
       pool_shake(s, 0.3, 2, 3e3);

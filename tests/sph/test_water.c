@@ -45,9 +45,11 @@ static void test_water_fills_its_region_exactly(void) {
   case_destroy(c);
 }
 
-/* Each ghost of still water continues its linear pressure through the wall. */
-static void test_ghosts_continue_still_water_linearly(void) {
-  struct case_file *c = pool_case(POOL_STILL, "resolution: 20, diffusion: antuono");
+/* The wall particles of still water continue its linear pressure through the wall. */
+static void still_water_at(const char *walls) {
+  char run[200];
+  snprintf(run, sizeof run, "resolution: 20, diffusion: antuono, walls: %s", walls);
+  struct case_file *c = pool_case(POOL_STILL, run);
   struct sph *s = pool_create(c);
   EXPECT_OK(sph_rates(s, 0, true, true));
   double worst = 0, D = 0, away = 0;
@@ -60,7 +62,7 @@ static void test_ghosts_continue_still_water_linearly(void) {
     away = fmax(away, hypot(ax, ay) / s->g * !near_wall_and_surface);
     D = fmax(D, fabs(s->f.D[i]) * !near_wall_and_surface);
   }
-  /* rho* f instead of rho0 f in the ghosts' pressure: g depth / c0^2 = 1/400 of what is added, 8 dx
+  /* rho* f instead of rho0 f in their pressure: g depth / c0^2 = 1/400 of what is added, 8 dx
    */
   EXPECT_NEAR(worst, 0, 8. / 20 / 400);
   /* the lattice sum's error at the edge of the support (test_rates.c: 4e-4 of p over h) */
@@ -70,10 +72,16 @@ static void test_ghosts_continue_still_water_linearly(void) {
   case_destroy(c);
 }
 
-/* Free slip: water that slides along the bed and the walls' directions feels no drag, and ghosts
- * reflect. */
-static void test_ghosts_reflect_the_normal_velocity_and_keep_the_tangential(void) {
-  struct case_file *c = pool_case(POOL_STILL, "resolution: 20, alpha: 0.5");
+static void test_walls_continue_still_water_linearly(void) {
+  for (size_t k = 0; sph_wall_names[k]; k++) still_water_at(sph_wall_names[k]);
+}
+
+/* Free slip: water that slides along the bed and the walls' directions feels no drag, and wall
+ * particles reflect. */
+static void sliding_water_at(const char *walls) {
+  char run[200];
+  snprintf(run, sizeof run, "resolution: 20, alpha: 0.5, walls: %s", walls);
+  struct case_file *c = pool_case(POOL_STILL, run);
   struct sph *s = pool_create(c);
   for (size_t i = 0; i < s->f.n; i++) {
     s->f.w.u[i] = 0.3;
@@ -89,6 +97,72 @@ static void test_ghosts_reflect_the_normal_velocity_and_keep_the_tangential(void
     worst = fmax(worst, fabs(s->w.pack[k].v - (bed ? 0.7 : -0.7)));
   }
   EXPECT_NEAR(worst, 0, 1e-12);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+static void test_walls_reflect_the_normal_velocity_and_keep_the_tangential(void) {
+  for (size_t k = 0; sph_wall_names[k]; k++) sliding_water_at(sph_wall_names[k]);
+}
+
+/* The power that an upright wall takes out of noisy water clear of the bed, over what it would be
+ * if every term of the sum counted by its size: zero for mirror images. */
+static double power_of_noise(const char *walls) {
+  char run[200];
+  snprintf(run, sizeof run, "resolution: 20, diffusion: none, alpha: 0, walls: %s", walls);
+  struct case_file *c = pool_case("title: sheet on a wall\nscales: {H: 1}\n"
+                                  "tank: {walls: [[[0, 2], [0, 0], [1, 0], [1, 2]]]}\n"
+                                  "water: {regions: [[[0.7, 0.5], [1, 0.5], [1, 1.5], [0.7, "
+                                  "1.5]]], pressure: hydrostatic}\n" POOL_TIMES,
+                                  run);
+  struct sph *s = pool_create(c);
+  pool_shake(s, 0.2, 1, s->rho0 * s->c0); /* the pressure of sound at this speed */
+  EXPECT_OK(sph_rates(s, 0, true, true));
+  double size = 0;
+  for (size_t i = 0; i < s->f.n; i++)
+    size += s->rho0 * s->c0 * pool_V(s, i) / s->h * (s->f.w.x[i] > 1 - 3 * s->h);
+  double power = s->totals.walls / size;
+  printf("     %s: power of the wall on noise %.1e\n", walls, power);
+  sph_destroy(s);
+  case_destroy(c);
+  return power;
+}
+
+static void test_mirrors_do_no_work_on_noise(void) {
+  power_of_noise("ghost");
+  EXPECT_NEAR(power_of_noise("mirror"), 0, 1e-12);
+}
+
+/* A particle on its way through a wall is next to its own image, which must not stop the clock. */
+static void test_mirrors_let_a_particle_touch_the_wall(void) {
+  struct case_file *c = pool_case(POOL_STILL, "resolution: 20, walls: mirror");
+  struct sph *s = pool_create(c);
+  s->f.w.x[0] = 1e-9;
+  s->f.w.u[0] = -1;
+  EXPECT_OK(sph_neighbours_update(s));
+  EXPECT_OK(sph_rates(s, 0, true, true));
+  EXPECT(sph_timestep(s, 1) > 0.05 * s->h / s->c0);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* The dam break without viscosity and diffusion, in which nothing damps the noise that the impact
+ * on the far wall leaves: what the bed does stays small, and energy does not grow. */
+static void test_mirrors_do_not_pump_energy_into_the_dam_break(void) {
+  struct case_file *c = pool_case(
+      POOL_DAM, "resolution: 15, diffusion: none, alpha: 0, integrator: rk4, walls: mirror");
+  struct sph *s = pool_create(c);
+  double before = sph_energy(s).total, most = 0;
+  const double end = 5 * sqrt(c->H / s->g);
+  while (s->t < end) {
+    EXPECT_OK(sph_remove_outside(s));
+    EXPECT_OK(sph_rates(s, 0, true, true));
+    if (sph_step(s, sph_timestep(s, end)) != OK) break;
+    most = fmax(most, sph_energy(s).total / before - 1);
+  }
+  printf("     energy grew by %.1e at most, walls took %.1e\n", most, s->budget.walls / before);
+  EXPECT(most < 1e-3);
+  EXPECT_NEAR(s->budget.walls / before, 0, 3e-3);
   sph_destroy(s);
   case_destroy(c);
 }
@@ -130,14 +204,16 @@ static void by_id(const struct sph *s, double (*out)[5]) {
   }
 }
 
-static void test_bits_do_not_depend_on_the_number_of_threads(void) {
+static void march_with_threads_at(const char *walls) {
+  char run[200];
+  snprintf(run, sizeof run, "resolution: 20, diffusion: antuono, walls: %s", walls);
   static double state[2][4000][5];
   int most = omp_get_max_threads();
   struct sph_budget budget[2];
   size_t n = 0;
   for (int k = 0; k < 2; k++) {
     omp_set_num_threads(1 + 2 * k);
-    struct case_file *c = pool_case(POOL_DAM, "resolution: 20, diffusion: antuono");
+    struct case_file *c = pool_case(POOL_DAM, run);
     struct sph *s = pool_create(c);
     EXPECT_OK(march(s, 60));
     n = s->f.n;
@@ -152,17 +228,23 @@ static void test_bits_do_not_depend_on_the_number_of_threads(void) {
   EXPECT(memcmp(&budget[0], &budget[1], sizeof *budget) == 0);
 }
 
+static void test_bits_do_not_depend_on_the_number_of_threads(void) {
+  for (size_t k = 0; sph_wall_names[k]; k++) march_with_threads_at(sph_wall_names[k]);
+}
+
 /* The dam at the right wall is the mirror image of the dam at the left one; sums run in another
  * order, so the difference is rounding, which 60 steps amplify a little. */
-static void test_mirrored_case_gives_the_mirrored_result(void) {
+static void mirrored_case_at(const char *walls) {
+  char run[200];
+  snprintf(run, sizeof run, "resolution: 20, diffusion: antuono, walls: %s", walls);
   struct case_file *c[2];
   struct sph *s[2];
-  c[0] = pool_case(POOL_DAM, "resolution: 20, diffusion: antuono");
+  c[0] = pool_case(POOL_DAM, run);
   c[1] = pool_case("title: mirrored\nscales: {H: 0.6}\n"
                    "tank: {walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]}\n"
                    "water: {regions: [[[3.366 H, 0], [5.366 H, 0], [5.366 H, H], [3.366 H, H]]], "
                    "pressure: released}\n" POOL_TIMES,
-                   "resolution: 20, diffusion: antuono");
+                   run);
   for (int k = 0; k < 2; k++) {
     s[k] = pool_create(c[k]);
     EXPECT_OK(march(s[k], 60));
@@ -182,6 +264,10 @@ static void test_mirrored_case_gives_the_mirrored_result(void) {
     sph_destroy(s[k]);
     case_destroy(c[k]);
   }
+}
+
+static void test_mirrored_case_gives_the_mirrored_result(void) {
+  for (size_t k = 0; sph_wall_names[k]; k++) mirrored_case_at(sph_wall_names[k]);
 }
 
 /* d e = p/rho^2 d rho, zero at rho0. By a central difference, whose own error at x = rho/rho0 - 1
@@ -216,7 +302,7 @@ static void test_water_that_crosses_a_wall_is_reflected(void) {
   s->f.w.y[1] = -0.02;
   s->f.w.v[1] = -3;
   struct result_energy before = sph_energy(s);
-  s->wall->confine(s);
+  sph_wall_confine(s);
   struct result_energy after = sph_energy(s);
   EXPECT_NEAR(s->f.w.x[0], 0.01, 1e-15);
   EXPECT_NEAR(s->f.w.u[0], 2, 1e-15);
@@ -249,8 +335,11 @@ static void test_water_outside_the_tank_is_removed_and_counted(void) {
 int main(void) {
   RUN(test_released_pressure_solves_its_problem);
   RUN(test_water_fills_its_region_exactly);
-  RUN(test_ghosts_continue_still_water_linearly);
-  RUN(test_ghosts_reflect_the_normal_velocity_and_keep_the_tangential);
+  RUN(test_walls_continue_still_water_linearly);
+  RUN(test_walls_reflect_the_normal_velocity_and_keep_the_tangential);
+  RUN(test_mirrors_do_no_work_on_noise);
+  RUN(test_mirrors_let_a_particle_touch_the_wall);
+  RUN(test_mirrors_do_not_pump_energy_into_the_dam_break);
   RUN(test_probes_read_still_water);
   RUN(test_bits_do_not_depend_on_the_number_of_threads);
   RUN(test_mirrored_case_gives_the_mirrored_result);

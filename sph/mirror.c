@@ -1,0 +1,156 @@
+#include "sph/mirror.h"
+
+#include <stdlib.h>
+
+#include "sph/kernel.h"
+
+/* r_image = (x0, y0) + (sign_x x, sign_y y). */
+struct image {
+  uint32_t of; /* particle of water */
+  double x0, y0, sign_x, sign_y;
+};
+
+struct mirror {
+  size_t room;
+  struct image *image;   /* [w.n], in the order of s->w, owned */
+  struct image *found;   /* [w.n], in that of the water; scratch, owned */
+  double *x, *y;         /* m, [w.n], of `found`; scratch, owned */
+  uint32_t *key, *order; /* [w.n], scratch, owned */
+};
+
+enum { MAX_IMAGES = 5 }; /* of one particle: both sides, the bed, both corners */
+
+static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
+  (void)walls;
+  TRY(sph_allocate(1, sizeof(struct mirror), &s->w.data));
+  double reach = SPH_KERNEL_SUPPORT * s->h + s->skin;
+  struct geo_box box = {{s->tank.min[0] - reach, s->tank.min[1] - reach},
+                        {s->tank.max[0] + reach, s->tank.max[1]}};
+  return sph_grid_create(&s->w.grid, &box, s->dx);
+}
+
+static void free_arrays(struct sph *s) {
+  struct mirror *m = s->w.data;
+  free(m->image);
+  free(m->found);
+  free(m->x);
+  free(m->y);
+  free(m->key);
+  free(m->order);
+  free(s->w.x);
+  free(s->w.y);
+  free(s->w.pack);
+  *m = (struct mirror){0};
+  s->w.x = s->w.y = NULL;
+  s->w.pack = NULL;
+}
+
+static enum status make_room(struct sph *s, size_t n) {
+  struct mirror *m = s->w.data;
+  if (n <= m->room) return OK;
+  n += n / 2;
+  free_arrays(s);
+  TRY(sph_allocate(n, sizeof *m->image, &m->image));
+  TRY(sph_allocate(n, sizeof *m->found, &m->found));
+  TRY(sph_allocate(n, sizeof *m->x, &m->x));
+  TRY(sph_allocate(n, sizeof *m->y, &m->y));
+  TRY(sph_allocate(n, sizeof *m->key, &m->key));
+  TRY(sph_allocate(n, sizeof *m->order, &m->order));
+  TRY(sph_allocate(n, sizeof *s->w.x, &s->w.x));
+  TRY(sph_allocate(n, sizeof *s->w.y, &s->w.y));
+  TRY(sph_allocate(n, sizeof *s->w.pack, &s->w.pack));
+  m->room = n;
+  return OK;
+}
+
+/* The images of one particle of water; reach from the walls. */
+static size_t images_of(const struct sph *s, uint32_t i, double reach,
+                        struct image out[MAX_IMAGES]) {
+  double x = s->f.w.x[i], y = s->f.w.y[i];
+  const struct geo_box *t = &s->tank;
+  bool bed = y < t->min[1] + reach;
+  size_t n = 0;
+  if (bed) out[n++] = (struct image){i, 0, 2 * t->min[1], 1, -1};
+  for (int side = 0; side < 2; side++) {
+    double wall = side ? t->max[0] : t->min[0];
+    if (y >= s->wall_top[side] || (side ? wall - x : x - wall) >= reach) continue;
+    out[n++] = (struct image){i, 2 * wall, 0, -1, 1};
+    if (bed) out[n++] = (struct image){i, 2 * wall, 2 * t->min[1], -1, -1};
+  }
+  return n;
+}
+
+/* A pair of water and image is at most 3h apart, so that either is at most that far from the wall
+ * when the other is inside it; the skin covers the ways until the next lists, through the wall and
+ * along it. */
+static enum status mirror_list(struct sph *s) {
+  struct mirror *m = s->w.data;
+  const double reach = SPH_KERNEL_SUPPORT * s->h + s->skin;
+  struct image images[MAX_IMAGES];
+  size_t n = 0;
+  for (size_t i = 0; i < s->f.n; i++) n += images_of(s, (uint32_t)i, reach, images);
+  TRY(make_room(s, n));
+  size_t at = 0;
+  for (size_t i = 0; i < s->f.n; i++) {
+    size_t k = images_of(s, (uint32_t)i, reach, images);
+    for (size_t l = 0; l < k; l++, at++) {
+      m->found[at] = images[l];
+      m->x[at] = images[l].x0 + images[l].sign_x * s->f.w.x[i];
+      m->y[at] = images[l].y0 + images[l].sign_y * s->f.w.y[i];
+    }
+  }
+  s->w.n = sph_grid_sort(&s->w.grid, n, m->x, m->y, NULL, m->key, m->order);
+  for (size_t k = 0; k < n; k++) {
+    m->image[k] = m->found[m->order[k]];
+    s->w.x[k] = m->x[m->order[k]];
+    s->w.y[k] = m->y[m->order[k]];
+  }
+  return OK;
+}
+
+static void mirror_fill(struct sph *s) {
+  const struct mirror *m = s->w.data;
+  const double per_c2 = 1 / (s->c0 * s->c0);
+#pragma omp parallel for schedule(static)
+  for (size_t k = 0; k < s->w.n; k++) {
+    const struct image *a = &m->image[k];
+    const struct sph_pack *j = &s->pack[a->of];
+    double y = a->y0 + a->sign_y * j->y, rho = s->rho0 + j->p * per_c2;
+    s->w.pack[k] = (struct sph_pack){.x = a->x0 + a->sign_x * j->x,
+                                     .y = y,
+                                     .u = a->sign_x * j->u,
+                                     .v = a->sign_y * j->v,
+                                     .p = j->p + rho * s->g * (j->y - y),
+                                     .V = j->V};
+  }
+}
+
+static void mirror_fill_gradients(struct sph *s) {
+  const struct mirror *m = s->w.data;
+  const double per_c2 = 1 / (s->c0 * s->c0);
+#pragma omp parallel for schedule(static)
+  for (size_t k = 0; k < s->w.n; k++) {
+    const struct image *a = &m->image[k];
+    const struct sph_pack *j = &s->pack[a->of];
+    double weight = -(s->rho0 + j->p * per_c2) * s->g;
+    s->w.pack[k].Gx = a->sign_x * j->Gx;
+    s->w.pack[k].Gy = weight + a->sign_y * (j->Gy - weight);
+  }
+}
+
+static void mirror_destroy(struct sph *s) {
+  if (!s->w.data) return;
+  free_arrays(s);
+  free(s->w.data);
+}
+
+const struct sph_wall sph_wall_mirror = {
+    .name = "mirror",
+    .help = "mirror images of the water with free slip (Colagrossi & Landrini 2003)",
+    .create = mirror_create,
+    .list = mirror_list,
+    .fill = mirror_fill,
+    .fill_gradients = mirror_fill_gradients,
+    .destroy = mirror_destroy,
+    .moving = true,
+};
