@@ -12,23 +12,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "bem/integrals.h"
 #include "bem/solve.h"
+#include "bench/bench.h"
 
 enum { REPEATS = 7 };
-
-static double seconds(void) {
-  struct timespec t;
-  clock_gettime(omp_get_max_threads() == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
 
 struct system {
   struct bem_panels panels;
@@ -54,14 +43,14 @@ static enum status gmres(struct system *s) {
 static double median(enum status (*work)(struct system *), struct system *s) {
   double t[REPEATS];
   for (int i = -1; i < REPEATS; i++) {
-    double start = seconds();
+    double start = bench_seconds();
     if (work(s) != OK) {
       fprintf(stderr, "bench_bem: %s\n", status_message());
       exit(1);
     }
-    if (i >= 0) t[i] = seconds() - start;
+    if (i >= 0) t[i] = bench_seconds() - start;
   }
-  qsort(t, REPEATS, sizeof *t, ascending);
+  qsort(t, REPEATS, sizeof *t, bench_ascending);
   return t[REPEATS / 2];
 }
 

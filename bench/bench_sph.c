@@ -10,8 +10,8 @@
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
+#include "bench/bench.h"
 #include "common/case.h"
 #include "sph/diffusion.h"
 #include "sph/gradient.h"
@@ -23,17 +23,6 @@
 #include "sph/wall.h"
 
 enum { REPEATS = 15 };
-
-static double seconds(void) {
-  struct timespec t;
-  clock_gettime(omp_get_max_threads() == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static int ascending(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
 
 /* What is timed; `stage` and `diffuse` as in sph_rates. */
 static enum status evaluate(struct sph *s) {
@@ -73,14 +62,14 @@ static enum status step(struct sph *s) {
 static double measure(struct sph *s, enum status (*what)(struct sph *)) {
   double t[REPEATS];
   for (int r = 0; r < REPEATS; r++) {
-    double start = seconds();
+    double start = bench_seconds();
     if (what(s) != OK) {
       fprintf(stderr, "%s\n", status_message());
       exit(1);
     }
-    t[r] = (seconds() - start) / (double)s->f.n * 1e9;
+    t[r] = (bench_seconds() - start) / (double)s->f.n * 1e9;
   }
-  qsort(t, REPEATS, sizeof *t, ascending);
+  qsort(t, REPEATS, sizeof *t, bench_ascending);
   return t[REPEATS / 2];
 }
 

@@ -69,7 +69,7 @@ bool case_doc_value(struct case_doc *d, int node, const char *path, const struct
 bool case_doc_expect_list(struct case_doc *d, int node, const char *path, size_t n_min,
                           size_t n_max, const char *what);
 
-/* Adds "path: found FOUND; allowed: ALLOWED; TODO" (TODO may be ""). */
+/* Adds "path: found ...; allowed: ...; what to do" (the last may be ""). */
 void case_doc_problem(struct case_doc *d, int line, const char *path, const char *found,
                       const char *allowed, const char *todo);
 

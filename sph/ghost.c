@@ -26,10 +26,6 @@ struct strip {
   double wall_x, wall_y;
 };
 
-static size_t intervals(double length, double dx) {
-  return (size_t)fmax(1, floor(length / dx + 0.5));
-}
-
 /* Left, right, bed, and the two corners under them. Along a wall the spacing is stretched so that
  * it divides the wall evenly. */
 static size_t tank_strips(const struct sph *s, const struct geo_lines *walls,
@@ -38,8 +34,8 @@ static size_t tank_strips(const struct sph *s, const struct geo_lines *walls,
   size_t last = walls->points - 1;
   double dx = s->dx, x0 = s->tank.min[0], x1 = s->tank.max[0], y0 = s->tank.min[1];
   size_t layers = (size_t)ceil(SPH_KERNEL_SUPPORT * s->h / dx - 1e-9);
-  size_t nl = intervals(p[0][1] - y0, dx), nr = intervals(p[last][1] - y0, dx);
-  size_t nb = intervals(x1 - x0, dx);
+  size_t nl = sph_intervals(p[0][1] - y0, dx), nr = sph_intervals(p[last][1] - y0, dx);
+  size_t nb = sph_intervals(x1 - x0, dx);
   double dl = (p[0][1] - y0) / (double)nl, dr = (p[last][1] - y0) / (double)nr;
   double db = (x1 - x0) / (double)nb;
   double out_left = x0 - dx / 2, out_right = x1 + dx / 2, under = y0 - dx / 2;

@@ -35,10 +35,6 @@ bool sph_initial_column(const struct case_file *c, struct geo_box *column) {
   return rectangle && on_bed && (left || right);
 }
 
-static size_t intervals(double length, double dx) {
-  return (size_t)fmax(1, floor(length / dx + 0.5));
-}
-
 static void place(struct sph *s, double x, double y, const double velocity[2], double pressure,
                   double cell) {
   struct sph_particles *f = &s->f;
@@ -72,8 +68,8 @@ struct lattice {
 static struct lattice lattice_over(const struct geo_lines *region, double dx) {
   struct lattice l = {.box = geo_lines_box(region)};
   double w = l.box.max[0] - l.box.min[0], h = l.box.max[1] - l.box.min[1];
-  l.nx = intervals(w, dx);
-  l.ny = intervals(h, dx);
+  l.nx = sph_intervals(w, dx);
+  l.ny = sph_intervals(h, dx);
   l.dx = w / (double)l.nx;
   l.dy = h / (double)l.ny;
   return l;
@@ -123,7 +119,7 @@ static enum status fill_standing_wave(struct sph *s, const struct case_file *c) 
   const double rest[2] = {0, 0};
   double width = s->tank.max[0] - s->tank.min[0], d = c->wave.depth, a = c->wave.amplitude;
   double k = 2 * M_PI / c->wave.wavelength;
-  size_t nx = intervals(width, s->dx), ny = intervals(d, s->dx);
+  size_t nx = sph_intervals(width, s->dx), ny = sph_intervals(d, s->dx);
   TRY(sph_particles_create(&s->f, nx * ny));
   s->f.n = 0;
   double dx = width / (double)nx;

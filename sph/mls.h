@@ -12,8 +12,9 @@
  * and corner themselves, and 9 half a spacing outside. The pressure is taken no farther out than
  * the caller's farthest2. For the velocity that limit counts only as much as there is noise: with
  * R^2 the part of the neighbours' variance that the plane explains, it is farthest2 / (1 - R^2). A
- * smooth wave at a wall is thus continued as far as its ghosts need (with a fixed limit it lost 10
- * % more amplitude than the viscosity takes), and the ghosts of a torn sheet stay at the mean. */
+ * smooth wave at a wall is thus continued as far as its ghosts need (with a fixed limit it lost 9
+ * to 11 % more amplitude than the viscosity takes), and the ghosts of a torn sheet stay at the
+ * mean. */
 #pragma once
 #include "sph/kernel.h"
 #include "sph/moments.h"

@@ -1,5 +1,6 @@
 #include "sph/particles.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -91,4 +92,8 @@ void sph_particles_permute(struct sph_particles *p, size_t n) {
   p->key = id;
   p->n = n;
   sph_particles_pad(p);
+}
+
+size_t sph_intervals(double length, double dx) {
+  return (size_t)fmax(1, floor(length / dx + 0.5));
 }
