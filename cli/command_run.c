@@ -92,7 +92,14 @@ static enum status run_one(const struct case_file *c, const struct case_run *r, 
   traps_enable();
   status = r->solver->run(c, r, out, progress);
   traps_disable();
-  if (status == OK) status = result_finish(out);
+  if (status == OK)
+    status = result_finish(out);
+  else { /* the message is also the file's; a file that cannot take it keeps what was flushed */
+    char why[1024];
+    snprintf(why, sizeof why, "%s", status_message());
+    (void)result_ended(out, why);
+    (void)status_raise(status, "%s", why);
+  }
 done:
   result_destroy(out);
   if (status == OK)

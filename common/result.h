@@ -67,6 +67,10 @@ enum status result_event(struct result *w, const char *name, double time, double
 enum status result_statistic(struct result *w, const char *name, double value, const char *help);
 enum status result_flush(struct result *w);
 
+/* Says in one sentence why the run ended before the end of its case: a failure, a stop, or an event
+ * beyond which the solver cannot go (the touchdown of a jet). Kept with the next flush. */
+enum status result_ended(struct result *w, const char *why);
+
 enum status result_finish(struct result *w); /* marks the file complete */
 void result_destroy(struct result *w);       /* closes it, complete or not; NULL is fine */
 
@@ -92,6 +96,7 @@ struct result_statistic_read {
 struct result_file { /* everything but the particles, in memory */
   char *path, *solver, *run, *title, *version, *revision, *case_text, *fingerprint;
   char *created; /* UTC, 2026-11-22T19:24:21Z */
+  char *ended;   /* why it ended before the end of its case, one sentence; "" when it did not */
   bool complete;
   double H, g, density, spacing; /* m, m s^-2, kg m^-3, m */
   double rest_potential;         /* J/m */

@@ -126,6 +126,7 @@ enum status result_info(const char *path, FILE *out) {
       f->complete                     ? "complete"
       : result_store_is_written(path) ? "under way"
                                       : "stopped before its end");
+  if (*f->ended) say(&s, "ended", "%s", f->ended);
   say(&s, "program", "plunge %s, revision %s, run at %s", f->version, f->revision, f->created);
   say(&s, "scales", "H = %.6g m, g = %.6g m/s^2, density %.6g kg/m^3, spacing %.5g m (H/%.5g)",
       f->H, f->g, f->density, f->spacing, f->H / f->spacing);

@@ -243,6 +243,10 @@ static enum status read_header(hid_t file, struct result_file *f) {
   TRY(hdf_get_string(file, "solver", &f->solver));
   TRY(hdf_get_string(file, "run", &f->run));
   TRY(hdf_get_string(file, "title", &f->title));
+  if (H5Aexists(file, "ended") > 0)
+    TRY(hdf_get_string(file, "ended", &f->ended));
+  else if (!(f->ended = strdup("")))
+    return status_raise(ERR_MEMORY, "no memory for a result");
   TRY(hdf_get_string(file, "version", &f->version));
   TRY(hdf_get_string(file, "revision", &f->revision));
   TRY(hdf_get_string(file, "fingerprint", &f->fingerprint));
@@ -342,6 +346,7 @@ void result_file_destroy(struct result_file *f) {
   free(f->case_text);
   free(f->fingerprint);
   free(f->created);
+  free(f->ended);
   geo_lines_destroy(&f->walls);
   for (size_t i = 0; i < f->n_surfaces; i++) geo_lines_destroy(&f->surface[i]);
   free(f->surface);
