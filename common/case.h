@@ -124,6 +124,10 @@ void case_print_keys(FILE *out);
  * without other runs and without `compare`, and the run's options (hex digits, 32 + NUL). */
 void case_fingerprint(const struct case_file *c, const struct case_run *r, char out[33]);
 
+/* Identifies what results must share to be compared at all: the tank, the water at t = 0, the fluid
+ * and the scales, whatever solves them how finely for how long (hex digits, 32 + NUL). */
+void case_water_fingerprint(const struct case_file *c, char out[33]);
+
 double case_water_area(const struct case_file *c); /* m^2, at t = 0 */
 
 /* Potential energy (J per metre of width, y from 0) of the same water at rest in the tank. */

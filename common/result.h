@@ -95,8 +95,9 @@ struct result_statistic_read {
 
 struct result_file { /* everything but the particles, in memory */
   char *path, *solver, *run, *title, *version, *revision, *case_text, *fingerprint;
-  char *created; /* UTC, 2026-11-22T19:24:21Z */
-  char *ended;   /* why it ended before the end of its case, one sentence; "" when it did not */
+  char *water_fingerprint; /* case_water_fingerprint of its case; "" in files of before it */
+  char *created;           /* UTC, 2026-11-22T19:24:21Z */
+  char *ended; /* why it ended before the end of its case, one sentence; "" when it did not */
   bool complete;
   double H, g, density, spacing; /* m, m s^-2, kg m^-3, m */
   double rest_potential;         /* J/m */

@@ -238,15 +238,21 @@ done:
   return status;
 }
 
+/* An attribute that older files lack; "" then. */
+static enum status read_optional(hid_t file, const char *name, char **value) {
+  if (H5Aexists(file, name) > 0) return hdf_get_string(file, name, value);
+  *value = strdup("");
+  CHECK(*value, ERR_MEMORY, "no memory for a result");
+  return OK;
+}
+
 static enum status read_header(hid_t file, struct result_file *f) {
   int64_t complete = 0;
   TRY(hdf_get_string(file, "solver", &f->solver));
   TRY(hdf_get_string(file, "run", &f->run));
   TRY(hdf_get_string(file, "title", &f->title));
-  if (H5Aexists(file, "ended") > 0)
-    TRY(hdf_get_string(file, "ended", &f->ended));
-  else if (!(f->ended = strdup("")))
-    return status_raise(ERR_MEMORY, "no memory for a result");
+  TRY(read_optional(file, "ended", &f->ended));
+  TRY(read_optional(file, "water", &f->water_fingerprint));
   TRY(hdf_get_string(file, "version", &f->version));
   TRY(hdf_get_string(file, "revision", &f->revision));
   TRY(hdf_get_string(file, "fingerprint", &f->fingerprint));
@@ -346,6 +352,7 @@ void result_file_destroy(struct result_file *f) {
   free(f->case_text);
   free(f->fingerprint);
   free(f->created);
+  free(f->water_fingerprint);
   free(f->ended);
   geo_lines_destroy(&f->walls);
   for (size_t i = 0; i < f->n_surfaces; i++) geo_lines_destroy(&f->surface[i]);

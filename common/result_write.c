@@ -86,14 +86,20 @@ static void series_destroy(struct series *s) {
 
 static enum status write_attributes(hid_t file, const struct case_file *c,
                                     const struct case_run *r) {
-  char fingerprint[33], created[32];
+  char fingerprint[33], water[33], created[32];
   case_fingerprint(c, r, fingerprint);
+  case_water_fingerprint(c, water);
   time_t now = time(NULL);
   strftime(created, sizeof created, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
-  const char *const text[][2] = {
-      {"format", RESULT_FORMAT},    {"solver", r->solver->name}, {"run", r->name},
-      {"title", c->title},          {"version", PLUNGE_VERSION}, {"revision", PLUNGE_REVISION},
-      {"fingerprint", fingerprint}, {"created", created}};
+  const char *const text[][2] = {{"format", RESULT_FORMAT},
+                                 {"solver", r->solver->name},
+                                 {"run", r->name},
+                                 {"title", c->title},
+                                 {"version", PLUNGE_VERSION},
+                                 {"revision", PLUNGE_REVISION},
+                                 {"fingerprint", fingerprint},
+                                 {"water", water},
+                                 {"created", created}};
   for (size_t i = 0; i < sizeof text / sizeof *text; i++)
     TRY(hdf_set_string(file, text[i][0], text[i][1]));
   TRY(hdf_set_integers(file, "format_version", 1, (int64_t[]){RESULT_FORMAT_VERSION}));

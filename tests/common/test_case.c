@@ -130,6 +130,40 @@ static void test_fingerprint_ignores_what_a_result_does_not_depend_on(void) {
   case_destroy(d);
 }
 
+/* Comparable: other resolution, scheme, probes, duration, and lengths written in another unit. */
+static void test_water_fingerprint_tells_what_can_be_compared(void) {
+#define FLUID(g, H) "fluid: {gravity: " g "}\nscales: {H: " H "}\n"
+#define BASIN       "tank: {walls: [[[0, 3], [0, 0], [3.2196, 0], [3.2196, 3]]]}\n"
+#define COLUMN(y)   "water: {regions: [[[0, 0], [1.2, 0], [1.2, " y "], [0, " y "]]]}\n"
+#define WAVE(a)     "water: {wave: {kind: standing, amplitude: " a ", wavelength: 6.4392, depth: 1}}\n"
+  static const struct {
+    const char *text;
+    bool same;
+  } cases[] = {
+      {FLUID("9.81", "0.6") BASIN COLUMN("0.6") TIME RUNS, true},
+      {FLUID("9.81", "0.6") "tank: {walls: [[[0, 5 H], [-0, 0], [5.366 H, 0], [5.366 H, 5 H]]]}\n"
+                            "water: {regions: [[[0, 0], [2 H, 0], [2 H, H], [0, H]]]}\n"
+                            "probes: [{at: [0, 0.1], name: p}]\n"
+                            "time: {end: 7}\nruns: [{solver: sph, resolution: 99, alpha: 0}]\n",
+       true},
+      {FLUID("9.81", "0.6") BASIN COLUMN("0.61") TIME RUNS, false},
+      {FLUID("9.81", "0.61") BASIN COLUMN("0.6") TIME RUNS, false},
+      {FLUID("9.82", "0.6") BASIN COLUMN("0.6") TIME RUNS, false},
+      {FLUID("9.81", "0.6") BASIN WAVE("0.03") TIME RUNS, false},
+      {FLUID("9.81", "0.6") BASIN WAVE("0.02") TIME RUNS, false},
+  };
+  char of[7][33];
+  for (size_t i = 0; i < 7; i++) {
+    struct case_file *c = parse(cases[i].text);
+    of[i][0] = 0;
+    if (c) case_water_fingerprint(c, of[i]);
+    EXPECT(strlen(of[i]) == 32);
+    EXPECT(cases[i].same == !strcmp(of[i], of[0]));
+    case_destroy(c);
+  }
+  EXPECT(strcmp(of[5], of[6]));
+}
+
 int main(void) {
   RUN(test_minimal_case_has_the_documented_defaults);
   RUN(test_units_convert_with_the_scales);
@@ -137,5 +171,6 @@ int main(void) {
   RUN(test_rectangular_tanks_are_recognised);
   RUN(test_rest_potential_of_box_and_polygon_agree);
   RUN(test_fingerprint_ignores_what_a_result_does_not_depend_on);
+  RUN(test_water_fingerprint_tells_what_can_be_compared);
   return TEST_RESULT;
 }

@@ -31,14 +31,16 @@ static struct result_file *round_trip(size_t outputs, size_t scale, bool finish)
 static void test_header_comes_back(void) {
   struct case_file *c = sample_case();
   struct result_file *f = round_trip(1, SCALE, true);
-  char fingerprint[33];
+  char fingerprint[33], water[33];
   if (!f) return;
   case_fingerprint(c, &c->runs[0], fingerprint);
+  case_water_fingerprint(c, water);
   EXPECT_STR(f->title, c->title);
   EXPECT_STR(f->case_text, c->text);
   EXPECT_STR(f->solver, "sample");
   EXPECT_STR(f->run, "antuono");
   EXPECT_STR(f->fingerprint, fingerprint);
+  EXPECT_STR(f->water_fingerprint, water);
   EXPECT(f->complete);
   EXPECT_SAME(f->H, c->H);
   EXPECT_SAME(f->g, c->gravity);
