@@ -162,3 +162,29 @@ double wave_standing_potential_energy(const struct wave_standing *w, double widt
   double square = y * y + (m[0].eta * m[0].eta + m[1].eta * m[1].eta) / 2;
   return w->gravity * width / 2 * (square - w->bed * w->bed);
 }
+
+/* Elevation of the second order over that of the first, at most, whatever order w has. */
+static double ratio_of_orders(const struct wave_standing *w) {
+  struct wave_standing second =
+      wave_standing_create(w->amplitude, w->wavelength, w->depth, w->gravity, w->left, w->bed, 2);
+  double free = second.bound_mean + second.bound; /* cancels them at t = 0 */
+  return (fabs(second.bound_mean) + fabs(second.bound) + fabs(free)) / w->amplitude;
+}
+
+static double energy_above_rest(const struct wave_standing *w, double width, double t) {
+  struct wave_standing from_bed = *w; /* without the digits that the level of the bed takes */
+  from_bed.bed = 0;
+  return wave_standing_kinetic(&from_bed, width, t) +
+         wave_standing_potential_energy(&from_bed, width, t) -
+         w->gravity * width * w->depth * w->depth / 2;
+}
+
+double wave_standing_error(const struct wave_standing *w, double width, double end) {
+  enum { PER_PERIOD = 32, PERIODS = 64 }; /* in which bound and free waves meet in every phase */
+  double step = 2 * M_PI / w->omega / PER_PERIOD, worst = 0;
+  double first = energy_above_rest(w, width, 0);
+  for (int i = 1; i <= PER_PERIOD * PERIODS && i * step <= end; i++)
+    worst = fmax(worst, fabs(energy_above_rest(w, width, i * step) / first - 1));
+  double ratio = ratio_of_orders(w);
+  return fmax(worst, w->order < 2 ? ratio : ratio * ratio);
+}

@@ -50,3 +50,12 @@ double wave_standing_pressure(const struct wave_standing *w, double x, double y,
  * half wavelengths) farther, m^4 s^-2 : kinetic, and potential from y = 0. */
 double wave_standing_kinetic(const struct wave_standing *w, double width, double t);
 double wave_standing_potential_energy(const struct wave_standing *w, double width, double t);
+
+/* What the theory leaves out, relative to what it keeps: an estimate, the larger of two.
+ * - The energy that it gains or loses between 0 and `end` (s), over that of the wave. Water that
+ *   starts at rest keeps its energy; at t = 0 the theory's is exact, and later its error is of the
+ *   order that it neglects (for order 2: the products of the first order with the third).
+ * - The next term of a series that falls by the ratio of the second order's elevation to the first:
+ *   its square at order 2, the ratio itself at order 1. In shallow water the ratio grows like the
+ *   Ursell number, a/(k^2 d^3), and the series fails before the energy tells. */
+double wave_standing_error(const struct wave_standing *w, double width, double end);

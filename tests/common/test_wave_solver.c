@@ -63,6 +63,9 @@ static void test_run_writes_the_theory_at_the_multiples_of_the_output_times(void
   double above = f->energy[0].total - f->rest_potential;
   for (size_t i = 0; i < f->n_energy; i++)
     EXPECT_NEAR(f->energy[i].total, f->energy[0].total, 0.02 * above);
+  EXPECT(f->n_statistics == 1);
+  EXPECT_STR(f->statistics[0].name, "theory_error");
+  EXPECT_NEAR(f->statistics[0].value, wave_standing_error(&w, 2.5, 1.03), 1e-15);
   result_file_destroy(f);
   case_destroy(c);
   progress_destroy(progress);
@@ -94,7 +97,9 @@ static void test_other_cases_are_refused_with_the_reason(void) {
   expect_problem("wave: {kind: standing, amplitude: 0.02, wavelength: 1, depth: 0.7}",
                  "regions: [[[0, 0], [1, 0], [1, 1], [0, 1]]]",
                  "found 'exact' with regions of water");
-  expect_problem("depth: 0.7", "depth: 0.06", "the second order of theory is");
+  expect_problem("depth: 0.7", "depth: 0.06", "what theory leaves out is");
+  /* (k a) = 0.6: steeper than theory has a meaning for, not yet breaking */
+  expect_problem("amplitude: 0.02", "amplitude: 0.099", "allowed: at most 0.5; lower");
 }
 
 int main(void) {

@@ -237,6 +237,31 @@ static void test_frequency_shift_is_that_of_the_nonlinear_wave(void) {
   }
 }
 
+/* The estimate is one: the true error of the surface over the amplitude, over three periods, lies
+ * within a factor of 1.5 of it at both orders. */
+static void test_error_is_estimated(void) {
+  for (double kd = 1; kd < 4; kd += 1.07)
+    for (int order = 1; order <= 2; order++)
+      for (double steepness = 0.06; steepness > 0.01; steepness /= 2) {
+        struct wave_standing w = wave_standing_create(steepness, 2 * M_PI, kd, 1, 0, 0, order);
+        double f, true_error = compare(steepness, kd, order, 3, &f) / steepness;
+        double estimate = wave_standing_error(&w, M_PI, 6 * M_PI / w.omega);
+        printf("     kd %.2f, ka %.3f, order %d: error %.2e, estimate %.2e\n", kd, steepness, order,
+               true_error, estimate);
+        EXPECT(estimate > true_error / 1.5 && estimate < 1.5 * true_error);
+      }
+}
+
+/* A quarter of the amplitude, a sixteenth of the error; a bed at another height, the same. */
+static void test_error_estimate_has_its_order_and_no_place(void) {
+  struct wave_standing w = wave_standing_create(0.04, 2, 1, 9.81, 0, 0, 2);
+  struct wave_standing low = wave_standing_create(0.01, 2, 1, 9.81, 0, 0, 2);
+  struct wave_standing deep = wave_standing_create(0.04, 2, 1, 9.81, 0, -1000, 2);
+  double error = wave_standing_error(&w, 1, 4);
+  EXPECT_NEAR(error / wave_standing_error(&low, 1, 4), 16, 1);
+  EXPECT_NEAR(wave_standing_error(&deep, 1, 4), error, 1e-9);
+}
+
 int main(void) {
   RUN(test_frequency_has_its_limits);
   RUN(test_water_starts_at_rest_below_a_cosine);
@@ -245,5 +270,7 @@ int main(void) {
   RUN(test_energy_is_kept_to_fourth_order);
   RUN(test_theory_differs_from_the_nonlinear_wave_by_the_order_above_its_own);
   RUN(test_frequency_shift_is_that_of_the_nonlinear_wave);
+  RUN(test_error_is_estimated);
+  RUN(test_error_estimate_has_its_order_and_no_place);
   return TEST_RESULT;
 }
