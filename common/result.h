@@ -67,6 +67,10 @@ enum status result_event(struct result *w, const char *name, double time, double
 enum status result_statistic(struct result *w, const char *name, double value, const char *help);
 enum status result_flush(struct result *w);
 
+/* The potential energy (J/m) of the solver's own water at rest, where that is not the
+ * incompressible water of the case (case_rest_potential, which result_create writes). */
+enum status result_rest(struct result *w, double potential);
+
 /* Says in one sentence why the run ended before the end of its case: a failure, a stop, or an event
  * beyond which the solver cannot go (the touchdown of a jet). Kept with the next flush. */
 enum status result_ended(struct result *w, const char *why);

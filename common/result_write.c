@@ -418,6 +418,10 @@ enum status result_statistic(struct result *w, const char *name, double value, c
   return guard(w, hdf_put_scalar(w->statistics, name, H5T_NATIVE_DOUBLE, &value, "1", help));
 }
 
+enum status result_rest(struct result *w, double potential) {
+  return guard(w, hdf_set_number(w->file, "rest_potential", potential));
+}
+
 enum status result_ended(struct result *w, const char *why) {
   return guard(w, hdf_set_string(w->file, "ended", why));
 }

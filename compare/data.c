@@ -7,6 +7,10 @@
 #include "common/gauge.h"
 #include "compare/text.h"
 
+/* Of the potential energy: what is less above rest is not told from the rounding of the sums, nor
+ * from the layers of particles in which water at rest is set up, (g H/c0^2) (dx/H)^2/6 of it. */
+static const double AT_REST = 1e-6;
+
 enum status cmp_scales_set(const struct result_file *reference, struct cmp_scales *s) {
   const struct result_file *f = reference;
   CHECK(f->H > 0 && f->g > 0 && f->density > 0, ERR_INPUT,
@@ -14,17 +18,11 @@ enum status cmp_scales_set(const struct result_file *reference, struct cmp_scale
         f->density);
   *s = (struct cmp_scales){.H = f->H, .T = sqrt(f->H / f->g), .p = f->density * f->g * f->H};
   s->rest = f->rest_potential;
-  s->E = s->p * s->H * s->H;
-  if (f->n_energy) {
-    const struct result_energy *e = &f->energy[0];
-    s->E = e->kinetic + e->potential - s->rest;
-    s->at_rest = !(s->E > 1e-6 * fabs(e->potential));
-    if (s->at_rest) {
-      s->E = e->potential;
-      s->rest = 0;
-    }
-  }
-  if (!(s->E > 0)) s->E = s->p * s->H * s->H;
+  const struct result_energy none = {0}, *e = f->n_energy ? &f->energy[0] : &none;
+  s->E = e->kinetic + e->potential - s->rest;
+  double scale = s->p * s->H * s->H;
+  s->at_rest = !(s->E > AT_REST * fmax(scale, fabs(e->potential)));
+  if (s->at_rest) s->E = scale;
   return OK;
 }
 
@@ -89,11 +87,13 @@ static enum status energies(const struct result_file *f, const struct cmp_scales
                                       "viscosity", "diffusion", "closure"};
   enum { SERIES = sizeof all / sizeof *all };
   for (size_t k = 0; k < SERIES; k++) TRY(series_room(all[k], names[k], f->n_energy));
+  const double rest =
+      f->rest_potential; /* its own: a compressible fluid's is not the reference's */
   for (size_t i = 0; i < f->n_energy; i++) {
     const struct result_energy *e = &f->energy[i];
     double value[SERIES] = {e->kinetic,
-                            e->potential - s->rest,
-                            e->kinetic + e->potential + e->removed - s->rest,
+                            e->potential - rest,
+                            e->kinetic + e->potential + e->removed - rest,
                             e->internal,
                             e->viscosity,
                             e->diffusion,

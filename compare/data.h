@@ -1,6 +1,7 @@
 /* A result file as the comparator uses it: without dimensions. Lengths in H, times in sqrt(H/g),
- * pressures in rho g H, energies in the initial mechanical energy of the reference relative to the
- * water at rest. Dimensionless times are written t* in what users read. */
+ * pressures in rho g H, energies in E0: the initial mechanical energy of the reference relative to
+ * its own water at rest, or rho g H^3 where it starts at rest. Dimensionless times are written t*
+ * in what users read. */
 #pragma once
 #include "common/result.h"
 #include "compare/jet.h"
@@ -8,8 +9,9 @@
 
 struct cmp_scales {
   double H, T, p; /* m, s, Pa */
-  double E, rest; /* J/m: energies are (value - rest)/E, rest for the potential energy only */
-  bool at_rest;   /* the water starts (almost) at rest in equilibrium: E is its potential energy */
+  double E;       /* J/m: energies are value/E, potential ones less the run's own rest potential */
+  double rest;    /* J/m: the rest potential of the reference */
+  bool at_rest;   /* the reference starts at rest in equilibrium: E is rho g H^3 */
 };
 
 /* ERR_INPUT when the file lacks what scales need. */

@@ -289,8 +289,8 @@ void cmp_html_method(struct page *p, const struct comparison *c) {
       "Pa, energies in E0 = %.4g J/m, %s.",
       c->scales.H, c->scales.T, c->scales.p, c->scales.E,
       c->scales.at_rest
-          ? "the initial potential energy (the water starts at rest)"
-          : "the reference's initial mechanical energy relative to the same water at rest");
+          ? "which is ρgH³ since the reference starts at rest"
+          : "the reference's initial mechanical energy relative to its own water at rest");
   cmp_page_element(
       p, "li", NULL,
       "Noise floor: the surface of a cloud of particles is known to about half a particle "

@@ -10,4 +10,11 @@
 
 struct result_energy sph_energy(const struct sph *s);
 double sph_energy_of(const struct sph *s, size_t i); /* total energy of one particle */
-double sph_volume(const struct sph *s);              /* sum of m/rho, m^2 */
+
+/* Potential energy of the same mass at rest in the tank: compressed by its own weight according to
+ * the solver's equation of state, and summed over layers of the solver's spacing, as water that
+ * starts at rest is (initial.h), so that such water lies exactly zero above it. Without the
+ * compression, which raises the mass of a region by g H/2c0^2 of it, small waves would drown: that
+ * offset is (2/3) (g H/c0^2) (H/a)^2 times the energy of a wave of amplitude a. */
+double sph_rest_potential(const struct sph *s);
+double sph_volume(const struct sph *s); /* sum of m/rho, m^2 */

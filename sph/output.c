@@ -21,8 +21,8 @@ struct sph_output {
   double budget0, available, budget; /* J/m */
   bool right_wall_dry;               /* wall_impact is still to come */
   size_t room;
-  double *x, *y, *u, *v, *rho, *p; /* [room], in the order of the particles' ids */
-  uint32_t *place;                 /* [room] */
+  double *x, *y, *u, *v, *rho, *p, *m, *V; /* [room], in the order of the particles' ids */
+  uint32_t *place;                         /* [room] */
 };
 
 static double budget_of(const struct result_energy *e) {
@@ -53,7 +53,9 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   o->right_wall_dry = front(s, &at) < s->tank.max[0] - 2 * s->dx;
   struct result_energy e = sph_energy(s);
   o->budget = o->budget0 = budget_of(&e);
-  o->available = fabs(e.kinetic + e.potential - case_rest_potential(c));
+  double rest = sph_rest_potential(s);
+  o->available = e.kinetic + e.potential - rest;
+  ATTEMPT(result_rest(result, rest));
   ATTEMPT(sph_surface_create(&o->extractor));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->x));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->y));
@@ -61,6 +63,8 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->v));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->rho));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->p));
+  ATTEMPT(sph_allocate(o->room, sizeof(double), &o->m));
+  ATTEMPT(sph_allocate(o->room, sizeof(double), &o->V));
   ATTEMPT(sph_allocate(o->room, sizeof *o->place, &o->place));
 done:
   if (status != OK) {
@@ -81,6 +85,8 @@ void sph_output_destroy(struct sph_output *o) {
   free(o->v);
   free(o->rho);
   free(o->p);
+  free(o->m);
+  free(o->V);
   free(o->place);
   free(o);
 }
@@ -101,6 +107,8 @@ static size_t sort_by_id(struct sph_output *o, const struct sph *s) {
     o->v[n] = f->w.v[i];
     o->rho[n] = f->w.rho[i];
     o->p[n] = s->c0 * s->c0 * (f->w.rho[i] - s->rho0);
+    o->m[n] = f->m[i];
+    o->V[n] = f->m[i] / f->w.rho[i];
     n++;
   }
   return n;
@@ -118,6 +126,8 @@ static enum status write_state(struct sph_output *o, const struct sph *s) {
   size_t n = sort_by_id(o, s);
   const struct result_field fields[] = {{"pressure", "Pa", "c0^2 (rho - rho0)", o->p, NULL},
                                         {"density", "kg m^-3", "density", o->rho, NULL},
+                                        {"mass", "kg m^-1", "mass, which it keeps", o->m, NULL},
+                                        {"volume", "m^2", "mass over density", o->V, NULL},
                                         {"velocity", "m s^-1", "velocity", o->u, o->v}};
   TRY(result_points(o->result, s->t, n, o->x, o->y, RESULT_VERTICES, sizeof fields / sizeof *fields,
                     fields));
@@ -188,5 +198,6 @@ enum status sph_output_last(struct sph_output *o, struct sph *s) {
 }
 
 double sph_output_drift(const struct sph_output *o) {
-  return (o->budget - o->budget0) / (o->available > 0 ? o->available : fabs(o->budget0));
+  bool at_rest = !(o->available > 1e-6 * fabs(o->budget0)); /* its rounding would be the scale */
+  return (o->budget - o->budget0) / (at_rest ? fabs(o->budget0) : o->available);
 }

@@ -20,5 +20,6 @@ double sph_output_next(const struct sph_output *o);
 /* Particles and surface now, due or not: for a run that ends early. */
 enum status sph_output_last(struct sph_output *o, struct sph *s);
 
-/* Loss or gain of the whole budget since t = 0, relative to the mechanical energy above rest. */
+/* Loss or gain of the whole budget since t = 0, relative to the mechanical energy above rest; of
+ * water that starts at rest, to the budget itself. */
 double sph_output_drift(const struct sph_output *o);
