@@ -1,5 +1,5 @@
-/* Figures drawn by gnuplot: each is a script and its data in DIR/figures, drawn as SVG, PDF and
- * PNG. gnuplot is started directly (no shell) and sees only files named here. */
+/* Figures: each is a script and its data in DIR/figures, which compare/drawing.h makes SVG, PDF and
+ * PNG of. */
 #pragma once
 #include <limits.h>
 #include <stdbool.h>
@@ -25,20 +25,23 @@ struct cmp_figure {
   bool raster;       /* heavy: the report shows the PNG, not the SVG */
   int width, height; /* px of a screen */
   FILE *script;      /* open between begin and end */
+  char missing[256]; /* why it is not drawn; "" when it is */
 };
 
 struct cmp_figures {
   char dir[PATH_MAX], temporary[PATH_MAX];
+  int lock; /* on `temporary`, held while it is in use; -1: none */
   size_t n, room;
   struct cmp_figure *figure;
-  bool drawn; /* all of them are in `dir` */
 };
 
+/* Also removes what killed reports have left behind. */
 enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f);
-/* Draws everything (two at a time), checks and puts it in place. ERR_IO with gnuplot's first
- * complaint. */
-enum status cmp_figures_draw(struct cmp_figures *f);
+/* Puts what there is into `dir`; of a figure that is missing, its script and data. */
+enum status cmp_figures_publish(struct cmp_figures *f);
 void cmp_figures_close(struct cmp_figures *f); /* removes what is temporary */
+
+size_t cmp_figures_missing(const struct cmp_figures *f);
 
 /* Starts a figure: the caller writes gnuplot commands to figure->script. What comes after
  * cmp_figure_formats is executed once per format (the variable fmt is svg, pdf or png); the script

@@ -312,6 +312,17 @@ static enum status body(struct page *p, const struct content *w) {
   return OK;
 }
 
+static void figures_missing(struct page *p, const struct cmp_figures *figures) {
+  size_t missing = cmp_figures_missing(figures);
+  if (!missing) return;
+  if (missing == figures->n)
+    cmp_page_element(p, "p", "lead fail", "There are no figures: %s.", figures->figure[0].missing);
+  else
+    cmp_page_element(p, "p", "lead fail",
+                     "%zu of %zu figures are missing; each says why in its place.", missing,
+                     figures->n);
+}
+
 static enum status page_write(struct page *p, const struct comparison *c,
                               const struct cmp_rows *rows, const struct cmp_figures *figures,
                               const char *sentence) {
@@ -326,8 +337,7 @@ static enum status page_write(struct page *p, const struct comparison *c,
                    : rows->passed ? "lead pass"
                                   : "lead",
                    "%s", sentence);
-  if (!figures->drawn)
-    cmp_page_element(p, "p", "lead fail", "There are no figures: %s.", status_message());
+  figures_missing(p, figures);
   TRY(body(p, &(struct content){c, rows, figures}));
   cmp_page_close(p);
   cmp_page_close(p);

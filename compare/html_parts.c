@@ -88,37 +88,56 @@ static void link_to(struct page *p, const char *name, const char *suffix, const 
   cmp_page_close(p);
 }
 
-static enum status figure_show(struct page *p, const struct cmp_figures *figures,
-                               const struct cmp_figure *fig) {
+static void links(struct page *p, const struct cmp_figure *fig) {
+  static const char *const link[][2] = {
+      {".svg", "SVG"}, {".pdf", "PDF"}, {".png", "PNG"}, {".gp", "script"}};
+  cmp_page_open(p, "span", NULL);
+  for (size_t k = *fig->missing ? 3 : 0; k < sizeof link / sizeof *link; k++) {
+    link_to(p, fig->name, link[k][0], link[k][1]);
+    if (k < 3) cmp_page_text(p, " · ");
+  }
+  cmp_page_close(p);
+}
+
+static enum status image_show(struct page *p, const struct cmp_figures *figures,
+                              const struct cmp_figure *fig) {
   char file[128], path[PATH_MAX], *bytes;
   size_t n;
   snprintf(file, sizeof file, "%s%s", fig->name, fig->raster ? ".png" : ".svg");
   TRY(cmp_path_join(figures->dir, file, path));
   TRY(cmp_file_read(path, &bytes, &n));
-  cmp_page_open(p, "figure", NULL);
   cmp_page_open(p, "div", NULL);
   cmp_page_image(p, fig->raster ? "image/png" : "image/svg+xml", bytes, n, fig->caption, fig->width,
                  fig->height);
-  cmp_page_close(p);
-  cmp_page_open(p, "figcaption", NULL);
-  cmp_page_text(p, "%s ", fig->caption);
-  cmp_page_open(p, "span", NULL);
-  static const char *const links[][2] = {
-      {".svg", "SVG"}, {".pdf", "PDF"}, {".png", "PNG"}, {".gp", "script"}};
-  for (size_t k = 0; k < sizeof links / sizeof *links; k++) {
-    if (k) cmp_page_text(p, " · ");
-    link_to(p, fig->name, links[k][0], links[k][1]);
-  }
-  cmp_page_close(p);
-  cmp_page_close(p);
   cmp_page_close(p);
   free(bytes);
   return OK;
 }
 
+static enum status figure_show(struct page *p, const struct cmp_figures *figures,
+                               const struct cmp_figure *fig) {
+  cmp_page_open(p, "figure", NULL);
+  if (*fig->missing)
+    cmp_page_element(p, "p", "why", "The figure %s is missing: %s.", fig->name, fig->missing);
+  else
+    TRY(image_show(p, figures, fig));
+  cmp_page_open(p, "figcaption", NULL);
+  cmp_page_text(p, "%s ", fig->caption);
+  links(p, fig);
+  cmp_page_close(p);
+  cmp_page_close(p);
+  return OK;
+}
+
 enum status cmp_html_figures(struct page *p, const struct cmp_figures *figures,
                              enum cmp_section section) {
-  for (size_t k = 0; figures->drawn && k < figures->n; k++)
-    if (figures->figure[k].section == section) TRY(figure_show(p, figures, &figures->figure[k]));
+  size_t shown = 0;
+  for (size_t k = 0; k < figures->n; k++) {
+    if (figures->figure[k].section != section) continue;
+    TRY(figure_show(p, figures, &figures->figure[k]));
+    shown++;
+  }
+  if (!shown)
+    cmp_page_element(p, "p", "soft", "No figure: none of the files has what it would show.");
   return OK;
 }

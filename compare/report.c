@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compare/charts.h"
+#include "compare/drawing.h"
 #include "compare/html.h"
 #include "compare/json.h"
 #include "compare/output.h"
@@ -15,7 +16,7 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   enum status status = OK;
   struct comparison *c = NULL;
   struct cmp_rows rows = {0};
-  struct cmp_figures figures = {0};
+  struct cmp_figures figures = {.lock = -1};
   char html[PATH_MAX], json[PATH_MAX];
   memset(verdict, 0, sizeof *verdict);
   TRY(cmp_path_join(out_dir, "report.html", html));
@@ -31,7 +32,8 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   ATTEMPT(cmp_figures_open(out_dir, &figures));
   ATTEMPT(cmp_charts_write(c, &figures));
   ATTEMPT(cmp_overlays_write(c, &figures));
-  enum status drawn = cmp_figures_draw(&figures);
+  enum status drawn = cmp_figures_draw(&figures, CMP_DRAWING_LIMITS);
+  if (drawn == INTERRUPTED) ATTEMPT(drawn);
   ATTEMPT(cmp_html_write(c, &rows, &figures, verdict->sentence, html)); /* the numbers at least */
   status = drawn;
 done:

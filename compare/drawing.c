@@ -1,0 +1,199 @@
+#include "compare/drawing.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "common/progress.h"
+#include "compare/output.h"
+
+enum { WORKERS = 2, NOT_THERE = 127 }; /* gnuplots at a time; the exit code without one */
+
+struct worker {
+  pid_t pid; /* 0: idle; also its process group */
+  struct cmp_figure *figure;
+  double deadline;
+};
+
+struct drawing {
+  struct cmp_figures *figures;
+  struct cmp_drawing_limits limits;
+  size_t next, failed; /* of the figures */
+  double deadline;
+  struct worker worker[WORKERS];
+};
+
+/* ---- one gnuplot ---- */
+
+/* In the child: nothing here but system calls. A parent that is killed takes gnuplot with it. */
+static void child_run(const char *dir, const char *script, const char *log, pid_t parent) {
+  setpgid(0, 0);
+  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent) _exit(126);
+  int null = open("/dev/null", O_RDWR);
+  if (null < 0 || chdir(dir) != 0) _exit(126);
+  int complaints = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  if (complaints < 0) _exit(126);
+  dup2(null, STDIN_FILENO);
+  dup2(null, STDOUT_FILENO);
+  dup2(complaints, STDERR_FILENO);
+  execlp("gnuplot", "gnuplot", "-d", script, (char *)NULL);
+  _exit(NOT_THERE);
+}
+
+static enum status worker_start(struct drawing *d, struct worker *w, struct cmp_figure *fig) {
+  char script[128], log[128];
+  snprintf(script, sizeof script, "%s.gp", fig->name);
+  snprintf(log, sizeof log, "%s.log", fig->name);
+  pid_t parent = getpid(), pid = fork();
+  CHECK(pid >= 0, ERR_IO, "cannot start gnuplot: %s", strerror(errno));
+  if (pid == 0) child_run(d->figures->temporary, script, log, parent);
+  setpgid(pid, pid); /* here too: whoever comes first */
+  *w = (struct worker){pid, fig, progress_wall_clock() + d->limits.each};
+  return OK;
+}
+
+static void worker_kill(struct worker *w) {
+  if (!w->pid) return;
+  kill(-w->pid, SIGKILL);
+  while (waitpid(w->pid, NULL, 0) < 0 && errno == EINTR) continue;
+  w->pid = 0;
+}
+
+/* gnuplot's first complaint about a figure. */
+static void complaint_read(const struct cmp_figures *f, const struct cmp_figure *fig, char *out,
+                           size_t room) {
+  char name[128], path[PATH_MAX], line[160];
+  snprintf(name, sizeof name, "%s.log", fig->name);
+  snprintf(out, room, "no reason given");
+  if (cmp_path_join(f->temporary, name, path) != OK) return;
+  FILE *log = fopen(path, "r");
+  while (log && fgets(line, sizeof line, log)) {
+    line[strcspn(line, "\r\n")] = 0;
+    if (strspn(line, " \t^") == strlen(line)) continue;
+    snprintf(out, room, "%s", line);
+    if (strstr(line, "line ")) break; /* the one that names the place */
+  }
+  if (log) fclose(log);
+}
+
+/* A full disk does not stop gnuplot: the end of what it wrote tells. */
+static void drawing_check(const struct cmp_figures *f, struct cmp_figure *fig) {
+  static const struct {
+    const char *suffix, *end;
+  } formats[] = {{".svg", "</svg>"}, {".pdf", "%%EOF"}, {".png", "IEND"}};
+  for (size_t k = 0; k < sizeof formats / sizeof *formats; k++) {
+    char name[128], path[PATH_MAX], tail[33] = "";
+    snprintf(name, sizeof name, "%s%s", fig->name, formats[k].suffix);
+    FILE *file = cmp_path_join(f->temporary, name, path) == OK ? fopen(path, "rb") : NULL;
+    size_t n = 0;
+    if (file && fseek(file, -32, SEEK_END) == 0) n = fread(tail, 1, 32, file);
+    if (file) fclose(file);
+    if (n && memmem(tail, n, formats[k].end, strlen(formats[k].end))) continue;
+    snprintf(fig->missing, sizeof fig->missing, "gnuplot wrote only part of %s; is the disk full?",
+             name);
+    return;
+  }
+}
+
+static void outcome_note(struct drawing *d, struct cmp_figure *fig, int outcome) {
+  char why[160];
+  if (WIFEXITED(outcome) && WEXITSTATUS(outcome) == 0) {
+    drawing_check(d->figures, fig);
+  } else if (WIFSIGNALED(outcome)) {
+    snprintf(fig->missing, sizeof fig->missing, "gnuplot was stopped (%s)",
+             strsignal(WTERMSIG(outcome)));
+  } else if (WEXITSTATUS(outcome) == NOT_THERE) {
+    snprintf(fig->missing, sizeof fig->missing,
+             "gnuplot is not installed (apt install gnuplot-nox)");
+  } else {
+    complaint_read(d->figures, fig, why, sizeof why);
+    snprintf(fig->missing, sizeof fig->missing, "gnuplot could not draw it: %s", why);
+  }
+  d->failed += *fig->missing != 0;
+}
+
+/* ---- all of them ---- */
+
+/* Whether a worker has ended, been ended, or was idle. */
+static bool worker_tend(struct drawing *d, struct worker *w) {
+  int outcome;
+  if (!w->pid) return true;
+  pid_t ended = waitpid(w->pid, &outcome, WNOHANG);
+  if (ended == w->pid) {
+    kill(-w->pid, SIGKILL); /* whatever it has left behind */
+    w->pid = 0;
+    outcome_note(d, w->figure, outcome);
+  } else if (progress_wall_clock() > w->deadline) {
+    worker_kill(w);
+    snprintf(w->figure->missing, sizeof w->figure->missing,
+             "gnuplot took longer than %g s and was stopped", d->limits.each);
+    d->failed++;
+  }
+  return !w->pid;
+}
+
+static void out_of_time(struct drawing *d) {
+  for (size_t k = 0; k < WORKERS; k++) worker_kill(&d->worker[k]);
+  for (size_t i = 0; i < d->figures->n; i++) {
+    struct cmp_figure *fig = &d->figures->figure[i];
+    bool begun = i < d->next, running = false;
+    for (size_t k = 0; k < WORKERS; k++) running = running || d->worker[k].figure == fig;
+    if (begun && !running) continue;
+    snprintf(fig->missing, sizeof fig->missing,
+             "left out, for all figures together took longer than %g s", d->limits.all);
+  }
+}
+
+static enum status figures_draw(struct drawing *d) {
+  for (bool busy = true; busy;) {
+    CHECK(!progress_stop_requested(), INTERRUPTED, "stopped while drawing figures");
+    busy = false;
+    for (size_t k = 0; k < WORKERS; k++) {
+      struct worker *w = &d->worker[k];
+      if (!worker_tend(d, w)) {
+        busy = true;
+      } else if (d->next < d->figures->n) {
+        w->figure = NULL;
+        TRY(worker_start(d, w, &d->figures->figure[d->next]));
+        d->next++;
+        busy = true;
+      } else {
+        w->figure = NULL;
+      }
+    }
+    if (busy && progress_wall_clock() > d->deadline) {
+      out_of_time(d);
+      return OK;
+    }
+    if (busy) nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL); /* a signal ends it */
+  }
+  return OK;
+}
+
+static enum status failures_raise(const struct cmp_figures *f, size_t failed) {
+  const struct cmp_figure *first = f->figure;
+  while (!*first->missing) first++;
+  CHECK(failed < f->n, ERR_IO, "cannot draw figures: %s", first->missing);
+  return status_raise(ERR_IO, "%zu of %zu figures could not be drawn; %s: %s", failed, f->n,
+                      first->name, first->missing);
+}
+
+enum status cmp_figures_draw(struct cmp_figures *f, struct cmp_drawing_limits limits) {
+  struct drawing d = {
+      .figures = f, .limits = limits, .deadline = progress_wall_clock() + limits.all};
+  enum status status = figures_draw(&d);
+  for (size_t k = 0; k < WORKERS; k++) worker_kill(&d.worker[k]);
+  if (status != OK) {
+    for (size_t i = 0; i < f->n; i++)
+      snprintf(f->figure[i].missing, sizeof f->figure[i].missing, "%.250s", status_message());
+    return status;
+  }
+  TRY(cmp_figures_publish(f));
+  return d.failed ? failures_raise(f, d.failed) : OK;
+}
