@@ -1,14 +1,13 @@
 /* From a file on disk to a checked case. */
 #include "common/case.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "common/case_draft.h"
+#include "common/text.h"
 
 enum { MOST_BYTES = 10 * 1024 * 1024 };
 
@@ -32,12 +31,8 @@ static int find_bad_utf8(const unsigned char *s, size_t n) {
 
 static bool text_is_fit(struct problems *problems, const char *text, size_t n) {
   const char *allowed = "a case file in YAML, UTF-8 text";
-  if (!text[strspn(text, " \t\r\n")] && strlen(text) == n) {
+  if (!text[strspn(text, " \t\r\n")]) {
     problems_add(problems, 0, "found an empty file; allowed: %s", allowed);
-    return false;
-  }
-  if (memchr(text, 0, n)) {
-    problems_add(problems, 0, "found a binary file; allowed: %s", allowed);
     return false;
   }
   int line = find_bad_utf8((const unsigned char *)text, n);
@@ -49,37 +44,18 @@ static bool text_is_fit(struct problems *problems, const char *text, size_t n) {
   return true;
 }
 
-/* The whole file with a NUL behind it, or NULL with a problem added. */
-static char *read_file(const char *path, struct problems *problems, size_t *n) {
-  struct stat info;
-  FILE *file = fopen(path, "rb");
-  if (!file) {
-    problems_add(problems, 0,
-                 "found nothing to read (%s); allowed: a case file in YAML; correct the path",
-                 strerror(errno));
-    return NULL;
-  }
-  char *text = NULL;
-  if (fstat(fileno(file), &info) || S_ISDIR(info.st_mode)) {
-    problems_add(problems, 0, "found a directory; allowed: a case file in YAML; correct the path");
-  } else if (!(text = malloc(MOST_BYTES + 1))) {
+/* The whole text, or NULL with a problem added. */
+static char *read_text(const char *path, struct problems *problems, size_t *n) {
+  char *text;
+  enum status status = text_read(path, MOST_BYTES, &text, n);
+  if (status == ERR_INPUT)
+    problems_add(
+        problems, 0,
+        "found %s; allowed: a case file in YAML of at most 10 MB, or - for standard input; "
+        "correct the path",
+        status_message());
+  else if (status != OK)
     problems->out_of_memory = true;
-  } else {
-    *n = fread(text, 1, MOST_BYTES + 1, file); /* not st_size: it may be a pipe */
-    const char *trouble = ferror(file) ? "found an end before the end of the file; allowed: a case "
-                                         "file in YAML; check the disk"
-                          : *n > MOST_BYTES ? "found more than 10 MB; allowed: a case file of at "
-                                              "most 10 MB; keep data in other files"
-                                            : NULL;
-    if (trouble) {
-      problems_add(problems, 0, "%s", trouble);
-      free(text);
-      text = NULL;
-    } else {
-      text[*n] = 0;
-    }
-  }
-  fclose(file);
   return text;
 }
 
@@ -151,10 +127,11 @@ enum status case_load(const char *path, size_t n_set, const char *const *set,
   enum status status = OK;
   *c = NULL;
   *problems = (struct problems){0};
-  char *text = read_file(path, problems, &n);
-  if (text) status = parse(path, text, n, n_set, set, registry, true, problems, c);
+  char *text = read_text(path, problems, &n);
+  const char *name = strcmp(path, "-") ? path : "stdin";
+  if (text) status = parse(name, text, n, n_set, set, registry, true, problems, c);
   free(text);
-  return conclude(status, path, n_set, set, problems);
+  return conclude(status, name, n_set, set, problems);
 }
 
 enum status case_parse(const char *name, const char *text, const struct registry *registry,

@@ -49,7 +49,7 @@ struct case_experiment { /* a measured series laid over a probe's or a gauge's p
 };
 
 struct case_file {
-  char *path; /* as given by the user; "" when read from a result file */
+  char *path; /* as given by the user, "stdin" for "-"; "" when read from a result file */
   char *text; /* the case as run: the file with the overrides applied, still valid YAML */
   char *title;
   double density; /* rho_0, kg m^-3 */
@@ -104,7 +104,7 @@ void problems_add(struct problems *p, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void problems_destroy(struct problems *p);
 
-/* Reads, overrides and checks a case. `set` holds "path=value" strings (runs.NAME.key=value,
+/* Reads, overrides and checks a case; `path` "-" is standard input. `set` holds "path=value" strings (runs.NAME.key=value,
  * time.end=...). On ERR_INPUT *problems lists every problem found (file, line, key, value found,
  * what is allowed, what to do) and *c is NULL. Data files are taken relative to the case file. */
 enum status case_load(const char *path, size_t n_set, const char *const *set,

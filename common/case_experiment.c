@@ -1,15 +1,15 @@
 /* Measured series: text files of two columns in the units of the scales,
- *     # any number of header lines
+ *     # any number of header lines (lines of at most 1000 bytes, files of at most 64 MB)
  *     t sqrt(g/H), value        (value: p/(rho g H) at a probe, eta/H at a gauge, x/H of the front)
  */
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/case_draft.h"
+#include "common/text.h"
 
-enum { MOST_SAMPLES = 1000000, MOST_LINE_PROBLEMS = 10 };
+enum { MOST_SAMPLES = 1000000, MOST_LINE_PROBLEMS = 10, MOST_BYTES = 64 << 20 };
 
 enum target { TARGET_UNKNOWN, TARGET_PRESSURE, TARGET_LENGTH };
 
@@ -66,38 +66,39 @@ static enum status append(struct case_experiment *e, size_t *room, double t, dou
   return OK;
 }
 
-static enum status read_rows(struct case_draft *d, struct case_experiment *e, FILE *file,
+/* What is wrong with a line, or NULL with its two numbers in `row`. */
+static const char *judge_line(char *line, const struct case_experiment *e, double time_unit,
+                              double row[2]) {
+  if (strlen(line) > TEXT_LONGEST_LINE) return "lines of at most 1000 bytes";
+  if (!parse_row(line, row)) return "two numbers with a comma between them";
+  if (e->n && row[0] * time_unit < e->t[e->n - 1]) return "times that do not decrease";
+  if (e->n == MOST_SAMPLES) return "at most 1000000 samples";
+  return NULL;
+}
+
+static enum status read_rows(struct case_draft *d, struct case_experiment *e, char *text,
                              const char *name, int at, const char *path, double time_unit,
                              double unit) {
-  char *line = NULL, found[192], shown[48];
-  size_t line_room = 0, room = 0, bad = 0;
-  enum status status = OK;
-  for (size_t k = 1; getline(&line, &line_room, file) >= 0; k++) {
+  char *line, found[192], shown[48];
+  size_t room = 0, bad = 0;
+  for (size_t k = 1; (line = text_line(&text)); k++) {
     double row[2];
-    if (line[0] == '#' || !line[strspn(line, " \t\r\n")]) continue;
-    case_quote(line, strcspn(line, "\r\n"), shown, sizeof shown);
-    const char *why = NULL;
-    if (!parse_row(line, row))
-      why = "two numbers with a comma between them";
-    else if (e->n && row[0] * time_unit < e->t[e->n - 1])
-      why = "times that do not decrease";
-    else if (e->n == MOST_SAMPLES)
-      why = "at most 1000000 samples";
+    if (line[0] == '#' || !line[strspn(line, " \t")]) continue;
+    case_quote(line, strlen(line), shown, sizeof shown);
+    const char *why = judge_line(line, e, time_unit, row);
     if (why) {
       snprintf(found, sizeof found, "'%s' in line %zu of %s", shown, k, name);
       case_doc_problem(&d->doc, at, path, found, why, "correct that line");
       if (++bad == MOST_LINE_PROBLEMS || e->n == MOST_SAMPLES) break;
       continue;
     }
-    ATTEMPT(append(e, &room, row[0] * time_unit, row[1] * unit));
+    TRY(append(e, &room, row[0] * time_unit, row[1] * unit));
   }
   if (!bad && !e->n) {
     snprintf(found, sizeof found, "no data in %s", name);
     case_doc_problem(&d->doc, at, path, found, "lines 'time, value'", "add the data");
   }
-done:
-  free(line);
-  return status;
+  return OK;
 }
 
 enum status case_read_experiment(struct case_draft *d, struct case_experiment *e, const char *file,
@@ -111,20 +112,21 @@ enum status case_read_experiment(struct case_draft *d, struct case_experiment *e
                    c->path, file);
   CHECK(n >= 0, ERR_MEMORY, "no memory for a file name");
   case_quote(file, strlen(file), shown, sizeof shown);
-  FILE *in = fopen(full, "r");
+  char *text = NULL;
+  size_t bytes;
+  enum status status = text_read(full, MOST_BYTES, &text, &bytes);
   free(full);
-  if (!in || getc(in) == EOF) { /* a directory opens, but cannot be read */
-    snprintf(found, sizeof found, "'%s', which %s", shown,
-             in && errno != EISDIR ? "is empty" : "cannot be read");
-    case_doc_problem(&d->doc, line, path, found, "a data file, its path relative to the case file",
+  if (status == ERR_INPUT) {
+    snprintf(found, sizeof found, "'%s', %s", shown, status_message());
+    case_doc_problem(&d->doc, line, path, found,
+                     "a data file of at most 64 MB, its path relative to the case file",
                      "correct the path");
-    if (in) fclose(in);
     return OK;
   }
-  rewind(in);
+  TRY(status);
   double rho_g_H = c->density * c->gravity * c->H;
-  enum status status = read_rows(d, e, in, shown, line, path, sqrt(c->H / c->gravity),
-                                 target == TARGET_PRESSURE ? rho_g_H : c->H);
-  fclose(in);
+  status = read_rows(d, e, text, shown, line, path, sqrt(c->H / c->gravity),
+                     target == TARGET_PRESSURE ? rho_g_H : c->H);
+  free(text);
   return status;
 }

@@ -1,11 +1,14 @@
 #include "common/result_tolerance.h"
 
-#include <errno.h>
 #include <fnmatch.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "common/text.h"
+
+enum { MOST_BYTES = 1 << 20 };
 
 static enum status add(struct result_tolerances *t, const char *pattern, bool ignore,
                        double relative, double absolute) {
@@ -36,6 +39,9 @@ enum status result_tolerances_default(struct result_tolerances *t, double relati
 static enum status read_line(struct result_tolerances *t, const char *path, int number,
                              char *line) {
   static const char space[] = " \t\r\n";
+  CHECK(strlen(line) <= TEXT_LONGEST_LINE, ERR_INPUT,
+        "%s:%d: a line of %zu bytes; at most %d are allowed", path, number, strlen(line),
+        TEXT_LONGEST_LINE);
   line[strcspn(line, "#")] = 0;
   char *rest, *word[4];
   int n = 0;
@@ -58,17 +64,16 @@ static enum status read_line(struct result_tolerances *t, const char *path, int 
 }
 
 enum status result_tolerances_read(struct result_tolerances *t, const char *path) {
-  FILE *f = fopen(path, "r");
-  CHECK(f, ERR_INPUT, "cannot read %s: %s", path, strerror(errno));
-  char *line = NULL;
-  size_t room = 0;
-  enum status status = OK;
-  for (int number = 1; status == OK && getline(&line, &room, f) >= 0; number++)
+  char *text, *line;
+  size_t n;
+  enum status status = text_read(path, MOST_BYTES, &text, &n);
+  if (status == ERR_INPUT)
+    return status_context(status, "cannot read tolerances, a text of at most 1 MB, from %s: found ",
+                          path);
+  char *rest = text;
+  for (int number = 1; status == OK && (line = text_line(&rest)); number++)
     status = read_line(t, path, number, line);
-  if (status == OK && ferror(f))
-    status = status_raise(ERR_INPUT, "cannot read %s: it is not a text file", path);
-  free(line);
-  fclose(f);
+  free(text);
   return status;
 }
 

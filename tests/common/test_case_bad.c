@@ -187,15 +187,25 @@ static void test_files_that_cannot_be_read(void) {
   char *found = messages_of("nowhere.yaml");
   EXPECT_STR(found,
              "nowhere.yaml: found nothing to read (No such file or directory); allowed: a case "
-             "file in YAML; correct the path\n");
+             "file in YAML of at most 10 MB, or - for standard input; correct the path\n");
   EXPECT_STR(status_message(), "nowhere.yaml has 1 problem");
   free(found);
-  found = messages_of("/tmp");
-  EXPECT_STR(found, "/tmp: found a directory; allowed: a case file in YAML; correct the path\n");
-  free(found);
-  expect_repeat_refusal("# a comment\n", 1000000,
-                        "odd.yaml: found more than 10 MB; allowed: a case file of at most 10 MB; "
-                        "keep data in other files\n");
+  static const char *const odd[][2] = {{"/tmp", "a directory"}, {"/dev/zero", "a device"}};
+  for (size_t i = 0; i < 2; i++) {
+    char expected[256];
+    snprintf(
+        expected, sizeof expected,
+        "%s: found %s; allowed: a case file in YAML of at most 10 MB, or - for standard input; "
+        "correct the path\n",
+        odd[i][0], odd[i][1]);
+    found = messages_of(odd[i][0]);
+    EXPECT_STR(found, expected);
+    free(found);
+  }
+  expect_repeat_refusal(
+      "# a comment\n", 1000000,
+      "odd.yaml: found more than 10 MB; allowed: a case file in YAML of at most 10 "
+      "MB, or - for standard input; correct the path\n");
 }
 
 int main(void) {
