@@ -1,13 +1,21 @@
 #include "cli/command.h"
 
+#include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
+#include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/registry.h"
+#include "common/text.h"
+#include "compare/output.h"
 
 int command_fail(enum status status) {
-  fprintf(stderr, "plunge: %s\n", status_message());
+  fputs("plunge: ", stderr);
+  text_show(stderr, status_message(), "");
+  fputc('\n', stderr);
   return status_exit_code(status);
 }
 
@@ -20,13 +28,56 @@ int command_finish(int exit_code) {
   return exit_code == EXIT_BAD_INPUT ? exit_code : EXIT_RUN_FAILED;
 }
 
-struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set) {
+void command_list_problems(const struct problems *problems) {
+  for (size_t i = 0; i < problems->n; i++) {
+    text_show(stderr, problems->text[i], "");
+    fputc('\n', stderr);
+  }
+}
+
+struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set,
+                                    int *exit_code) {
   struct problems problems = {0};
   struct case_file *c = NULL;
-  if (case_load(path, n_set, set, &registry, &problems, &c) != OK) {
-    for (size_t i = 0; i < problems.n; i++) fprintf(stderr, "%s\n", problems.text[i]);
-    if (!problems.n) command_fail(ERR_INPUT);
-  }
+  enum status status = case_load(path, n_set, set, &registry, &problems, &c);
+  command_list_problems(&problems);
+  *exit_code = status_exit_code(status);
+  if (status != OK && (!problems.n || status != ERR_INPUT)) command_fail(status);
   problems_destroy(&problems);
   return c;
+}
+
+/* The process that holds a lock on file `inode`, as the kernel lists it: "1: FLOCK ADVISORY WRITE
+ * PID MAJOR:MINOR:INODE 0 EOF"; 0 when it cannot be told. */
+static long lock_holder(unsigned long long inode) {
+  FILE *locks = fopen("/proc/locks", "r");
+  char line[256];
+  long found = 0;
+  while (locks && !found && fgets(line, sizeof line, locks)) {
+    long pid;
+    unsigned long long locked;
+    if (sscanf(line, "%*d: FLOCK %*s %*s %ld %*[^:]:%*[^:]:%llu", &pid, &locked) == 2 &&
+        locked == inode && pid > 0)
+      found = pid;
+  }
+  if (locks) fclose(locks);
+  return found;
+}
+
+enum status command_lock_folder(const char *folder, bool wait, struct progress *progress, int *fd) {
+  TRY(cmp_directory_make(folder));
+  *fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  CHECK(*fd >= 0, ERR_IO, "cannot read the folder %s: %s", folder, strerror(errno));
+  if (!flock(*fd, LOCK_EX | LOCK_NB) || errno != EWOULDBLOCK)
+    return OK; /* some file systems cannot lock: the result files have locks of their own */
+  struct stat info;
+  char who[64] = "";
+  long pid = fstat(*fd, &info) ? 0 : lock_holder(info.st_ino);
+  if (pid) snprintf(who, sizeof who, " (process %ld)", pid);
+  CHECK(wait, ERR_IO,
+        "another plunge%s is at work in %s: wait for it (--wait), or choose another --out", who,
+        folder);
+  progress_say(progress, "waiting for another plunge%s at work in %s", who, folder);
+  while (flock(*fd, LOCK_EX) && errno == EINTR) continue;
+  return OK;
 }

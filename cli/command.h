@@ -1,5 +1,7 @@
 /* A subcommand: a few lines over library functions. Each returns the process exit code. */
 #pragma once
+#include <stdbool.h>
+
 #include "common/case.h"
 #include "common/progress.h"
 #include "common/result.h"
@@ -27,8 +29,16 @@ int command_fail(enum status status);
  * possible (a full disk). */
 int command_finish(int exit_code);
 
-/* Loads a case; prints every problem to stderr. NULL when there is any. */
-struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set);
+/* Prints each to stderr, a line each. */
+void command_list_problems(const struct problems *problems);
+
+/* Loads a case; prints every problem to stderr. NULL when there is any, with the exit code. */
+struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set,
+                                    int *exit_code);
+
+/* Makes the folder of results and report and keeps it for this process until `fd` is closed. When
+ * another process has it, waits for that one or raises ERR_IO, which names it. */
+enum status command_lock_folder(const char *folder, bool wait, struct progress *progress, int *fd);
 
 /* Compares `n` runs with `ref` by the settings of `c`, writes the report into `out` and prints the
  * verdict. Returns the exit code. */

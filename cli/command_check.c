@@ -2,16 +2,19 @@
 #include <stdio.h>
 
 #include "cli/command.h"
+#include "common/text.h"
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   int *exit_code = state->input;
   switch (key) {
   case ARGP_KEY_ARG: {
-    struct case_file *c = command_load_case(arg, 0, NULL);
-    if (c)
-      printf("%s: fine (%zu run%s)\n", arg, c->n_runs, c->n_runs == 1 ? "" : "s");
-    else
-      *exit_code = EXIT_BAD_INPUT;
+    int code;
+    struct case_file *c = command_load_case(arg, 0, NULL, &code);
+    if (c) {
+      text_show(stdout, c->path, "");
+      printf(": fine (%zu run%s)\n", c->n_runs, c->n_runs == 1 ? "" : "s");
+    } else
+      *exit_code = code;
     case_destroy(c);
     return 0;
   }

@@ -2,9 +2,11 @@
 #include <argp.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include "cli/command.h"
 #include "cli/registry.h"
+#include "common/text.h"
 #include "compare/report.h"
 
 int command_report(const struct case_file *c, const struct result_file *ref, size_t n,
@@ -12,7 +14,10 @@ int command_report(const struct case_file *c, const struct result_file *ref, siz
   struct cmp_verdict verdict;
   progress_say(progress, "comparing %zu run%s with %s", n, n == 1 ? "" : "s", ref->run);
   enum status status = cmp_report(c, ref, n, runs, out, &verdict);
-  if (*verdict.sentence) puts(verdict.sentence); /* even when the report could not be written */
+  if (*verdict.sentence) {
+    text_show(stdout, verdict.sentence, "\n");
+    putchar('\n');
+  } /* even when the report could not be written */
   if (status != OK) return command_fail(status);
   if (verdict.passed + verdict.failed)
     printf("%zu of %zu checks passed; ", verdict.passed, verdict.passed + verdict.failed);
@@ -52,7 +57,7 @@ static struct case_file *settings_of(const struct result_file *ref) {
   struct case_file *c = NULL;
   if (case_parse(ref->path, ref->case_text, &registry, &problems, &c) != OK) {
     fprintf(stderr, "plunge: the case in %s is not one that this version reads:\n", ref->path);
-    for (size_t i = 0; i < problems.n; i++) fprintf(stderr, "%s\n", problems.text[i]);
+    command_list_problems(&problems);
   }
   problems_destroy(&problems);
   return c;
@@ -71,7 +76,7 @@ int command_compare(int argc, char **argv) {
   struct compare_arguments a = {.out = "comparison"};
   argp_parse(&argp, argc, argv, 0, NULL, &a);
 
-  int exit_code = EXIT_BAD_INPUT;
+  int exit_code = EXIT_BAD_INPUT, lock = -1;
   struct case_file *c = NULL;
   struct progress *progress = progress_create(PROGRESS_AUTO);
   struct result_file **files = calloc(a.n, sizeof *files);
@@ -79,14 +84,21 @@ int command_compare(int argc, char **argv) {
     exit_code = command_fail(status_raise(ERR_MEMORY, "no memory"));
     goto done;
   }
-  for (size_t i = 0; i < a.n; i++)
-    if (result_read(a.files[i], &files[i]) != OK) {
-      exit_code = command_fail(ERR_INPUT);
-      goto done;
-    }
+  for (size_t i = 0; i < a.n; i++) {
+    enum status status = result_read(a.files[i], &files[i]);
+    if (status == OK) continue;
+    exit_code = command_fail(status);
+    goto done;
+  }
   c = settings_of(files[0]);
-  if (c) exit_code = command_report(c, files[0], a.n - 1, files + 1, a.out, progress);
+  if (!c) goto done;
+  enum status status = command_lock_folder(a.out, false, progress, &lock);
+  if (status != OK)
+    exit_code = command_fail(status);
+  else
+    exit_code = command_report(c, files[0], a.n - 1, files + 1, a.out, progress);
 done:
+  if (lock >= 0) close(lock);
   for (size_t i = 0; files && i < a.n; i++) result_file_destroy(files[i]);
   free(files);
   case_destroy(c);

@@ -5,6 +5,7 @@
 
 #include "cli/command.h"
 #include "common/result_diff.h"
+#include "common/text.h"
 
 struct diff_arguments {
   const char *file[2], *tolerances;
@@ -51,10 +52,17 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 static enum status diff(const struct diff_arguments *a, bool *same) {
   struct result_tolerances tolerances = {0};
   enum status status;
+  char *text = NULL;
+  size_t n = 0;
+  FILE *stream = open_memstream(&text, &n);
+  ATTEMPT(stream ? OK : status_raise(ERR_MEMORY, "no memory to compare"));
   ATTEMPT(result_tolerances_default(&tolerances, a->rtol, a->atol));
   if (a->tolerances) ATTEMPT(result_tolerances_read(&tolerances, a->tolerances));
-  ATTEMPT(result_diff(a->file[0], a->file[1], &tolerances, a->draft, stdout, same));
+  ATTEMPT(result_diff(a->file[0], a->file[1], &tolerances, a->draft, stream, same));
 done:
+  if (stream) fclose(stream);
+  if (text) text_show(stdout, text, "\n\t");
+  free(text);
   result_tolerances_destroy(&tolerances);
   return status;
 }
@@ -76,9 +84,10 @@ int command_diff(int argc, char **argv) {
   struct diff_arguments a = {0};
   argp_parse(&argp, argc, argv, 0, NULL, &a);
   bool same = false;
-  if (diff(&a, &same) != OK) {
-    command_fail(ERR_INPUT);
-    return EXIT_BAD_INPUT;
+  enum status status = diff(&a, &same);
+  if (status != OK) {
+    command_fail(status);
+    return EXIT_BAD_INPUT; /* trouble, of whatever kind */
   }
   return same ? EXIT_FINE : EXIT_VERDICT;
 }

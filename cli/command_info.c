@@ -1,14 +1,29 @@
 #include <argp.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "cli/command.h"
 #include "common/result_diff.h"
+#include "common/text.h"
+
+/* What stands in a file goes to the terminal as text and nothing else. */
+static enum status print_info(const char *path) {
+  char *text = NULL;
+  size_t n = 0;
+  FILE *stream = open_memstream(&text, &n);
+  CHECK(stream, ERR_MEMORY, "no memory to describe %s", path);
+  enum status status = result_info(path, stream);
+  if (fclose(stream)) status = status_raise(ERR_MEMORY, "no memory to describe %s", path);
+  if (text) text_show(stdout, text, "\n\t");
+  free(text);
+  return status;
+}
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   int *exit_code = state->input;
   switch (key) {
   case ARGP_KEY_ARG: {
-    enum status status = result_info(arg, stdout);
+    enum status status = print_info(arg);
     if (status != OK) *exit_code = command_fail(status);
     return 0;
   }

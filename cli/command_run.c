@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "cli/command.h"
 #include "cli/traps.h"
-#include "compare/output.h"
 
 struct run_arguments {
   const char *case_path, *out;
@@ -19,7 +19,7 @@ struct run_arguments {
   const char **set; /* [n_set], owned; the strings are argv's */
   size_t n_set;
   int threads;
-  bool force, quiet;
+  bool force, quiet, wait;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
@@ -52,6 +52,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 'q':
     a->quiet = true;
     return 0;
+  case 'w':
+    a->wait = true;
+    return 0;
   case ARGP_KEY_ARG:
     if (a->case_path) argp_error(state, "one case file at a time; %s is the second", arg);
     a->case_path = arg;
@@ -64,6 +67,16 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   }
 }
 
+static enum status complain_unknown_run(const struct case_file *c, const char *name) {
+  char names[512] = "";
+  for (size_t i = 0; i < c->n_runs; i++) {
+    size_t at = strlen(names);
+    snprintf(names + at, sizeof names - at, "%s%s", i ? ", " : "", c->runs[i].name);
+  }
+  return status_raise(ERR_USAGE, "--only %s: %s has no run of that name; its runs are %s", name,
+                      c->path, names);
+}
+
 /* Marks the runs that `--only` names, all of them without it. */
 static enum status choose_runs(const struct case_file *c, char *only, bool *chosen) {
   for (size_t i = 0; i < c->n_runs; i++) chosen[i] = !only;
@@ -71,7 +84,7 @@ static enum status choose_runs(const struct case_file *c, char *only, bool *chos
   for (char *rest = only, *name; (name = strsep(&rest, ","));) {
     size_t i = 0;
     while (i < c->n_runs && strcmp(c->runs[i].name, name)) i++;
-    CHECK(i < c->n_runs, ERR_USAGE, "--only %s: %s has no run of that name", name, c->path);
+    if (i == c->n_runs) return complain_unknown_run(c, name);
     chosen[i] = true;
   }
   return OK;
@@ -147,48 +160,70 @@ static int report(const struct case_file *c, const char *out, struct progress *p
   return exit_code;
 }
 
-static int run_case(struct run_arguments *a, const struct case_file *c, struct progress *progress) {
-  char folder[PATH_MAX];
+/* --out, or out/ and the case's name without its suffix. */
+static void name_folder(const struct run_arguments *a, const struct case_file *c,
+                        char folder[PATH_MAX]) {
+  const char *slash = strrchr(c->path, '/'), *name = slash ? slash + 1 : c->path;
+  const char *dot = strrchr(name, '.');
   if (a->out)
-    snprintf(folder, sizeof folder, "%s", a->out);
-  else {
-    const char *base = strrchr(a->case_path, '/');
-    base = base ? base + 1 : a->case_path;
-    const char *dot = strrchr(base, '.');
-    int n = dot > base ? (int)(dot - base) : (int)strlen(base);
-    snprintf(folder, sizeof folder, "out/%.*s", n, base);
-  }
-  bool *chosen = calloc(c->n_runs, sizeof *chosen);
-  int exit_code = EXIT_FINE;
-  enum status status = chosen ? OK : status_raise(ERR_MEMORY, "no memory");
-  if (status == OK) status = choose_runs(c, a->only, chosen);
-  if (status == OK) status = cmp_directory_make(folder);
-  if (status != OK) {
-    free(chosen);
-    return command_fail(status);
-  }
+    snprintf(folder, PATH_MAX, "%s", a->out);
+  else
+    snprintf(folder, PATH_MAX, "out/%.*s", dot > name ? (int)(dot - name) : (int)strlen(name),
+             name);
+}
+
+/* Clears the marks of runs whose finished result is there already. */
+static enum status skip_finished(const struct run_arguments *a, const struct case_file *c,
+                                 const char *folder, bool *chosen, struct progress *progress) {
   for (size_t i = 0; i < c->n_runs; i++) {
     const struct case_run *r = &c->runs[i];
     char path[PATH_MAX], fingerprint[33];
     if (!chosen[i]) continue;
-    if (result_path(folder, r, path) != OK) {
-      exit_code = command_fail(ERR_USAGE);
-      break;
-    }
+    TRY(result_path(folder, r, path));
     case_fingerprint(c, r, fingerprint);
-    if (!a->force && result_is_current(path, fingerprint)) {
-      progress_say(progress, "%-10s is there already, for the same inputs: %s", r->name, path);
-      continue;
-    }
-    status = run_one(c, r, path, progress);
-    if (status != OK) exit_code = command_fail(status);
-    if (status == INTERRUPTED) break;
+    if (a->force || !result_is_current(path, fingerprint)) continue;
+    progress_say(progress, "%-10s is there already, for the same inputs: %s", r->name, path);
+    chosen[i] = false;
   }
-  free(chosen);
-  if (status != INTERRUPTED && c->compare.reference < c->n_runs) {
+  return OK;
+}
+
+/* Every chosen run, also after one that failed. INTERRUPTED ends it. */
+static enum status run_chosen(const struct case_file *c, const char *folder, const bool *chosen,
+                              struct progress *progress, int *exit_code) {
+  for (size_t i = 0; i < c->n_runs; i++) {
+    char path[PATH_MAX];
+    if (!chosen[i]) continue;
+    TRY(result_path(folder, &c->runs[i], path));
+    enum status status = run_one(c, &c->runs[i], path, progress);
+    if (status == INTERRUPTED) return status;
+    if (progress_is_stopped()) return status_raise(INTERRUPTED, "stopped");
+    if (status != OK) *exit_code = command_fail(status);
+  }
+  return OK;
+}
+
+static int run_case(const struct run_arguments *a, const struct case_file *c,
+                    struct progress *progress) {
+  char folder[PATH_MAX];
+  int exit_code = EXIT_FINE, lock = -1;
+  enum status status;
+  bool *chosen = NULL;
+  name_folder(a, c, folder);
+  chosen = calloc(c->n_runs, sizeof *chosen);
+  ATTEMPT(chosen ? OK : status_raise(ERR_MEMORY, "no memory for %zu runs", c->n_runs));
+  ATTEMPT(choose_runs(c, a->only, chosen));
+  ATTEMPT(command_lock_folder(folder, a->wait, progress, &lock));
+  ATTEMPT(skip_finished(a, c, folder, chosen, progress));
+  ATTEMPT(run_chosen(c, folder, chosen, progress, &exit_code));
+  if (c->compare.reference < c->n_runs) {
     int compared = report(c, folder, progress);
     if (exit_code == EXIT_FINE) exit_code = compared;
   }
+done:
+  if (status != OK) exit_code = command_fail(status);
+  if (lock >= 0) close(lock);
+  free(chosen);
   return exit_code;
 }
 
@@ -201,6 +236,7 @@ int command_run(int argc, char **argv) {
       {"threads", 't', "N", 0, "threads (default: OMP_NUM_THREADS, else every core)", 0},
       {"force", 'f', NULL, 0, "run again even what is there for the same inputs", 0},
       {"quiet", 'q', NULL, 0, "no progress; errors and the verdict only", 0},
+      {"wait", 'w', NULL, 0, "wait for another plunge that is at work in the folder", 0},
       {0}};
   static const struct argp argp = {
       .options = options,
@@ -214,11 +250,10 @@ int command_run(int argc, char **argv) {
   struct run_arguments a = {0};
   argp_parse(&argp, argc, argv, 0, NULL, &a);
   if (a.threads) omp_set_num_threads(a.threads);
-  int exit_code = EXIT_BAD_INPUT;
-  struct case_file *c = command_load_case(a.case_path, a.n_set, a.set);
+  int exit_code;
+  struct case_file *c = command_load_case(a.case_path, a.n_set, a.set, &exit_code);
   if (c) {
     struct progress *progress = progress_create(a.quiet ? PROGRESS_QUIET : PROGRESS_AUTO);
-    progress_catch_signals();
     if (progress)
       exit_code = run_case(&a, c, progress);
     else

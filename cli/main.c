@@ -2,11 +2,10 @@
 #include <argp.h>
 #include <signal.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "cli/command.h"
+#include "cli/start.h"
 #include "revision.h"
 
 const char *argp_program_version = "plunge " PLUNGE_VERSION " (" PLUNGE_REVISION ")";
@@ -23,20 +22,12 @@ static void print_help(FILE *out) {
         out);
 }
 
-/* Threads that wait for each other at the end of a loop spin for a while by default. On a machine
- * that was busy with other work a run on two threads then took eight times as long as with this
- * short wait; on an idle one there was hardly a difference. The OpenMP library reads the setting
- * before main() starts, hence the second start. */
-static void pace_waiting_threads(char **argv) {
-  if (getenv("OMP_WAIT_POLICY") || getenv("GOMP_SPINCOUNT")) return;
-  if (!setenv("GOMP_SPINCOUNT", "1000", 1)) execv("/proc/self/exe", argv);
-}
-
 int main(int argc, char **argv) {
-  pace_waiting_threads(argv);
+  start_fill_descriptors();
   argp_err_exit_status = EXIT_BAD_INPUT;
   signal(SIGXFSZ, SIG_IGN); /* a file-size limit is then an error of the write, which says so */
   signal(SIGPIPE, SIG_IGN);
+  progress_catch_signals();
   const char *name = argc > 1 ? argv[1] : "";
   if (!strcmp(name, "--help") || !strcmp(name, "-h") || !strcmp(name, "help")) {
     print_help(stdout);

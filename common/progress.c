@@ -9,6 +9,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "common/text.h"
+
 struct progress {
   enum progress_mode mode;
   bool terminal, line_open;
@@ -19,22 +21,39 @@ struct progress {
   double pace_clock, pace_time;
 };
 
-static volatile sig_atomic_t stop_requested;
+/* The run that asks progress_stop_requested() will write its last output and end by itself;
+ * whatever else is going on (set-up, comparison) is not asked: it ends in the handler. A run killed
+ * at any moment leaves readable files, so nothing is lost by that but the time. */
+static volatile sig_atomic_t stop_requested, is_asked;
+
+enum { EXIT_STOPPED = 3 };
 
 static void on_signal(int number) {
-  if (stop_requested) _exit(128 + number);
+  static const char word[] = "plunge: stopped\n";
+  (void)number;
+  if (stop_requested || !is_asked) {
+    if (write(STDERR_FILENO, word, sizeof word - 1) < 0) _exit(EXIT_STOPPED);
+    _exit(EXIT_STOPPED);
+  }
   stop_requested = 1;
 }
 
 void progress_catch_signals(void) {
-  struct sigaction action = {.sa_handler = on_signal};
+  static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+  struct sigaction action = {.sa_handler = on_signal}, before;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  sigaction(SIGINT, &action, NULL);
-  sigaction(SIGTERM, &action, NULL);
+  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+    if (numbers[i] != SIGHUP || (!sigaction(SIGHUP, NULL, &before) && before.sa_handler != SIG_IGN))
+      sigaction(numbers[i], &action, NULL); /* nohup stays what it is */
+}
+
+bool progress_is_stopped(void) {
+  return stop_requested;
 }
 
 bool progress_stop_requested(void) {
+  is_asked = 1;
   return stop_requested;
 }
 
@@ -58,6 +77,7 @@ void progress_destroy(struct progress *p) {
 }
 
 void progress_begin(struct progress *p, const char *name, double end, double time_scale) {
+  is_asked = 0;
   snprintf(p->name, sizeof p->name, "%s", name);
   p->end = end;
   p->time_scale = time_scale;
@@ -113,6 +133,7 @@ static void close_line(struct progress *p) {
 }
 
 void progress_end(struct progress *p, const char *outcome) {
+  is_asked = 0;
   close_line(p);
   if (p->mode != PROGRESS_QUIET)
     fprintf(stderr, "%-10s %s (%.1f s)\n", p->name, outcome, progress_wall_clock() - p->began);
@@ -121,9 +142,12 @@ void progress_end(struct progress *p, const char *outcome) {
 void progress_say(struct progress *p, const char *format, ...) {
   close_line(p);
   if (p->mode == PROGRESS_QUIET) return;
+  char *text = NULL;
   va_list args;
   va_start(args, format);
-  vfprintf(stderr, format, args);
+  if (vasprintf(&text, format, args) < 0) text = NULL;
   va_end(args);
+  if (text) text_show(stderr, text, "");
   fputc('\n', stderr);
+  free(text);
 }

@@ -13,16 +13,20 @@ void progress_destroy(struct progress *p);
 /* Starts a stretch of work called `name` that ends at physical time `end` (s). */
 void progress_begin(struct progress *p, const char *name, double end, double time_scale);
 
-/* Cheap enough for every step: prints at most a few times a second. `time`, `dt` in s; `units_of_work`
- * so far (particle or node updates), `unit` their name; `energy_drift` relative, NaN if unknown. */
+/* Cheap enough for every step: prints at most a few times a second. `time`, `dt` in s;
+ * `units_of_work` so far (particle or node updates), `unit` their name; `energy_drift` relative,
+ * NaN if unknown. */
 void progress_step(struct progress *p, size_t step, double time, double dt, double units_of_work,
                    const char *unit, double energy_drift);
 void progress_end(struct progress *p, const char *outcome);
 
 /* A line of talk (stderr) that does not break the live line. */
-void progress_say(struct progress *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void progress_say(struct progress *p, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
-/* SIGINT and SIGTERM set a flag; a second one ends the program at once. */
+/* SIGINT, SIGTERM and SIGHUP end the program at once with exit code 3, but for a run that has begun
+ * to ask: there the first one sets a flag, and a second one ends the program. */
 void progress_catch_signals(void);
-bool progress_stop_requested(void);
-double progress_wall_clock(void); /* s, monotonic */
+bool progress_is_stopped(void);     /* the same without a promise to ask again */
+bool progress_stop_requested(void); /* to be asked every step from the first one on */
+double progress_wall_clock(void);   /* s, monotonic */
