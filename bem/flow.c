@@ -36,6 +36,19 @@ void bem_flow_destroy(struct bem_flow *f) {
   *f = (struct bem_flow){0};
 }
 
+enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f) {
+  const size_t n = f->surface.n;
+  TRY(bem_surface_reserve(&view->surface, n));
+  struct bem_surface own = view->surface;
+  view->surface = f->surface;
+  view->surface.state = own.state;
+  view->surface.room = own.room;
+  view->level = f->level;
+  TRY(bem_flow_reserve(view, n));
+  memcpy(view->psi, f->psi, n * sizeof *f->psi);
+  return OK;
+}
+
 enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
   const struct bem_surface *s = &f->surface;
   const size_t n = s->n;

@@ -25,6 +25,10 @@ struct bem_flow {
 enum status bem_flow_reserve(struct bem_flow *f, size_t n);
 void bem_flow_destroy(struct bem_flow *f);
 
+/* Gives `view`, which shares no memory with f, the shape of f's surface (not its state) and f's psi
+ * as the first guess: whoever looks at the flow solves there and cannot touch the run. */
+enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f);
+
 /* psi, w, u, v of the surface `state` (x[n], y[n], phi[n]). keep: see bem_solve_first. */
 enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep);
 

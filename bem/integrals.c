@@ -31,6 +31,15 @@ static void correct(const struct bem_panels *p, size_t j, double complex tau, si
   }
 }
 
+/* Whether panel j is near x + i y. */
+static int panel_is_near(const struct bem_panels *p, size_t j, double x, double y) {
+  const double near =
+      8; /* half chords; the harmonic function of the tests is as exact with 4 or 24 */
+  double dx = x - creal(p->middle[j]), dy = y - cimag(p->middle[j]);
+  double a = creal(p->half[j]), b = cimag(p->half[j]);
+  return dx * dx + dy * dy < near * near * (a * a + b * b);
+}
+
 /* Own contour: real part of W (beta_n - beta_k); mirror image, for W' seen from conj(zeta_k):
  * real part of -W' (beta_n - conj(beta_k)). */
 void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *b) {
@@ -53,9 +62,9 @@ void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *
   }
   for (size_t j = 0; j + 1 < n; j++) {
     size_t first = bem_stencil_first(n, j, BEM_STENCIL);
-    if (bem_panel_is_near(p, j, x, y) || (k >= first && k < first + BEM_STENCIL))
+    if (panel_is_near(p, j, x, y) || (k >= first && k < first + BEM_STENCIL))
       correct(p, j, p->zeta[k], k, 1, a, b, &diagonal_a, &diagonal_b);
-    if (bem_panel_is_near(p, j, x, -y))
+    if (panel_is_near(p, j, x, -y))
       correct(p, j, conj(p->zeta[k]), n, -1, a, b, &diagonal_a, &diagonal_b);
   }
   a[k] -= diagonal_a;

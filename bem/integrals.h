@@ -14,12 +14,3 @@ void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *
  * nodal values are f + i h. */
 void bem_integrals_inside(const struct bem_panels *p, const double *f, const double *h,
                           double complex tau, double complex *value, double complex *slope);
-
-/* Whether panel j is near tau; the pattern of the preconditioner follows the same rule. */
-static inline int bem_panel_is_near(const struct bem_panels *p, size_t j, double x, double y) {
-  const double near =
-      8; /* half chords; the harmonic function of the tests is as exact with 4 or 24 */
-  double dx = x - creal(p->middle[j]), dy = y - cimag(p->middle[j]);
-  double a = creal(p->half[j]), b = cimag(p->half[j]);
-  return dx * dx + dy * dy < near * near * (a * a + b * b);
-}

@@ -6,30 +6,39 @@
 
 #include "common/gauge.h"
 
+/* H: with a gap no wider than the panels' own curvature psi is wrong; 0.002 sqrt(H/g) remain then
+ */
+static const double CLOSEST = 0.003;
+static const double NEAR = 1e-9; /* of an interval: times that count as equal */
+
+enum status bem_output_create(struct bem_output *o, const struct bem_solve_options *options) {
+  return bem_solve_create(options, &o->view.solve);
+}
+
 void bem_output_destroy(struct bem_output *o) {
+  bem_flow_destroy(&o->view);
   bem_pressure_destroy(&o->pressure);
   geo_lines_destroy(&o->line);
-  free(o->state);
+  free(o->field);
 }
 
 static enum status reserve(struct bem_output *o, size_t n) {
   if (n > o->most_nodes) o->most_nodes = n;
   if (n <= o->room) return OK;
-  double *state = malloc(8 * n * sizeof *state);
-  CHECK(state, ERR_MEMORY, "no memory for an output of %zu nodes", n);
-  free(o->state);
-  o->state = state;
-  o->field = state + 3 * n;
+  double *field = malloc(5 * n * sizeof *field);
+  CHECK(field, ERR_MEMORY, "no memory for an output of %zu nodes", n);
+  free(o->field);
+  o->field = field;
   o->room = n;
   return OK;
 }
 
 /* The surface in SI units, without the part that has run through the right wall before it is cut.
  */
-static enum status polyline(struct bem_output *o, const struct bem_surface *s,
-                            const double *state) {
+static enum status polyline(struct bem_output *o) {
   const struct case_file *c = o->c;
-  const double *x = state, *y = state + s->n;
+  const struct bem_surface *s = &o->view.surface;
+  const double *x = s->state, *y = x + s->n;
   geo_lines_clear(&o->line);
   TRY(geo_lines_begin(&o->line, false));
   for (size_t k = 0; k < s->n; k++) {
@@ -46,12 +55,13 @@ static enum status polyline(struct bem_output *o, const struct bem_surface *s,
   return OK;
 }
 
-static enum status write_surface(struct bem_output *o, struct bem_flow *f, const double *state,
-                                 double seconds) {
+static enum status write_surface(struct bem_output *o, double seconds) {
   const struct case_file *c = o->c;
+  const struct bem_flow *f = &o->view;
   const size_t n = f->surface.n;
+  const double *state = f->surface.state;
   double velocity = sqrt(c->gravity * c->H);
-  TRY(bem_flow_solve(f, state, 0));
+  TRY(reserve(o, n));
   double *x = o->field, *y = x + n, *phi = y + n, *u = phi + n, *v = u + n;
   for (size_t k = 0; k < n; k++) {
     x[k] = c->tank.min[0] + c->H * state[k];
@@ -66,26 +76,13 @@ static enum status write_surface(struct bem_output *o, struct bem_flow *f, const
   };
   TRY(result_points(o->file, seconds, n, x, y, RESULT_LINE, sizeof fields / sizeof *fields,
                     fields));
-  TRY(polyline(o, &f->surface, state));
+  TRY(polyline(o));
   TRY(result_surface(o->file, seconds, &o->line));
   return result_flush(o->file);
 }
 
-enum status bem_output_surfaces(struct bem_output *o, struct bem_flow *f,
-                                struct bem_stepper *stepper, double time) {
-  const struct case_file *c = o->c;
-  TRY(reserve(o, f->surface.n));
-  for (;; o->next_output++) {
-    double seconds = (double)o->next_output * c->every, at = seconds / o->time_scale;
-    if (seconds > c->end * (1 + 1e-12) || at > time) return OK;
-    if (stepper) TRY(bem_stepper_interpolate(stepper, at, o->state));
-    TRY(write_surface(o, f, stepper ? o->state : f->surface.state, seconds));
-  }
-}
-
 /* Mean over the length of the sensor along its wall. */
-static double probe_pressure(const struct bem_output *o, const struct bem_flow *f,
-                             const struct case_probe *p) {
+static double probe_pressure(const struct bem_output *o, const struct case_probe *p) {
   enum { PARTS = 16 };
   const struct case_file *c = o->c;
   double near = 1e-6 * (c->tank.max[0] - c->tank.min[0]), sum = 0;
@@ -95,49 +92,79 @@ static double probe_pressure(const struct bem_output *o, const struct bem_flow *
     double s = p->size * ((i + 0.5) / parts - 0.5);
     double x = p->x - c->tank.min[0] + (upright ? 0 : s),
            y = p->y - c->tank.min[1] + (upright ? s : 0);
-    sum += bem_pressure_at(&o->pressure, f, f->surface.state, x / c->H, y / c->H);
+    sum += bem_pressure_at(&o->pressure, &o->view, o->view.surface.state, x / c->H, y / c->H);
   }
   return c->density * c->gravity * c->H * sum / parts;
 }
 
-enum status bem_output_series(struct bem_output *o, struct bem_flow *f,
-                              const struct bem_stepper *stepper, double time, double dt) {
+static enum status write_energy(struct bem_output *o, double seconds, const struct bem_totals *t) {
   const struct case_file *c = o->c;
-  const double *state = f->surface.state;
-  double seconds = time * o->time_scale;
-  if (seconds < (double)o->next_sample * c->sample) return OK;
-  o->next_sample = (size_t)floor(seconds / c->sample) + 1;
-  TRY(bem_flow_solve(f, state, c->n_probes > 0));
-  struct bem_totals t = bem_surface_totals(&f->surface, f->psi);
-  double energy = t.kinetic + t.potential + o->removed_energy;
-  if (time == 0) o->first_energy = energy;
+  double energy = t->kinetic + t->potential + o->removed_energy;
+  if (seconds == 0) o->first_energy = energy;
   o->drift = o->first_energy != 0 ? energy / o->first_energy - 1 : 0;
-
-  double area = c->H * c->H, joule = c->density * c->gravity * area * c->H;
-  double lift =
-      c->density * c->gravity * area * c->tank.min[1]; /* of the bed above y = 0, by volume */
+  double joule = c->density * c->gravity * c->H * c->H * c->H;
+  double lift = c->density * c->gravity * c->H * c->H *
+                c->tank.min[1]; /* of the bed above y = 0, by volume */
   struct result_energy e = {.time = seconds,
-                            .kinetic = joule * t.kinetic,
-                            .potential = joule * t.potential + lift * t.volume,
+                            .kinetic = joule * t->kinetic,
+                            .potential = joule * t->potential + lift * t->volume,
                             .removed = joule * o->removed_energy + lift * o->removed_volume};
   e.total = e.kinetic + e.potential;
-  struct bem_stepper_counts n = bem_stepper_count(stepper);
+  return result_energy(o->file, &e);
+}
+
+/* A row of every series. */
+static enum status write_row(struct bem_output *o, const struct bem_stepper *stepper,
+                             double seconds, double dt) {
+  const struct case_file *c = o->c;
+  struct bem_flow *f = &o->view;
+  struct bem_totals t = bem_surface_totals(&f->surface, f->psi);
   struct result_step step = {.time = seconds,
                              .dt = dt * o->time_scale,
-                             .evaluations = n.evaluations,
+                             .evaluations = stepper ? bem_stepper_count(stepper).evaluations : 0,
                              .wall_time = progress_wall_clock() - o->start,
-                             .volume = area * t.volume,
-                             .removed_volume = area * o->removed_volume};
-  TRY(result_energy(o->file, &e));
+                             .volume = c->H * c->H * t.volume,
+                             .removed_volume = c->H * c->H * o->removed_volume};
+  TRY(write_energy(o, seconds, &t));
   TRY(result_step(o->file, &step));
-  if (c->n_probes > 0) TRY(bem_pressure_solve(&o->pressure, f, state));
+  if (c->n_probes > 0) TRY(bem_pressure_solve(&o->pressure, f, f->surface.state));
   for (size_t i = 0; i < c->n_probes; i++)
-    TRY(result_probe(o->file, i, seconds, probe_pressure(o, f, &c->probes[i])));
-  if (c->n_gauges > 0) TRY(polyline(o, &f->surface, state));
+    TRY(result_probe(o->file, i, seconds, probe_pressure(o, &c->probes[i])));
+  if (c->n_gauges > 0) TRY(polyline(o));
   for (size_t i = 0; i < c->n_gauges; i++)
     TRY(result_gauge(o->file, i, seconds,
                      gauge_elevation(&o->line, c->gauges[i].x, c->tank.min[1])));
   return OK;
+}
+
+/* The state at a time within the last step, and its psi and velocities, in o->view. */
+static enum status look(struct bem_output *o, const struct bem_flow *f, struct bem_stepper *stepper,
+                        double time, int keep) {
+  TRY(bem_flow_follow(&o->view, f));
+  double *state = o->view.surface.state;
+  if (stepper)
+    TRY(bem_stepper_interpolate(stepper, time, state));
+  else
+    memcpy(state, f->surface.state, 3 * f->surface.n * sizeof *state);
+  return bem_flow_solve(&o->view, state, keep);
+}
+
+enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
+                           struct bem_stepper *stepper, const struct bem_events *events,
+                           double time, double dt) {
+  const struct case_file *c = o->c;
+  for (;;) {
+    double output = (double)o->next_output * c->every, sample = (double)o->next_sample * c->sample;
+    double seconds = fmin(output, sample), near = NEAR * c->sample;
+    if (seconds > c->end + near || seconds > time * o->time_scale) return OK;
+    bool shown = output - seconds < near, sampled = sample - seconds < near;
+    TRY(look(o, f, stepper, seconds / o->time_scale, sampled && c->n_probes > 0));
+    if (shown) TRY(write_surface(o, output));
+    if (sampled && bem_events_gap(events, o->view.surface.state) > CLOSEST)
+      TRY(write_row(o, stepper, sample, dt));
+    o->next_output += shown;
+    o->next_sample += sampled;
+  }
 }
 
 enum status bem_output_event(struct bem_output *o, const char *name, double time, double x,
@@ -150,7 +177,7 @@ enum status bem_output_event(struct bem_output *o, const char *name, double time
 enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f,
                                   const struct bem_stepper *stepper) {
   struct bem_stepper_counts n = bem_stepper_count(stepper);
-  struct bem_solve_counts s = bem_solve_count(f->solve);
+  struct bem_solve_counts s = bem_solve_count(f->solve), view = bem_solve_count(o->view.solve);
   const struct {
     const char *name;
     double value;
@@ -160,11 +187,11 @@ enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f
       {"evaluations", n.evaluations, "of the right-hand side by CVODE"},
       {"initialisations", n.initialisations,
        "of CVODE: the first and one after every new mesh or cut"},
-      {"matrix_assemblies", s.assemblies, "of the boundary system, outputs included"},
-      {"linear_solves", s.solves, "with these matrices"},
-      {"gmres_iterations", s.iterations, "of all linear solves together"},
-      {"dense_factorisations", s.dense_factorisations, "by LAPACK"},
-      {"near_field_factorisations", s.near_factorisations, "by UMFPACK, for the preconditioner"},
+      {"matrix_assemblies", s.assemblies, "of the boundary system, without those for outputs"},
+      {"gmres_iterations", s.iterations, "with these matrices, of all linear solves together"},
+      {"dense_factorisations", s.dense_factorisations, "of these matrices, by LAPACK"},
+      {"output_assemblies", view.assemblies, "of the boundary system, for surfaces and series"},
+      {"output_gmres_iterations", view.iterations, "with these, pressure included"},
       {"nodes_most", (double)o->most_nodes, "of the surface at any output"},
       {"nodes_last", (double)f->surface.n, "of the surface at the end"},
   };

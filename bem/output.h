@@ -1,5 +1,6 @@
 /* From the solver's units to the result file. */
 #pragma once
+#include "bem/events.h"
 #include "bem/flow.h"
 #include "bem/pressure.h"
 #include "bem/stepper.h"
@@ -17,22 +18,22 @@ struct bem_output {
   double drift;                          /* of the energy, relative to the initial one */
   double first_energy;
   size_t most_nodes;
+  struct bem_flow view; /* an interpolated state and its velocities; the run never sees it */
   struct bem_pressure pressure;
   struct geo_lines line;
   size_t room;
-  double *state, *field; /* an interpolated state, and its fields in SI, [3n], [5n], owned */
+  double *field; /* nodal values in SI, [5n], owned */
 };
 
+enum status bem_output_create(struct bem_output *o, const struct bem_solve_options *options);
 void bem_output_destroy(struct bem_output *o);
 
-/* Writes the surfaces due up to `time` (sqrt(H/g)), which the last step has passed; stepper NULL:
- * the state at t = 0. */
-enum status bem_output_surfaces(struct bem_output *o, struct bem_flow *f,
-                                struct bem_stepper *stepper, double time);
-
-/* Writes a row of every series if `time` has passed the next multiple of time.sample. */
-enum status bem_output_series(struct bem_output *o, struct bem_flow *f,
-                              const struct bem_stepper *stepper, double time, double dt);
+/* Writes what is due up to `time` (sqrt(H/g)), which the last step has passed: surfaces at the
+ * multiples of time.every, a row of every series at those of time.sample, both interpolated by
+ * CVODE. stepper NULL: the state at t = 0. */
+enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
+                           struct bem_stepper *stepper, const struct bem_events *events,
+                           double time, double dt);
 
 enum status bem_output_event(struct bem_output *o, const char *name, double time, double x,
                              double y);

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sunlinsol/sunlinsol_spgmr.h>
-#include <umfpack.h>
 
 #include "bem/integrals.h"
 
@@ -17,12 +16,7 @@ extern void dgetrs_(const char *trans, const int *n, const int *nrhs, const doub
 /* OpenBLAS's, absent from other libraries. */
 extern void openblas_set_num_threads(int n) __attribute__((weak));
 
-enum {
-  KRYLOV = 80,
-  RESTARTS = 3,
-  SLOW = 8 /* iterations beyond the first solve's that are worth a
-              new near-field factorisation */
-};
+enum { KRYLOV = 80, RESTARTS = 3 };
 
 struct bem_solve {
   struct bem_solve_options options;
@@ -38,12 +32,6 @@ struct bem_solve {
   SUNContext context;
   N_Vector vector_f, vector_x;
   SUNLinearSolver gmres;
-
-  int *column, *entry; /* near field, compressed by columns of the transpose, i.e. by rows */
-  double *near;
-  size_t near_room, near_n; /* near_n: unknowns of the factorisation in hand, 0: none */
-  void *factor;
-  int allowed; /* iterations before it is renewed */
 };
 
 static int multiply(void *data, N_Vector v, N_Vector z) {
@@ -62,21 +50,12 @@ static int multiply(void *data, N_Vector v, N_Vector z) {
   return 0;
 }
 
-static int precondition(void *data, N_Vector r, N_Vector z, double tolerance, int side) {
-  (void)tolerance, (void)side;
-  struct bem_solve *s = data;
-  /* The near field is stored by rows, which UMFPACK reads as the transpose. */
-  int failed = umfpack_di_solve(UMFPACK_At, s->column, s->entry, s->near, N_VGetArrayPointer(z),
-                                N_VGetArrayPointer(r), s->factor, NULL, NULL);
-  return failed < 0;
-}
-
 enum status bem_solve_create(const struct bem_solve_options *options, struct bem_solve **out) {
   struct bem_solve *s = calloc(1, sizeof *s);
   CHECK(s, ERR_MEMORY, "no memory for the linear solver");
   s->options = *options;
   *out = s;
-  /* Its own threads change the last bits with their number, under LAPACK and under UMFPACK. */
+  /* Its own threads change the last bits with their number. */
   if (openblas_set_num_threads) openblas_set_num_threads(1);
   CHECK(SUNContext_Create(NULL, &s->context) == 0, ERR_SOLVER, "SUNDIALS gives no context");
   return OK;
@@ -93,7 +72,6 @@ static void vectors_destroy(struct bem_solve *s) {
 void bem_solve_destroy(struct bem_solve *s) {
   if (!s) return;
   vectors_destroy(s);
-  if (s->factor) umfpack_di_free_numeric(&s->factor);
   if (s->context) SUNContext_Free(&s->context);
   free(s->a);
   free(s->b);
@@ -101,9 +79,6 @@ void bem_solve_destroy(struct bem_solve *s) {
   free(s->f);
   free(s->x);
   free(s->pivot);
-  free(s->column);
-  free(s->entry);
-  free(s->near);
   free(s);
 }
 
@@ -130,22 +105,19 @@ static enum status resize(struct bem_solve *s, size_t n) {
     TRY(take(&s->f, room, sizeof *s->f));
     TRY(take(&s->x, room, sizeof *s->x));
     TRY(take(&s->pivot, room, sizeof *s->pivot));
-    TRY(take(&s->column, room + 1, sizeof *s->column));
     s->room = room;
   }
   s->n = n;
-  s->near_n = 0;
   s->dense = n + 2 <= s->options.dense_up_to;
   vectors_destroy(s);
   if (s->dense) return OK;
   s->vector_f = N_VMake_Serial((sunindextype)n, s->f, s->context);
   s->vector_x = N_VMake_Serial((sunindextype)n, s->x, s->context);
   CHECK(s->vector_f && s->vector_x, ERR_MEMORY, "no memory for vectors of %zu unknowns", n);
-  s->gmres = SUNLinSol_SPGMR(s->vector_x, SUN_PREC_RIGHT, KRYLOV, s->context);
+  s->gmres = SUNLinSol_SPGMR(s->vector_x, SUN_PREC_NONE, KRYLOV, s->context);
   CHECK(s->gmres, ERR_MEMORY, "no memory for GMRES with %zu unknowns", n);
   SUNLinSol_SPGMRSetMaxRestarts(s->gmres, RESTARTS);
   SUNLinSolSetATimes(s->gmres, s, multiply);
-  SUNLinSolSetPreconditioner(s->gmres, s, NULL, precondition);
   CHECK(SUNLinSolInitialize(s->gmres) == 0 && SUNLinSolSetup(s->gmres, NULL) == 0, ERR_SOLVER,
         "GMRES cannot be set up for %zu unknowns", n);
   return OK;
@@ -171,47 +143,6 @@ static enum status assemble(struct bem_solve *s, const double *phi, int keep) {
   return OK;
 }
 
-/* The entries of the assembled matrix that couple a node with the panels near it. */
-static enum status factorise_near(struct bem_solve *s) {
-  const struct bem_panels *p = s->panels;
-  const size_t n = s->n;
-  size_t count = 0;
-  for (size_t k = 0; k < n; k++) {
-    s->column[k] = (int)count;
-    if (count + n > s->near_room) {
-      size_t room = 2 * (count + n);
-      int *entry = realloc(s->entry, room * sizeof *entry);
-      if (entry) s->entry = entry;
-      double *near = realloc(s->near, room * sizeof *near);
-      if (near) s->near = near;
-      CHECK(entry && near, ERR_MEMORY, "no memory for a near field of %zu entries", room);
-      s->near_room = room;
-    }
-    double x = p->re[k + 1], y = p->im[k + 1];
-    for (size_t m = 0; m < n; m++) {
-      int near = m == k || bem_panel_is_near(p, m, x, y) || bem_panel_is_near(p, m + 1, x, y) ||
-                 bem_panel_is_near(p, m, x, -y) || bem_panel_is_near(p, m + 1, x, -y);
-      if (!near) continue;
-      s->entry[count] = (int)m;
-      s->near[count++] = s->a[k * n + m];
-    }
-  }
-  s->column[n] = (int)count;
-  if (s->factor) umfpack_di_free_numeric(&s->factor);
-  void *symbolic = NULL;
-  int failed =
-      umfpack_di_symbolic((int)n, (int)n, s->column, s->entry, s->near, &symbolic, NULL, NULL);
-  if (failed == UMFPACK_OK)
-    failed = umfpack_di_numeric(s->column, s->entry, s->near, symbolic, &s->factor, NULL, NULL);
-  umfpack_di_free_symbolic(&symbolic);
-  CHECK(failed == UMFPACK_OK, ERR_SOLVER,
-        "UMFPACK cannot factorise the near field of %zu unknowns (status %d)", n, failed);
-  s->near_n = n;
-  s->allowed = 0;
-  s->count.near_factorisations++;
-  return OK;
-}
-
 static enum status iterate(struct bem_solve *s) {
   double norm = sqrt(N_VDotProd(s->vector_f, s->vector_f));
   if (norm == 0) {
@@ -225,14 +156,11 @@ static enum status iterate(struct bem_solve *s) {
   s->count.iterations += iterations;
   CHECK(failed == 0, ERR_SOLVER, "GMRES stopped after %d iterations at a relative residual of %.2g",
         iterations, SUNLinSolResNorm(s->gmres) / norm);
-  if (!s->allowed) s->allowed = iterations + SLOW;
-  if (iterations > s->allowed) s->near_n = 0;
   return OK;
 }
 
 static enum status finish(struct bem_solve *s, double *psi) {
   const size_t n = s->n;
-  s->count.solves++;
   if (s->dense) {
     int size = (int)n, one = 1, info;
     memcpy(s->x, s->f, n * sizeof *s->x);
@@ -256,8 +184,6 @@ enum status bem_solve_first(struct bem_solve *s, const struct bem_panels *p, con
     dgetrf_(&size, &size, s->a, &size, s->pivot, &info);
     CHECK(info == 0, ERR_SOLVER, "the boundary system of %d unknowns is singular", size);
     s->count.dense_factorisations++;
-  } else if (s->near_n != s->n) {
-    TRY(factorise_near(s));
   }
   return finish(s, psi);
 }

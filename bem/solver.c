@@ -67,10 +67,7 @@ static const struct param params[] = {
          "1976)"},
 };
 
-static const double IMPACT = 0.01; /* H, thickness of the film when it is cut at the wall */
-/* H: with a gap no wider than the panels' own curvature psi is wrong; 0.002 sqrt(H/g) remain then
- */
-static const double CLOSEST = 0.003;
+static const double IMPACT = 0.01;   /* H, thickness of the film when it is cut at the wall */
 static const double SHORTEST = 1e-9; /* sqrt(H/g), steps that lead nowhere */
 enum { PATIENCE = 50, MOST_STEPS = 1000000 };
 
@@ -138,9 +135,7 @@ static enum status advance(struct run *r, const struct case_file *c, struct prog
     short_steps = r->dt < SHORTEST ? short_steps + 1 : 0;
     CHECK(short_steps < PATIENCE && step < MOST_STEPS, ERR_SOLVER,
           "the time step has fallen to %.2g sqrt(H/g)", r->dt);
-    TRY(bem_output_surfaces(&r->output, &r->flow, r->stepper, r->time));
-    bool valid = r->time < end && bem_events_gap(&r->events, r->flow.surface.state) > CLOSEST;
-    if (valid) TRY(bem_output_series(&r->output, &r->flow, r->stepper, r->time, r->dt));
+    TRY(bem_output_due(&r->output, &r->flow, r->stepper, &r->events, r->time, r->dt));
     work += (double)r->flow.surface.n;
     progress_step(progress, step, r->time * r->output.time_scale, r->dt * r->output.time_scale,
                   work, "node", r->output.drift);
@@ -165,6 +160,7 @@ static enum status run(const struct case_file *c, const struct case_run *cr, str
   if (!(tolerance > 1e-14)) tolerance = 1e-14; /* rounding; still water has amplitude 0 */
   r.events = (struct bem_events){.surface = &r.flow.surface, .thickness = IMPACT};
   ATTEMPT(bem_solve_create(&solve, &r.flow.solve));
+  ATTEMPT(bem_output_create(&r.output, &solve));
   ATTEMPT(bem_start_surface(c, cr, &r.flow));
   if (r.flow.surface.tip > 0) {
     r.flow.filter = o->filter;
@@ -172,8 +168,7 @@ static enum status run(const struct case_file *c, const struct case_run *cr, str
   }
   ATTEMPT(bem_stepper_create(&r.flow, tolerance, bem_events_roots, &r.events, &r.stepper));
   ATTEMPT(bem_stepper_restart(r.stepper, 0));
-  ATTEMPT(bem_output_surfaces(&r.output, &r.flow, NULL, 0));
-  ATTEMPT(bem_output_series(&r.output, &r.flow, r.stepper, 0, 0));
+  ATTEMPT(bem_output_due(&r.output, &r.flow, NULL, &r.events, 0, 0));
   status = advance(&r, c, progress);
   if (status != OK)
     status_context(status, "at t = %.6g s (%.5g sqrt(H/g)): ", r.time * r.output.time_scale,

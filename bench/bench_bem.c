@@ -1,6 +1,6 @@
 /* Speed of the boundary-element solver: what one solution for psi costs, by number of nodes: the
  * rows of the matrix alone, all of it with the dense factorisation, and all of it with
- * preconditioned GMRES from a guess of zero; and how each grows. The surface is a steep wave over
+ * GMRES from a guess of zero; and how each grows. The surface is a steep wave over
  * three lengths.
  *
  *   bench_bem [most nodes, default 2000]
@@ -72,7 +72,7 @@ static enum status measure(size_t n, const double before[3], double now[3]) {
   now[0] = median(rows, &s), now[1] = median(dense, &s), now[2] = median(gmres, &s);
   struct bem_solve_counts c = bem_solve_count(s.gmres);
   printf("%6zu %10.3f %10.3f %10.3f %8.1f %10.1f", n, 1e3 * now[0], 1e3 * now[1], 1e3 * now[2],
-         c.iterations / c.solves, 1e9 * now[0] / (double)(n * n));
+         c.iterations / c.assemblies, 1e9 * now[0] / (double)(n * n));
   for (int i = 0; i < 3 && before[0] > 0; i++) printf(" %6.2f", log2(now[i] / before[i]));
   printf("\n");
   bem_solve_destroy(s.dense);

@@ -1,0 +1,72 @@
+/* What is written does not touch the run: the same bits of every event and of every count of work,
+ * whatever is asked for, and rows at exactly the times that were asked for. */
+#include "tests/bem/run.h"
+
+static const char text[] =
+    "title: dam break\n"
+    "fluid: {density: 1, gravity: 1}\n"
+    "scales: {H: 1}\n"
+    "tank: {walls: [[[0, 4], [0, 0], [5.366, 0], [5.366, 4]]]}\n"
+    "water: {regions: [[[0, 0], [2, 0], [2, 1], [0, 1]]], pressure: released}\n"
+    "time: {end: 7, %s}\n"
+    "%s"
+    "runs: [{name: bem, solver: bem, resolution: %d}]\n";
+
+static const char probes[] = "probes: [{name: P1, at: [5.366, 0.266]}, {name: low, at: [1, 0]}]\n"
+                             "gauges: [{name: G1, x: 1}, {name: G2, x: 4}]\n";
+
+static struct result_file *dam_break(const char *times, const char *series, int resolution) {
+  char with[sizeof text + sizeof probes + 80];
+  snprintf(with, sizeof with, text, times, series, resolution);
+  return run_bem(with);
+}
+
+static void expect_same_run(const struct result_file *a, const struct result_file *b) {
+  static const char *const events[] = {"wall_impact", "overturning", "touchdown"};
+  static const char *const counts[] = {"cvode_steps", "evaluations", "matrix_assemblies",
+                                       "gmres_iterations", "nodes_last"};
+  for (size_t i = 0; i < sizeof events / sizeof *events; i++) {
+    struct result_event_read p = run_event(a, events[i]), q = run_event(b, events[i]);
+    EXPECT(p.time == q.time && p.x == q.x && p.y == q.y);
+  }
+  for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
+    EXPECT(run_statistic(a, counts[i]) == run_statistic(b, counts[i]));
+}
+
+/* 12 nodes per H are solved by dense factorisation, 16 by GMRES from the last psi. */
+static void test_events_are_the_same_bits_whatever_is_written(void) {
+  for (int resolution = 12; resolution <= 16; resolution += 4) {
+    struct result_file *plain = dam_break("every: 7, sample: 7", "", resolution);
+    struct result_file *fine = dam_break("every: 0.3, sample: 0.01", probes, resolution);
+    struct result_file *odd = dam_break("every: 0.511, sample: 0.17", "", resolution);
+    if (plain && fine && odd) {
+      expect_same_run(plain, fine);
+      expect_same_run(plain, odd);
+    }
+    result_file_destroy(plain);
+    result_file_destroy(fine);
+    result_file_destroy(odd);
+  }
+}
+
+static void test_rows_stand_at_the_multiples_of_sample(void) {
+  struct result_file *f = dam_break("every: 0.5, sample: 0.03", probes, 12);
+  if (!f) return;
+  double touchdown = run_event(f, "touchdown").time;
+  size_t rows = (size_t)(touchdown / 0.03) + 1;
+  EXPECT(f->n_energy <= rows && f->n_energy + 3 >= rows); /* none once the gap is nearly closed */
+  EXPECT(f->n_steps == f->n_energy && f->probes[0].n == f->n_energy);
+  for (size_t i = 0; i < f->n_energy; i++) {
+    double at = (double)i * 0.03;
+    EXPECT(f->energy[i].time == at && f->steps[i].time == at && f->probes[0].t[i] == at &&
+           f->gauges[0].t[i] == at);
+  }
+  EXPECT(f->n_surfaces == (size_t)(touchdown / 0.5) + 1);
+  result_file_destroy(f);
+}
+
+int main(void) {
+  RUN(test_events_are_the_same_bits_whatever_is_written);
+  RUN(test_rows_stand_at_the_multiples_of_sample);
+  return TEST_RESULT;
+}
