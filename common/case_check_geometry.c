@@ -174,27 +174,14 @@ static void check_regions(struct case_draft *d) {
   d->good.water = good;
 }
 
-/* One rectangle that stands on the bed against just one of the side walls: the water whose
- * pressure, the moment a gate before it is gone, is known in closed form. */
-static bool is_column(const struct case_file *c) {
-  struct geo_box box = geo_lines_box(&c->water);
-  double near = CASE_SAME * case_tank_size(c), width = box.max[0] - box.min[0],
-         height = box.max[1] - box.min[1];
-  bool left = fabs(box.min[0] - c->tank.min[0]) <= near;
-  bool right = fabs(box.max[0] - c->tank.max[0]) <= near;
-  return c->rectangular && c->water.pieces == 1 && left != right &&
-         fabs(box.min[1] - c->tank.min[1]) <= near &&
-         fabs(geo_piece_area(&c->water, 0) - width * height) <= CASE_SAME * width * height;
-}
-
+/* The released pressure is solved for between upright walls and a flat bed. */
 static void check_pressure(struct case_draft *d) {
   const struct case_file *c = d->c;
-  if (c->pressure != CASE_PRESSURE_RELEASED || (!c->wave.kind && is_column(c))) return;
-  case_doc_problem(
-      &d->doc, case_doc_member_line(&d->doc, d->at.water, "pressure"), "water.pressure",
-      c->wave.kind ? "'released' with a wave" : "'released' with other water",
-      "released for one rectangular column against one side wall of a rectangular tank",
-      "write hydrostatic");
+  if (c->pressure != CASE_PRESSURE_RELEASED || (!c->wave.kind && c->rectangular)) return;
+  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "pressure"),
+                   "water.pressure",
+                   c->wave.kind ? "'released' with a wave" : "'released' in another tank",
+                   "released for regions of water in a rectangular tank", "write hydrostatic");
 }
 
 static void check_wave(struct case_draft *d) {

@@ -112,3 +112,72 @@ bool geo_lines_contain(const struct geo_lines *l, double x, double y) {
   }
   return false;
 }
+
+/* ---- cuts ---- */
+
+static int ascending(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static enum status cut_reserve(struct geo_cut *cut, size_t n) {
+  if (n <= cut->room) return OK;
+  double(*span)[2] = realloc(cut->span, n * sizeof *span);
+  CHECK(span, ERR_MEMORY, "no memory for %zu spans of a cut", n);
+  cut->span = span;
+  cut->room = n;
+  return OK;
+}
+
+/* Adds the spans of one piece: its crossings with the line, in order, go in and out of it in turn.
+ */
+static void cut_piece(const struct geo_lines *l, size_t piece, int axis, double at,
+                      struct geo_cut *cut) {
+  double *crossing = cut->span[cut->n];
+  size_t a = l->first[piece], b = l->first[piece + 1], n = 0;
+  for (size_t i = a; i < b; i++) {
+    const double *p = l->p[i], *q = l->p[i + 1 < b ? i + 1 : a];
+    if ((p[axis] > at) == (q[axis] > at)) continue;
+    double t = (at - p[axis]) / (q[axis] - p[axis]);
+    crossing[n++] = p[!axis] + (q[!axis] - p[!axis]) * t;
+  }
+  qsort(crossing, n, sizeof *crossing, ascending);
+  cut->n += n / 2;
+}
+
+enum status geo_lines_cut(const struct geo_lines *l, int axis, double at, double near,
+                          struct geo_cut *cut) {
+  cut->n = 0;
+  TRY(cut_reserve(cut, l->points + 1)); /* a piece is crossed as often as it has sides */
+  for (size_t k = 0; k < l->pieces; k++)
+    if (l->closed[k]) cut_piece(l, k, axis, at, cut);
+  qsort(cut->span, cut->n, sizeof *cut->span, ascending);
+  size_t joined = 0;
+  for (size_t k = 0; k < cut->n; k++) {
+    double *last = joined ? cut->span[joined - 1] : NULL;
+    if (last && cut->span[k][0] <= last[1] + near)
+      last[1] = fmax(last[1], cut->span[k][1]);
+    else
+      memmove(cut->span[joined++], cut->span[k], sizeof *cut->span);
+  }
+  cut->n = joined;
+  return OK;
+}
+
+void geo_cut_destroy(struct geo_cut *cut) {
+  if (!cut) return;
+  free(cut->span);
+  *cut = (struct geo_cut){0};
+}
+
+const double *geo_cut_span(const struct geo_cut *cut, double along) {
+  const double *best = NULL;
+  double nearest = INFINITY;
+  for (size_t k = 0; k < cut->n; k++) {
+    double away = fmax(cut->span[k][0] - along, along - cut->span[k][1]);
+    if (away >= nearest) continue;
+    nearest = away;
+    best = cut->span[k];
+  }
+  return best;
+}

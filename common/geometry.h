@@ -37,3 +37,19 @@ struct geo_box geo_lines_box(const struct geo_lines *l);          /* of no point
 
 /* Whether (x, y) is inside the union of the closed pieces (even-odd rule per piece). */
 bool geo_lines_contain(const struct geo_lines *l, double x, double y);
+
+/* Where a straight line runs through the union of closed pieces: spans of the coordinate along it,
+ * in order. */
+struct geo_cut {
+  size_t n, room;
+  double (*span)[2]; /* m, from and to, [n], owned */
+};
+
+/* The line x = at (axis 0) or y = at (axis 1). Pieces that lie within `near` (m) of each other are
+ * one body: their spans are joined. ERR_MEMORY. */
+enum status geo_lines_cut(const struct geo_lines *l, int axis, double at, double near,
+                          struct geo_cut *cut);
+void geo_cut_destroy(struct geo_cut *cut); /* NULL is fine */
+
+/* The span nearest to a coordinate along the cut; NULL when there is none. */
+const double *geo_cut_span(const struct geo_cut *cut, double along);

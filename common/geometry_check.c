@@ -268,3 +268,73 @@ enum status geo_area_below(const struct geo_lines *tank, double level, double *a
   drop(&g, below);
   return geos_end(&g);
 }
+
+static GEOSGeometry *union_of(struct geos *g, const struct geo_lines *l) {
+  GEOSGeometry *all = keep(g, g->failed ? NULL : GEOSGeom_createEmptyPolygon_r(g->h));
+  for (size_t k = 0; k < l->pieces && !g->failed; k++) {
+    if (!l->closed[k]) continue;
+    GEOSGeometry *part = polygon_of(g, l, k);
+    GEOSGeometry *next = keep(g, part ? GEOSUnion_r(g->h, all, part) : NULL);
+    drop(g, part);
+    drop(g, all);
+    all = next;
+  }
+  return all;
+}
+
+static GEOSGeometry *grown(struct geos *g, const GEOSGeometry *from, double by) {
+  enum { UNUSED = 8 };      /* segments of round corners */
+  const double mitre = 100; /* corners down to an angle of 2/100 stay pointed */
+  if (g->failed) return NULL;
+  return keep(g, GEOSBufferWithStyle_r(g->h, from, by, UNUSED, GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE,
+                                       mitre));
+}
+
+/* What an opening takes away from one body; NULL when it fails. */
+static GEOSGeometry *lost_by_opening(struct geos *g, const GEOSGeometry *body, double width) {
+  GEOSGeometry *shrunk = grown(g, body, -width / 2);
+  GEOSGeometry *opened = grown(g, shrunk, width / 2);
+  GEOSGeometry *lost = keep(g, opened ? GEOSDifference_r(g->h, body, opened) : NULL);
+  drop(g, shrunk);
+  drop(g, opened);
+  return lost;
+}
+
+/* The shorter side of the rectangle with this area and rim. */
+static double rectangle_thickness(double area, double rim) {
+  double half = rim / 4;
+  return half - sqrt(fmax(half * half - area, 0));
+}
+
+/* Keeps the largest part of what one body loses. */
+static void measure_lost(struct geos *g, const GEOSGeometry *body, const GEOSGeometry *lost,
+                         double least, double *area, double *thickness, double at[2]) {
+  double whole = 0, all = 0;
+  GEOSArea_r(g->h, body, &whole);
+  GEOSArea_r(g->h, lost, &all);
+  for (int k = 0; k < GEOSGetNumGeometries_r(g->h, lost); k++) {
+    const GEOSGeometry *part = GEOSGetGeometryN_r(g->h, lost, k);
+    double size = 0, rim = 0;
+    GEOSArea_r(g->h, part, &size);
+    GEOSLength_r(g->h, part, &rim);
+    if (size <= *area || (size <= least && all <= whole / 2)) continue;
+    *area = size;
+    *thickness = rectangle_thickness(size, rim);
+    point_inside(g, part, at);
+  }
+}
+
+enum status geo_lines_thin(const struct geo_lines *l, double width, double least, double *area,
+                           double *thickness, double at[2]) {
+  struct geos g = geos_begin();
+  GEOSGeometry *all = union_of(&g, l);
+  *area = *thickness = 0;
+  for (int k = 0; !g.failed && k < GEOSGetNumGeometries_r(g.h, all); k++) {
+    const GEOSGeometry *body = GEOSGetGeometryN_r(g.h, all, k);
+    GEOSGeometry *lost = lost_by_opening(&g, body, width);
+    if (lost) measure_lost(&g, body, lost, least, area, thickness, at);
+    drop(&g, lost);
+  }
+  drop(&g, all);
+  return geos_end(&g);
+}

@@ -36,4 +36,11 @@ enum status geo_piece_crossed(const struct geo_lines *l, size_t piece,
 enum status geo_area_below(const struct geo_lines *tank, double level, double *area,
                            double centroid[2]);
 
+/* Where the union of the closed pieces is thinner than `width` (m): what an opening, shrinking by
+ * half the width and growing again with mitred corners, takes away. Pointed corners are no thin
+ * parts. The largest connected part, if it has more than `least` m^2 or is most of its body: its
+ * area (m^2; 0: there is none), mean thickness (m) and a point of it. ERR_MEMORY. */
+enum status geo_lines_thin(const struct geo_lines *l, double width, double least, double *area,
+                           double *thickness, double at[2]);
+
 void geo_piece_reverse(struct geo_lines *l, size_t piece);

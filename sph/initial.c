@@ -3,37 +3,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sph/cells.h"
+#include "sph/released.h"
+
 static const double close = 1e-9; /* of H: how far apart two lengths may be and still be the same */
-
-double sph_released_head(double x, double y, double L, double H) {
-  double head = H - y;
-  /* k_n y = (2n+1) theta; cos by the recurrence cos(a + b) = 2 cos a cos b - cos(a - b), with
-   * b = 2 theta. cosh(k x)/cosh(k L) written with decaying exponentials only. */
-  double theta = M_PI * y / (2 * H), step = 2 * cos(2 * theta);
-  double now = cos(theta), before = now; /* cos(-theta) */
-  for (int n = 0; n < 1000000; n++) {
-    double odd = 2 * n + 1, k = odd * M_PI / (2 * H);
-    double ratio = exp(-k * (L - x)) * (1 + exp(-2 * k * x)) / (1 + exp(-2 * k * L));
-    double size = 8 * H / (odd * odd * M_PI * M_PI) * ratio;
-    head -= size * now;
-    if (size < 1e-13 * H) break;
-    double next = step * now - before;
-    before = now;
-    now = next;
-  }
-  return head;
-}
-
-bool sph_initial_column(const struct case_file *c, struct geo_box *column) {
-  if (c->water.pieces != 1) return false;
-  *column = geo_lines_box(&c->water);
-  double w = column->max[0] - column->min[0], h = column->max[1] - column->min[1];
-  bool rectangle = fabs(fabs(geo_piece_area(&c->water, 0)) - w * h) < close * w * h;
-  bool on_bed = fabs(column->min[1] - c->tank.min[1]) < close * c->H;
-  bool left = fabs(column->min[0] - c->tank.min[0]) < close * c->H;
-  bool right = fabs(column->max[0] - c->tank.max[0]) < close * c->H;
-  return rectangle && on_bed && (left || right);
-}
 
 static void place(struct sph *s, double x, double y, const double velocity[2], double pressure,
                   double cell) {
@@ -47,33 +20,71 @@ static void place(struct sph *s, double x, double y, const double velocity[2], d
   f->m[i] = f->w.rho[i] * cell;
 }
 
-/* Pressure over rho g at a point of the regions. */
-static double head_at(const struct sph *s, const struct case_file *c, double top, double x,
-                      double y) {
-  struct geo_box b;
-  if (c->pressure != CASE_PRESSURE_RELEASED || !sph_initial_column(c, &b)) return top - y;
-  bool left = fabs(b.min[0] - s->tank.min[0]) < close * c->H;
-  bool right = fabs(b.max[0] - s->tank.max[0]) < close * c->H;
-  if (left && right) return top - y;
-  return sph_released_head(left ? x - b.min[0] : b.max[0] - x, y - b.min[1], b.max[0] - b.min[0],
-                           b.max[1] - b.min[1]);
-}
+/* ---- pressure ---- */
 
-struct lattice {
-  struct geo_box box;
-  size_t nx, ny;
-  double dx, dy;
+/* Where the pressure of the regions comes from. */
+struct head {
+  const struct case_file *c;
+  double near;                   /* m: what lies closer is one body */
+  bool column, left;             /* a column at one wall that is released */
+  struct geo_box box;            /* of the column */
+  struct sph_released *released; /* any other water that is */
+  struct geo_cut cut;            /* the water above and below a point */
 };
 
-static struct lattice lattice_over(const struct geo_lines *region, double dx) {
-  struct lattice l = {.box = geo_lines_box(region)};
-  double w = l.box.max[0] - l.box.min[0], h = l.box.max[1] - l.box.min[1];
-  l.nx = sph_intervals(w, dx);
-  l.ny = sph_intervals(h, dx);
-  l.dx = w / (double)l.nx;
-  l.dy = h / (double)l.ny;
-  return l;
+/* One rectangle that stands on the bed against just one side wall. */
+static bool find_column(const struct case_file *c, double near, struct head *h) {
+  if (c->water.pieces != 1) return false;
+  h->box = geo_lines_box(&c->water);
+  double width = h->box.max[0] - h->box.min[0], height = h->box.max[1] - h->box.min[1];
+  double missing = fabs(fabs(geo_piece_area(&c->water, 0)) - width * height);
+  h->left = fabs(h->box.min[0] - c->tank.min[0]) < near;
+  bool right = fabs(h->box.max[0] - c->tank.max[0]) < near;
+  return missing < close * width * height && fabs(h->box.min[1] - c->tank.min[1]) < near &&
+         h->left != right;
 }
+
+static enum status head_create(const struct sph *s, const struct case_file *c, struct head *h) {
+  *h = (struct head){.c = c, .near = close * c->H};
+  if (c->pressure != CASE_PRESSURE_RELEASED) return OK;
+  h->column = find_column(c, h->near, h);
+  if (h->column) return OK;
+  struct sph_released_tank tank = {c->tank, {c->walls.p[0][1], c->walls.p[c->walls.points - 1][1]}};
+  return sph_released_create(&c->water, &tank, s->dx, h->near, &h->released);
+}
+
+static void head_destroy(struct head *h) {
+  sph_released_destroy(h->released);
+  geo_cut_destroy(&h->cut);
+}
+
+static enum status hydrostatic(struct head *h, double x, double y, double *head) {
+  TRY(geo_lines_cut(&h->c->water, 0, x, h->near, &h->cut));
+  const double *span = geo_cut_span(&h->cut, y);
+  bool stands = span && fabs(span[0] - h->c->tank.min[1]) <= h->near;
+  *head = stands ? fmax(span[1] - y, 0) : 0;
+  return OK;
+}
+
+/* Pressure over rho g at a point of the regions. */
+static enum status head_at(struct head *h, double x, double y, double *head) {
+  const struct geo_box *b = &h->box;
+  if (h->column)
+    *head = sph_released_head(h->left ? x - b->min[0] : b->max[0] - x, y - b->min[1],
+                              b->max[0] - b->min[0], b->max[1] - b->min[1]);
+  else if (h->released)
+    *head = sph_released_at(h->released, x, y);
+  else
+    return hydrostatic(h, x, y, head);
+  return OK;
+}
+
+/* ---- regions ---- */
+
+struct cells {
+  size_t n;
+  struct sph_cell *cell; /* [n], owned */
+};
 
 /* One closed piece of the water, alone. */
 static enum status region_of(const struct case_file *c, size_t piece, struct geo_lines *region) {
@@ -84,33 +95,44 @@ static enum status region_of(const struct case_file *c, size_t piece, struct geo
   return OK;
 }
 
+static enum status fill_cells(struct sph *s, const struct case_file *c, const struct cells *cells) {
+  enum status status = OK;
+  struct head head;
+  ATTEMPT(head_create(s, c, &head));
+  for (size_t r = 0; r < c->water.pieces; r++)
+    for (size_t k = 0; k < cells[r].n; k++) {
+      const struct sph_cell *cell = &cells[r].cell[k];
+      double depth = 0;
+      ATTEMPT(head_at(&head, cell->x, cell->y, &depth));
+      place(s, cell->x, cell->y, c->velocity, s->rho0 * s->g * depth, cell->area);
+    }
+done:
+  head_destroy(&head);
+  return status;
+}
+
 static enum status fill_regions(struct sph *s, const struct case_file *c) {
   struct geo_lines region = {0};
+  struct cells *cells = NULL;
   enum status status = OK;
   size_t room = 0;
+  ATTEMPT(sph_allocate(c->water.pieces, sizeof *cells, &cells));
   for (size_t r = 0; r < c->water.pieces; r++) {
     ATTEMPT(region_of(c, r, &region));
-    struct lattice l = lattice_over(&region, s->dx);
-    room += l.nx * l.ny;
+    ATTEMPT(sph_cells_create(&region, s->dx, &cells[r].n, &cells[r].cell));
+    room += cells[r].n;
   }
   ATTEMPT(sph_particles_create(&s->f, room));
   s->f.n = 0;
-  for (size_t r = 0; r < c->water.pieces; r++) {
-    ATTEMPT(region_of(c, r, &region));
-    struct lattice l = lattice_over(&region, s->dx);
-    for (size_t i = 0; i < l.nx; i++)
-      for (size_t j = 0; j < l.ny; j++) {
-        double x = l.box.min[0] + ((double)i + 0.5) * l.dx;
-        double y = l.box.min[1] + ((double)j + 0.5) * l.dy;
-        if (!geo_lines_contain(&region, x, y)) continue;
-        double head = head_at(s, c, l.box.max[1], x, y);
-        place(s, x, y, c->velocity, s->rho0 * s->g * head, l.dx * l.dy);
-      }
-  }
+  ATTEMPT(fill_cells(s, c, cells));
 done:
+  for (size_t r = 0; cells && r < c->water.pieces; r++) free(cells[r].cell);
+  free(cells);
   geo_lines_destroy(&region);
   return status;
 }
+
+/* ---- waves ---- */
 
 /* At rest with elevation a cos(kx); the pressure of the linear wave, stretched with the column so
  * that it vanishes on the surface: p/(rho g) = depth - eta (1 - cosh(k Y)/cosh(k d)), Y the height

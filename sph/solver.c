@@ -5,9 +5,9 @@
 #include <math.h>
 
 #include "common/case.h"
+#include "common/geometry_check.h"
 #include "common/progress.h"
 #include "common/result.h"
-#include "sph/initial.h"
 #include "sph/integrator.h"
 #include "sph/kernel.h"
 #include "sph/output.h"
@@ -92,6 +92,28 @@ done:
   return status;
 }
 
+/* The water as a whole has room for four particles, every part of it for two. */
+static void check_thickness(const struct case_file *c, const struct case_run *r,
+                            struct problems *problems) {
+  double dx = c->H / r->resolution, area = 0, thickness = 0, at[2] = {0};
+  struct geo_box w = geo_lines_box(&c->water);
+  double thin = fmin(w.max[0] - w.min[0], w.max[1] - w.min[1]);
+  if (thin < 4 * dx)
+    problems_add(problems, r->line,
+                 "runs.%s.resolution: found '%g', where four particle spacings (%g m) exceed the "
+                 "water's thickness (%g m); allowed: at least %g; raise it",
+                 r->name, r->resolution, 4 * dx, thin, ceil(r->resolution * 4 * dx / thin));
+  else if (geo_lines_thin(&c->water, 2 * (1 - 1e-6) * dx, 4 * dx * dx, &area, &thickness, at) != OK)
+    problems->out_of_memory = true;
+  else if (area > 0)
+    problems_add(problems, r->line,
+                 "runs.%s.resolution: found '%g', where two particle spacings (%g m) exceed the "
+                 "thickness of a part of the water (%.3g m at (%.4g, %.4g) m); allowed: at least "
+                 "%g; raise it or leave that part out",
+                 r->name, r->resolution, 2 * dx, thickness, at[0], at[1],
+                 ceil(2 * c->H / thickness * (1 - 1e-6)));
+}
+
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
   const struct sph_options *o = r->options;
   double dx = c->H / r->resolution;
@@ -113,15 +135,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  "(%g m x %g m); allowed: at least %g; raise it",
                  r->name, r->resolution, 2 * support, width, height,
                  ceil(r->resolution * 2 * support / fmin(width, height)));
-  if (c->water.pieces > 0) {
-    struct geo_box w = geo_lines_box(&c->water);
-    double thin = fmin(w.max[0] - w.min[0], w.max[1] - w.min[1]);
-    if (thin < 4 * dx)
-      problems_add(problems, r->line,
-                   "runs.%s.resolution: found '%g', where four particle spacings (%g m) exceed the "
-                   "water's thickness (%g m); allowed: at least %g; raise it",
-                   r->name, r->resolution, 4 * dx, thin, ceil(r->resolution * 4 * dx / thin));
-  }
+  if (c->water.pieces > 0) check_thickness(c, r, problems);
 }
 
 const struct solver sph_solver = {

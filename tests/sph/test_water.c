@@ -4,9 +4,9 @@
 #include <omp.h>
 
 #include "sph/energy.h"
-#include "sph/initial.h"
 #include "sph/integrator.h"
 #include "sph/probe.h"
+#include "sph/released.h"
 #include "sph/timestep.h"
 #include "sph/wall.h"
 #include "tests/sph/pool.h"
