@@ -97,7 +97,9 @@ struct result_statistic_read {
   double value;
 };
 
-struct result_file { /* everything but the particles, in memory */
+/* Everything but the particles, in memory. A child process reads it: what is added here is also
+ * handed over in result_carry.c. */
+struct result_file {
   char *path, *solver, *run, *title, *version, *revision, *case_text, *fingerprint;
   char *water_fingerprint; /* case_water_fingerprint of its case; "" in files of before it */
   char *created;           /* UTC, 2026-11-22T19:24:21Z */

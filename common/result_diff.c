@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "common/result.h"
+#include "common/result_carry.h"
 #include "common/result_hdf.h"
 #include "common/result_layout.h"
 #include "common/result_open.h"
@@ -17,11 +18,21 @@ struct diff {
   const char *path[2];
   const struct result_tolerances *tolerances;
   hid_t file[2];
+  int turn;          /* which of them is being read */
   double time_scale; /* sqrt(H/g), s */
   bool draft;
-  FILE *out;
+  FILE *out; /* into `text` */
+  char *text;
+  size_t size;
   size_t n_same, n_differ, n_ignored;
 };
+
+/* The file to be read from now on, which is to blame for what goes wrong. */
+static hid_t turn_to(struct diff *d, int k) {
+  d->turn = k;
+  result_blame((size_t)k);
+  return d->file[k];
+}
 
 /* ---- where in a dataset a row is ---- */
 
@@ -106,7 +117,7 @@ static void report_number(struct diff *d, const char *name, const char *units,
   }
   fprintf(d->out, "%s: %.10g against %.10g%s%s, differs by %.3g (relative %.3g)", name, w->value[0],
           w->value[1], *units ? " " : "", units, w->difference, relative);
-  double t = shape->rank ? row_time(d->file[0], name, w->row) : NAN;
+  double t = shape->rank ? row_time(turn_to(d, 0), name, w->row) : NAN;
   if (isfinite(t)) fprintf(d->out, " at t = %.6g s (t sqrt(g/H) = %.4g)", t, t / d->time_scale);
   if (shape->rank) fprintf(d->out, ", row %zu", w->row);
   if (shape->rank == 2) fprintf(d->out, ", %c", "xyzw"[w->component % 4]);
@@ -155,8 +166,7 @@ static bool get_shape(hid_t file, const char *name, struct shape *s) {
 static enum status compare_texts(struct diff *d, const char *name) {
   char *text[2] = {NULL, NULL};
   enum status status = OK;
-  ATTEMPT(hdf_get_text(d->file[0], name, &text[0]));
-  ATTEMPT(hdf_get_text(d->file[1], name, &text[1]));
+  for (int k = 0; k < 2; k++) ATTEMPT(hdf_get_text(turn_to(d, k), name, &text[k]));
   size_t line = 1, at = 0;
   for (; text[0][at] && text[0][at] == text[1][at]; at++) line += text[0][at] == '\n';
   if (text[0][at] == text[1][at])
@@ -175,20 +185,19 @@ static enum status compare_rows(struct diff *d, const char *name, const struct s
                                 struct worst *w) {
   size_t width = s->rank == 2 ? (size_t)s->dims[1] : 0, wide = width ? width : 1;
   if (s->rank == 0) {
-    double a, b;
-    TRY(hdf_get_scalar(d->file[0], name, H5T_NATIVE_DOUBLE, &a));
-    TRY(hdf_get_scalar(d->file[1], name, H5T_NATIVE_DOUBLE, &b));
-    compare_value(w, a, b, 0, 0);
+    double value[2];
+    for (int k = 0; k < 2; k++)
+      TRY(hdf_get_scalar(turn_to(d, k), name, H5T_NATIVE_DOUBLE, &value[k]));
+    compare_value(w, value[0], value[1], 0, 0);
     return OK;
   }
   for (hsize_t first = 0; first < s->dims[0]; first += BLOCK) {
     hsize_t n = s->dims[0] - first < BLOCK ? s->dims[0] - first : BLOCK;
     double *rows[2] = {NULL, NULL};
-    enum status status =
-        hdf_get_rows(d->file[0], name, H5T_NATIVE_DOUBLE, width, first, n, (void **)&rows[0]);
-    if (status == OK)
+    enum status status = OK;
+    for (int k = 0; k < 2 && status == OK; k++)
       status =
-          hdf_get_rows(d->file[1], name, H5T_NATIVE_DOUBLE, width, first, n, (void **)&rows[1]);
+          hdf_get_rows(turn_to(d, k), name, H5T_NATIVE_DOUBLE, width, first, n, (void **)&rows[k]);
     for (size_t i = 0; status == OK && i < (size_t)n * wide; i++)
       compare_value(w, rows[0][i], rows[1][i], (size_t)first + i / wide, i % wide);
     free(rows[0]);
@@ -205,8 +214,7 @@ static enum status compare_set(struct diff *d, const char *name) {
     return OK;
   }
   for (int k = 0; k < 2; k++)
-    CHECK(get_shape(d->file[k], name, &s[k]), ERR_INPUT, "%s: its dataset %s is damaged",
-          d->path[k], name);
+    CHECK(get_shape(turn_to(d, k), name, &s[k]), ERR_INPUT, "its dataset %s is damaged", name);
   if (s[0].class != s[1].class || s[0].rank != s[1].rank || s[0].dims[1] != s[1].dims[1]) {
     report_text(d, name, "is of another kind");
     return OK;
@@ -221,7 +229,7 @@ static enum status compare_set(struct diff *d, const char *name) {
   struct worst w = {0};
   TRY(compare_rows(d, name, &s[0], &w));
   char *units = NULL;
-  hid_t set = H5Dopen2(d->file[0], name, H5P_DEFAULT);
+  hid_t set = H5Dopen2(turn_to(d, 0), name, H5P_DEFAULT);
   if (set >= 0) (void)hdf_get_string(set, "units", &units);
   if (set >= 0) H5Dclose(set);
   judge(d, name, units && strcmp(units, "1") ? units : "", &s[0], &w);
@@ -233,32 +241,32 @@ static enum status compare_attributes(struct diff *d) {
   static const char *const names[] = {"solver",   "run",         "title",  "version",
                                       "revision", "fingerprint", "created"};
   for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-    char name[64], *a = NULL, *b = NULL;
+    char name[64], *text[2] = {NULL, NULL};
     snprintf(name, sizeof name, "@%s", names[i]);
     if (result_tolerances_find(d->tolerances, name)->ignore) {
       d->n_ignored++;
       continue;
     }
-    enum status status = hdf_get_string(d->file[0], names[i], &a);
-    if (status == OK) status = hdf_get_string(d->file[1], names[i], &b);
-    if (status == OK && strcmp(a, b))
-      report_text(d, name, "'%s' against '%s'", a, b);
+    enum status status = OK;
+    for (int k = 0; k < 2 && status == OK; k++)
+      status = hdf_get_string(turn_to(d, k), names[i], &text[k]);
+    if (status == OK && strcmp(text[0], text[1]))
+      report_text(d, name, "'%s' against '%s'", text[0], text[1]);
     else
       d->n_same++;
-    free(a);
-    free(b);
+    free(text[0]);
+    free(text[1]);
     TRY(status);
   }
   for (int i = -1; i < RESULT_SCALES; i++) {
     const char *attribute = i < 0 ? "complete" : result_scales[i].name;
     char name[64];
-    double a, b;
+    double value[2];
     snprintf(name, sizeof name, "@%s", attribute);
     if (result_tolerances_find(d->tolerances, name)->ignore) continue;
-    TRY(hdf_get_number(d->file[0], attribute, &a));
-    TRY(hdf_get_number(d->file[1], attribute, &b));
+    for (int k = 0; k < 2; k++) TRY(hdf_get_number(turn_to(d, k), attribute, &value[k]));
     struct worst w = {0};
-    compare_value(&w, a, b, 0, 0);
+    compare_value(&w, value[0], value[1], 0, 0);
     judge(d, name, i < 0 ? "" : result_scales[i].units, &(struct shape){.rank = 0}, &w);
   }
   return OK;
@@ -311,12 +319,12 @@ static enum status compare_files(struct diff *d) {
   struct sets sets[2] = {{0}, {0}};
   double H, g;
   enum status status = OK;
-  ATTEMPT(hdf_get_number(d->file[0], "H", &H));
-  ATTEMPT(hdf_get_number(d->file[0], "g", &g));
+  ATTEMPT(hdf_get_number(turn_to(d, 0), "H", &H));
+  ATTEMPT(hdf_get_number(turn_to(d, 0), "g", &g));
   d->time_scale = sqrt(H / g);
   for (int k = 0; k < 2; k++) {
-    if (H5Ovisit(d->file[k], H5_INDEX_NAME, H5_ITER_NATIVE, add_set, &sets[k]) < 0) {
-      status = hdf_raise(ERR_INPUT, "%s is damaged", d->path[k]);
+    if (H5Ovisit(turn_to(d, k), H5_INDEX_NAME, H5_ITER_NATIVE, add_set, &sets[k]) < 0) {
+      status = hdf_raise(ERR_INPUT, "its datasets cannot be listed");
       goto done;
     }
     if (sets[k].n) qsort(sets[k].name, sets[k].n, sizeof *sets[k].name, by_name);
@@ -328,47 +336,52 @@ done:
   return status;
 }
 
-/* Both files are open to us only inside this function, which may run in a rehearsal: it writes into
- * memory and the caller prints. */
-static enum status read_both(void *request) {
-  struct diff *d = request;
-  TRY(result_open(d->path[0], &d->file[0]));
-  enum status status = result_open(d->path[1], &d->file[1]);
-  if (status == OK) {
-    status = compare_files(d);
-    H5Fclose(d->file[1]);
-  }
-  H5Fclose(d->file[0]);
+/* Says what is wrong with a file better than the walk through its datasets. */
+static enum status check_one(struct diff *d, int k) {
+  struct result_file *f = calloc(1, sizeof *f);
+  CHECK(f, ERR_MEMORY, "no memory to read it");
+  f->path = strdup(d->path[k]);
+  enum status status = result_read_all(turn_to(d, k), f);
+  result_file_destroy(f);
   return status;
 }
 
-static enum status read_second(void *request) {
-  struct diff *d = request;
-  return result_read_safely(d->path[1], read_both, d);
+/* In a process that may not print: into memory, and the caller prints. */
+static enum status read_both(const hid_t *file, void *data) {
+  struct diff *d = data;
+  for (int k = 0; k < 2; k++) d->file[k] = file[k];
+  for (int k = 0; k < 2; k++) TRY(check_one(d, k));
+  d->out = open_memstream(&d->text, &d->size);
+  CHECK(d->out, ERR_MEMORY, "no memory for a report");
+  enum status status = compare_files(d);
+  bool good = !ferror(d->out);
+  fclose(d->out);
+  if (status != OK) return status_context(status, "%s: ", d->path[d->turn]);
+  CHECK(good, ERR_MEMORY, "no memory for a report");
+  return OK;
+}
+
+static enum status carry_report(struct carrier *c, void *data) {
+  struct diff *d = data;
+  TRY(carry_text(c, &d->text));
+  TRY(carry_number(c, &d->n_same));
+  TRY(carry_number(c, &d->n_differ));
+  return carry_number(c, &d->n_ignored);
 }
 
 enum status result_diff(const char *a, const char *b, const struct result_tolerances *tolerances,
                         bool draft, FILE *out, bool *same) {
-  for (int k = 0; k < 2; k++) { /* says what is wrong with a file better than the walk below */
-    struct result_file *f;
-    TRY(result_read(k ? b : a, &f));
-    result_file_destroy(f);
-  }
-  char *text = NULL;
-  size_t size = 0;
   struct diff d = {.path = {a, b}, .tolerances = tolerances, .draft = draft};
-  d.out = open_memstream(&text, &size);
-  CHECK(d.out, ERR_MEMORY, "no memory for a report");
-  if (draft) fprintf(d.out, "# worst differences between %s and %s, and a tenth more\n", a, b);
-  enum status status = result_read_safely(a, read_second, &d);
-  fclose(d.out);
+  enum status status = result_read_safely(
+      &(struct result_request){2, {a, b}, .data = &d, .read = read_both, .carry = carry_report});
   if (status == OK) {
-    fputs(text, out);
+    if (draft) fprintf(out, "# worst differences between %s and %s, and a tenth more\n", a, b);
+    fputs(d.text ? d.text : "", out);
     if (!draft)
       fprintf(out, "%zu of %zu quantities differ, %zu ignored\n", d.n_differ, d.n_differ + d.n_same,
               d.n_ignored);
     *same = d.n_differ == 0;
   }
-  free(text);
+  free(d.text);
   return status;
 }

@@ -11,21 +11,30 @@ void hdf_quiet(void) {
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
 }
 
+struct reason {
+  char text[160];
+  bool memory;
+};
+
 static herr_t innermost(unsigned n, const H5E_error2_t *error, void *out) {
-  if (n == 0 && error->desc) snprintf(out, 160, "%s", error->desc);
+  struct reason *reason = out;
+  if (n == 0 && error->desc) snprintf(reason->text, sizeof reason->text, "%s", error->desc);
+  if (error->maj_num == H5E_RESOURCE && error->min_num == H5E_NOSPACE) reason->memory = true;
   return 0;
 }
 
 enum status hdf_raise(enum status code, const char *format, ...) {
-  char text[1024], reason[160] = "";
+  char text[1024];
+  struct reason reason = {"", false};
   va_list args;
   va_start(args, format);
   vsnprintf(text, sizeof text, format, args);
   va_end(args);
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, reason);
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, &reason);
   H5Eclear2(H5E_DEFAULT);
-  return *reason ? status_raise(code, "%s (HDF5: %s)", text, reason)
-                 : status_raise(code, "%s", text);
+  if (reason.memory) code = ERR_MEMORY;
+  return *reason.text ? status_raise(code, "%s (HDF5: %s)", text, reason.text)
+                      : status_raise(code, "%s", text);
 }
 
 /* ---- writing ---- */
@@ -188,38 +197,47 @@ static bool source_read(struct string_source s, hid_t type, void *to) {
                       : H5Dread(s.object, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, to)) >= 0;
 }
 
-static char *read_string(struct string_source s) {
+static enum status read_fixed_string(struct string_source s, hid_t type, char **value) {
+  size_t size = H5Tget_size(type);
+  CHECK(size < 65536, ERR_INPUT, "a text of it is damaged");
+  *value = calloc(1, size + 1);
+  CHECK(*value, ERR_MEMORY, "no memory for %zu bytes", size);
+  return source_read(s, type, *value) ? OK : hdf_raise(ERR_INPUT, "a text of it cannot be read");
+}
+
+static enum status read_variable_string(struct string_source s, hid_t type, char **value) {
+  char *text = NULL;
+  if (!source_read(s, type, &text)) return hdf_raise(ERR_INPUT, "a text of it cannot be read");
+  *value = strdup(text ? text : "");
+  H5free_memory(text);
+  CHECK(*value, ERR_MEMORY, "no memory for a text");
+  return OK;
+}
+
+static enum status read_string(struct string_source s, char **value) {
   hid_t type = s.attribute ? H5Aget_type(s.object) : H5Dget_type(s.object);
   hid_t space = s.attribute ? H5Aget_space(s.object) : H5Dget_space(s.object);
-  char *value = NULL;
-  if (type >= 0 && space >= 0 && H5Tget_class(type) == H5T_STRING &&
-      H5Sget_simple_extent_npoints(space) == 1) {
-    hid_t memory = H5Tcopy(type);
-    if (H5Tis_variable_str(type) > 0) {
-      char *text = NULL;
-      if (source_read(s, memory, &text) && text) {
-        value = strdup(text);
-        H5free_memory(text);
-      }
-    } else if (H5Tget_size(type) < 65536) {
-      value = calloc(1, H5Tget_size(type) + 1);
-      if (value && !source_read(s, memory, value)) {
-        free(value);
-        value = NULL;
-      }
-    }
-    H5Tclose(memory);
-  }
+  bool text = type >= 0 && space >= 0 && H5Tget_class(type) == H5T_STRING &&
+              H5Sget_simple_extent_npoints(space) == 1;
+  enum status status = !text                          ? status_raise(ERR_INPUT, "it is no text")
+                       : H5Tis_variable_str(type) > 0 ? read_variable_string(s, type, value)
+                                                      : read_fixed_string(s, type, value);
   if (space >= 0) H5Sclose(space);
   if (type >= 0) H5Tclose(type);
-  return value;
+  if (status == OK) return OK;
+  free(*value);
+  *value = NULL;
+  return status;
 }
 
 enum status hdf_get_string(hid_t object, const char *name, char **value) {
+  *value = NULL;
   hid_t attribute = H5Aexists(object, name) > 0 ? H5Aopen(object, name, H5P_DEFAULT) : -1;
-  *value = attribute >= 0 ? read_string((struct string_source){attribute, true}) : NULL;
+  enum status status =
+      attribute < 0 ? ERR_INPUT : read_string((struct string_source){attribute, true}, value);
   if (attribute >= 0) H5Aclose(attribute);
-  return *value ? OK : hdf_raise(ERR_INPUT, "it has no text attribute \"%s\"", name);
+  return status == ERR_INPUT ? hdf_raise(ERR_INPUT, "it has no text attribute \"%s\"", name)
+                             : status;
 }
 
 static enum status get_attribute(hid_t object, const char *name, hid_t type, void *value) {
@@ -325,10 +343,48 @@ enum status hdf_get_scalar(hid_t group, const char *name, hid_t type, void *valu
 }
 
 enum status hdf_get_text(hid_t group, const char *name, char **value) {
+  *value = NULL;
   hid_t set = hdf_has(group, name) ? H5Dopen2(group, name, H5P_DEFAULT) : -1;
-  *value = set >= 0 ? read_string((struct string_source){set, false}) : NULL;
+  enum status status = set < 0 ? ERR_INPUT : read_string((struct string_source){set, false}, value);
   if (set >= 0) H5Dclose(set);
-  return *value ? OK : hdf_raise(ERR_INPUT, "it has no text %s", full_name(group, name));
+  return status == ERR_INPUT ? hdf_raise(ERR_INPUT, "it has no text %s", full_name(group, name))
+                             : status;
+}
+
+/* What is wrong with a dataset, or NULL. */
+static const char *leads_away(hid_t set) {
+  hid_t plist = H5Dget_create_plist(set);
+  const char *what = NULL;
+  if (plist < 0)
+    what = "damaged";
+  else if (H5Pget_external_count(plist) > 0)
+    what = "kept in another file, which is not followed";
+  else if (H5Pget_layout(plist) == H5D_VIRTUAL)
+    what = "made of other datasets, which are not followed";
+  if (plist >= 0) H5Pclose(plist);
+  return what;
+}
+
+static herr_t check_link(hid_t root, const char *name, const H5L_info_t *info, void *data) {
+  enum status *status = data;
+  const char *what = NULL;
+  if (info->type == H5L_TYPE_EXTERNAL || info->type >= H5L_TYPE_UD_MIN)
+    what = "a link into another file, which is not followed";
+  if (info->type == H5L_TYPE_HARD) {
+    hid_t object = H5Oopen(root, name, H5P_DEFAULT);
+    if (object >= 0 && H5Iget_type(object) == H5I_DATASET) what = leads_away(object);
+    if (object >= 0) H5Oclose(object);
+  }
+  if (what) *status = status_raise(ERR_INPUT, "its /%s is %s", name, what);
+  return what != NULL;
+}
+
+enum status hdf_check_confined(hid_t file) {
+  enum status status = OK;
+  if (H5Lvisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, check_link, &status) < 0)
+    return hdf_raise(ERR_INPUT, "its groups cannot be listed");
+  H5Eclear2(H5E_DEFAULT);
+  return status;
 }
 
 struct names {

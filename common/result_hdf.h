@@ -8,7 +8,8 @@
 
 #include "common/status.h"
 
-/* Leaves the message followed by HDF5's own innermost reason; returns `code`. */
+/* Leaves the message followed by HDF5's own innermost reason; returns `code`, or ERR_MEMORY if that
+ * was the reason. */
 enum status hdf_raise(enum status code, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void hdf_quiet(void); /* HDF5 prints nothing itself; call before anything else */
@@ -44,6 +45,10 @@ enum status hdf_column_append(struct hdf_column *column, size_t n, const void *r
 void hdf_column_close(struct hdf_column *column);
 
 /* ---- reading: nothing is trusted, nothing larger than the file can hold is allocated ---- */
+
+/* Nothing in the file leads into another one: no external link or storage, no virtual dataset. To
+ * be called before all else. */
+enum status hdf_check_confined(hid_t file);
 
 bool hdf_has(hid_t group, const char *name); /* a link that leads to an object */
 enum status hdf_open_group(hid_t parent, const char *name, hid_t *group);

@@ -1,16 +1,24 @@
-/* Opening result files that nobody vouches for. */
+/* Reading result files, which nobody vouches for: the bytes of a file can crash HDF5, keep it busy
+ * for ever or make it ask for all memory, and a checksum tells only damage, not who wrote it. So
+ * HDF5 never reads in this process. A child reads, with limits on its memory and time, and hands
+ * over what it found (carry.h). */
 #pragma once
 #include <hdf5.h>
 
+#include "common/carry.h"
 #include "common/status.h"
 
-/* Runs `read(request)` after the checks that make it safe. A file whose seal is right is what a run
- * wrote, bit for bit, and is read at once. One without a seal (other programs drop it when they
- * change the file, and a truncated file has lost it) could hold bytes that crash or hang HDF5
- * itself: `read` is rehearsed in a child process first, and only a file that survives that is read
- * here. ERR_INPUT with one sentence otherwise. `read` must depend on nothing but the file and
- * `request`. */
-enum status result_read_safely(const char *path, enum status (*read)(void *request), void *request);
+struct result_request {
+  size_t n;            /* of files, 1 or 2 */
+  const char *path[2]; /* [n] */
+  void *data;
+  enum status (*read)(const hid_t *file, void *data);  /* in the child; [n] */
+  enum status (*carry)(struct carrier *c, void *data); /* in both, see carry.h */
+};
 
-/* To be called by `read`: opens a file of our format. ERR_INPUT. */
-enum status result_open(const char *path, hid_t *file);
+/* Checks the files without HDF5, opens them once and runs the request. ERR_INPUT with one sentence
+ * that names the file at fault; ERR_MEMORY; INTERRUPTED when a signal ended the child. */
+enum status result_read_safely(const struct result_request *request);
+
+/* In `read`: from here on, a crash or an error is the fault of this file of two. */
+void result_blame(size_t file);

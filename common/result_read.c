@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "common/result.h"
+#include "common/result_carry.h"
 #include "common/result_hdf.h"
 #include "common/result_layout.h"
 #include "common/result_open.h"
@@ -308,13 +309,13 @@ static enum status read_all(hid_t file, struct result_file *f) {
 
 /* ---- the public functions ---- */
 
-static enum status read_file(void *request) {
-  struct result_file *f = request;
-  hid_t file;
-  TRY(result_open(f->path, &file));
+enum status result_read_all(hid_t file, struct result_file *f) {
   enum status status = read_all(file, f);
-  H5Fclose(file);
   return status == OK ? OK : status_context(status, "%s is not a usable result: ", f->path);
+}
+
+static enum status read_file(const hid_t *file, void *data) {
+  return result_read_all(*file, data);
 }
 
 enum status result_read(const char *path, struct result_file **out) {
@@ -322,8 +323,10 @@ enum status result_read(const char *path, struct result_file **out) {
   struct result_file *f = calloc(1, sizeof *f);
   CHECK(f, ERR_MEMORY, "no memory to read %s", path);
   f->path = strdup(path);
-  enum status status = f->path ? result_read_safely(path, read_file, f)
-                               : status_raise(ERR_MEMORY, "no memory to read %s", path);
+  enum status status = f->path
+                           ? result_read_safely(&(struct result_request){
+                                 1, {path}, .data = f, .read = read_file, .carry = result_carry})
+                           : status_raise(ERR_MEMORY, "no memory to read %s", path);
   if (status == OK)
     *out = f;
   else
@@ -425,20 +428,28 @@ done:
   return status;
 }
 
-static enum status read_points_file(void *request) {
-  struct points_request *q = request;
-  hid_t file;
-  TRY(result_open(q->path, &file));
-  enum status status = read_points(file, q);
-  H5Fclose(file);
+static enum status read_points_file(const hid_t *file, void *data) {
+  struct points_request *q = data;
+  enum status status = read_points(*file, q);
   return status == OK ? OK : status_context(status, "%s, output %zu: ", q->path, q->output);
+}
+
+static enum status carry_points(struct carrier *c, void *data) {
+  struct points_request *q = data;
+  size_t n = q->n;
+  TRY(carry_array(c, &q->n, (void **)&q->p, sizeof *q->p));
+  TRY(carry_array(c, &n, (void **)&q->value, sizeof *q->value));
+  CHECK(n == q->n, ERR_INPUT, "%s, output %zu, is inconsistent", q->path, q->output);
+  return OK;
 }
 
 enum status result_read_points(const char *path, size_t output, const char *field, size_t *n,
                                double (**p)[2], double **value) {
   struct points_request q = {.path = path, .field = field, .output = output};
-  enum status status = result_read_safely(path, read_points_file, &q);
+  enum status status = result_read_safely(&(struct result_request){
+      1, {path}, .data = &q, .read = read_points_file, .carry = carry_points});
   if (status != OK) {
+    free(q.p);
     free(q.value);
     q = (struct points_request){0};
   }
@@ -449,24 +460,31 @@ enum status result_read_points(const char *path, size_t output, const char *fiel
 }
 
 struct current_request {
-  const char *path, *fingerprint;
+  const char *fingerprint;
   bool current;
 };
 
-static enum status read_current(void *request) {
-  struct current_request *q = request;
-  hid_t file;
+static enum status read_current(const hid_t *file, void *data) {
+  struct current_request *q = data;
   char *found = NULL;
   int64_t complete = 0;
-  TRY(result_open(q->path, &file));
-  q->current = hdf_get_integer(file, "complete", &complete) == OK && complete == 1 &&
-               hdf_get_string(file, "fingerprint", &found) == OK && !strcmp(found, q->fingerprint);
+  q->current = hdf_get_integer(*file, "complete", &complete) == OK && complete == 1 &&
+               hdf_get_string(*file, "fingerprint", &found) == OK && !strcmp(found, q->fingerprint);
   free(found);
-  H5Fclose(file);
+  return OK;
+}
+
+static enum status carry_current(struct carrier *c, void *data) {
+  struct current_request *q = data;
+  size_t current = q->current;
+  TRY(carry_number(c, &current));
+  q->current = current == 1;
   return OK;
 }
 
 bool result_is_current(const char *path, const char *fingerprint) {
-  struct current_request q = {.path = path, .fingerprint = fingerprint};
-  return result_read_safely(path, read_current, &q) == OK && q.current;
+  struct current_request q = {.fingerprint = fingerprint};
+  return result_read_safely(&(struct result_request){
+             1, {path}, .data = &q, .read = read_current, .carry = carry_current}) == OK &&
+         q.current;
 }

@@ -13,9 +13,11 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include "common/file.h"
 #include "common/result_hdf.h"
+#include "common/result_seal.h"
 
-#define PAGE 4096 /* bytes that are checksummed, kept in memory and written together */
+#define PAGE RESULT_SEAL_PAGE /* bytes that are kept in memory and written together */
 
 struct result_store {
   char *path, *twin; /* owned */
@@ -34,69 +36,6 @@ struct result_store {
   bool *fresh;          /* it changed since the last commit (else: only the back file lacks it) */
   uint64_t *sum;        /* checksum at the last commit */
 };
-
-/* ---- the seal ---- */
-
-struct seal {
-  char magic[8];
-  uint64_t size; /* bytes of HDF5 data before the seal */
-  uint64_t sum;  /* of the page checksums */
-  uint64_t self; /* of the three above */
-};
-static const char seal_magic[8] = "plunge\r\n";
-
-/* Every step is a bijection of the state, so a change within one word of the input always shows. */
-static uint64_t checksum(const unsigned char *bytes, size_t n, uint64_t seed) {
-  uint64_t h = (seed + 1) * 0x9e3779b97f4a7c15u;
-  for (size_t i = 0; i < n; i += 8) {
-    uint64_t word = 0;
-    memcpy(&word, bytes + i, n - i < 8 ? n - i : 8);
-    h = (h ^ word) * 0xff51afd7ed558ccdu;
-    h ^= h >> 32;
-  }
-  return h;
-}
-
-static struct seal seal_make(uint64_t size, uint64_t sum) {
-  struct seal seal = {.size = size, .sum = sum};
-  memcpy(seal.magic, seal_magic, sizeof seal.magic);
-  seal.self = checksum((const unsigned char *)&seal, offsetof(struct seal, self), 0);
-  return seal;
-}
-
-/* Opens the file and keeps the run that writes it from changing it; if that has just changed names,
- * the next attempt finds the newer file. */
-static FILE *open_to_read(const char *path) {
-  for (int attempt = 0;; attempt++) {
-    FILE *f = fopen(path, "rb");
-    if (!f || !flock(fileno(f), LOCK_SH | LOCK_NB) || errno != EWOULDBLOCK || attempt == 3)
-      return f;
-    fclose(f);
-  }
-}
-
-enum status result_store_check(const char *path, enum result_seal *out) {
-  FILE *f = open_to_read(path);
-  CHECK(f, ERR_INPUT, "cannot read %s: %s", path, strerror(errno));
-  struct seal seal;
-  *out = RESULT_SEAL_NONE;
-  if (!fseeko(f, -(off_t)sizeof seal, SEEK_END) && fread(&seal, sizeof seal, 1, f) == 1 &&
-      !memcmp(seal.magic, seal_magic, sizeof seal_magic)) {
-    uint64_t size = (uint64_t)ftello(f) - sizeof seal, sum = 0, left = size, number = 0;
-    rewind(f);
-    unsigned char page[PAGE];
-    while (left) {
-      size_t n = left < PAGE ? left : PAGE;
-      if (fread(page, 1, n, f) != n) break;
-      sum += checksum(page, n, number++);
-      left -= n;
-    }
-    struct seal right = seal_make(size, sum);
-    *out = !left && !memcmp(&right, &seal, sizeof seal) ? RESULT_SEAL_GOOD : RESULT_SEAL_BROKEN;
-  }
-  fclose(f);
-  return OK;
-}
 
 /* ---- memory ---- */
 
@@ -290,7 +229,7 @@ static enum status write_at(const struct result_store *s, int fd, haddr_t at, si
 }
 
 static enum status open_twin(struct result_store *s, int i) {
-  s->fd[i] = open(s->twin, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  s->fd[i] = file_open(s->twin, O_RDWR | O_CREAT | O_NOFOLLOW);
   CHECK(s->fd[i] >= 0, ERR_IO, "cannot write beside %s: %s", s->path, strerror(errno));
   return OK;
 }
@@ -347,7 +286,7 @@ static enum status replace_back(struct result_store *s, haddr_t size) {
 }
 
 /* Makes the back file equal to the present state. */
-static enum status write_back(const struct result_store *s, const struct seal *seal) {
+static enum status write_back(const struct result_store *s, const struct result_seal *seal) {
   int fd = s->fd[!s->front];
   for (size_t k = 0; k * PAGE < s->eoa; k++) {
     if (!s->page[k]) continue;
@@ -387,7 +326,7 @@ static enum status update_sums(struct result_store *s, uint64_t *sum) {
   for (size_t k = 0; k * PAGE < s->eoa; k++) {
     size_t n = s->eoa - k * PAGE < PAGE ? (size_t)(s->eoa - k * PAGE) : PAGE;
     if (!s->page[k] && k * PAGE >= s->committed) TRY(page_need(s, k)); /* a gap: zeros */
-    if (s->page[k] && s->fresh[k]) s->sum[k] = checksum(s->page[k], n, k);
+    if (s->page[k] && s->fresh[k]) s->sum[k] = result_seal_page(s->page[k], n, k);
     *sum += s->sum[k];
   }
   return OK;
@@ -407,7 +346,7 @@ static void age_pages(struct result_store *s) {
 enum status result_store_commit(struct result_store *s, bool last) {
   uint64_t sum;
   TRY(update_sums(s, &sum));
-  struct seal seal = seal_make(s->eoa, sum);
+  struct result_seal seal = result_seal_make(s->eoa, sum);
   haddr_t size = s->eoa + sizeof seal;
   int back = !s->front;
   if (s->fd[back] < 0 || !lock_back(s)) TRY(replace_back(s, size));
@@ -437,7 +376,7 @@ static char *hidden_path(const char *path, const char *suffix) {
 
 bool result_store_is_written(const char *path) {
   char *lock = hidden_path(path, "lock");
-  int fd = lock ? open(lock, O_RDONLY | O_CLOEXEC) : -1;
+  int fd = lock ? file_open(lock, O_RDONLY | O_NOFOLLOW | O_NONBLOCK) : -1;
   bool written = fd >= 0 && flock(fd, LOCK_SH | LOCK_NB) && errno == EWOULDBLOCK;
   if (fd >= 0) close(fd);
   free(lock);
@@ -446,7 +385,7 @@ bool result_store_is_written(const char *path) {
 
 static bool is_at(int fd, const char *path) {
   struct stat mine, there;
-  return !fstat(fd, &mine) && !stat(path, &there) && mine.st_dev == there.st_dev &&
+  return !fstat(fd, &mine) && !lstat(path, &there) && mine.st_dev == there.st_dev &&
          mine.st_ino == there.st_ino;
 }
 
@@ -454,7 +393,7 @@ static bool is_at(int fd, const char *path) {
  * hold either. */
 static enum status lock_take(struct result_store *s) {
   for (;;) {
-    s->lock = open(s->lock_path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    s->lock = file_open(s->lock_path, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK);
     CHECK(s->lock >= 0, ERR_IO, "cannot write beside %s: %s%s", s->path, strerror(errno),
           errno == ENOENT ? " (create the directory first)" : "");
     if (flock(s->lock, LOCK_EX | LOCK_NB) && errno == EWOULDBLOCK) {

@@ -7,10 +7,11 @@
  * after any kind of death, finds exactly one of the committed states. The price is twice the disk
  * space until the run ends. A reader that has the file open keeps the state it opened: HDF5 locks
  * what it reads, and a back file that is still locked is left to its reader and replaced by a copy
- * of the front. A third, empty file, .NAME.lock, keeps other runs out for as long as the run goes on.
+ * of the front. A third, empty file, .NAME.lock, keeps other runs out for as long as the run goes
+ * on.
  *
  * A commit also puts a seal behind the HDF5 data: a checksum of the whole file, by which a reader
- * knows a damaged file before HDF5 touches it. HDF5 programs ignore those bytes. */
+ * knows a damaged file before HDF5 touches it (result_seal.h). HDF5 programs ignore those bytes. */
 #pragma once
 #include <hdf5.h>
 #include <stdbool.h>
@@ -36,11 +37,6 @@ void result_store_destroy(
 
 /* Whether a run is writing the file at this moment (as far as file locks tell). */
 bool result_store_is_written(const char *path);
-
-enum result_seal { RESULT_SEAL_GOOD, RESULT_SEAL_NONE, RESULT_SEAL_BROKEN };
-
-/* Reads the whole file and compares it with its seal. ERR_INPUT when it cannot be read. */
-enum status result_store_check(const char *path, enum result_seal *seal);
 
 /* Whether `bytes` more can be written beside `path` and a file of `size` bytes is allowed;
  * ERR_IO with what to do. */

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "common/file.h"
 #include "common/result_store.h"
 
 struct xdmf {
@@ -115,7 +116,7 @@ enum status xdmf_write(struct xdmf *x, bool last) {
   if (!news || (!last && news < x->n / 256)) return OK;
   fflush(x->steps);
   TRY(result_store_room(x->path, x->size + 4096, x->size + 4096));
-  FILE *f = fopen(x->next, "w");
+  FILE *f = file_create(x->next);
   CHECK(f, ERR_IO, "cannot write beside %s: %s", x->path, strerror(errno));
   bool good =
       fputs(head, f) >= 0 && fwrite(x->text, 1, x->size, f) == x->size && fputs(tail, f) >= 0;
