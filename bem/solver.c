@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "bem/contact.h"
+#include "bem/estimate.h"
 #include "bem/events.h"
 #include "bem/options.h"
 #include "bem/output.h"
@@ -193,5 +194,6 @@ const struct solver bem_solver = {
     .n_params = sizeof params / sizeof *params,
     .options_size = sizeof(struct bem_options),
     .check = bem_start_check,
+    .estimate = bem_estimate,
     .run = run,
 };

@@ -18,7 +18,7 @@ static bool is_rectangle(const struct geo_lines *l, const struct geo_box *b) {
 /* `length` of the surface in H. */
 static void check_most(const struct case_run *r, double length, struct problems *problems) {
   if (length * r->resolution < BEM_MOST_NODES) return;
-  problems_add(problems, r->line,
+  problems_add(problems, case_run_line(r, "resolution"),
                "runs.%s.resolution: found '%.6g', %.0f nodes on the surface; allowed: fewer than "
                "%d nodes; lower it to %g",
                r->name, r->resolution, length * r->resolution, BEM_MOST_NODES,
@@ -28,14 +28,14 @@ static void check_most(const struct case_run *r, double length, struct problems 
 void bem_start_check(const struct case_file *c, const struct case_run *r,
                      struct problems *problems) {
   if (!c->rectangular)
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' in a tank that is not rectangular; allowed: one wall "
                  "down the left side, along a flat bed, up the right side; take another solver",
                  r->name);
   double width = c->tank.max[0] - c->tank.min[0], near = NEAR * width;
   if (c->wave.kind != CASE_WAVE_NONE) {
     if (width / c->H * r->resolution < FEWEST)
-      problems_add(problems, r->line,
+      problems_add(problems, case_run_line(r, "resolution"),
                    "runs.%s.resolution: found '%.6g', %.3g nodes on the surface; allowed: at least "
                    "%d nodes; raise it to %g",
                    r->name, r->resolution, width / c->H * r->resolution, FEWEST,
@@ -44,7 +44,7 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
     return;
   }
   if (c->water.pieces != 1) {
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' with %zu regions of water; allowed: one region; take "
                  "another solver",
                  r->name, c->water.pieces);
@@ -54,18 +54,18 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
   if (!is_rectangle(&c->water, &b) || fabs(b.min[0] - c->tank.min[0]) > near ||
       fabs(b.min[1] - c->tank.min[1]) > near)
     problems_add(
-        problems, r->line,
+        problems, case_run_line(r, "solver"),
         "runs.%s.solver: found 'bem' with other water; allowed: a rectangle that stands on "
         "the bed against the left wall; take another solver",
         r->name);
   if (c->velocity[0] != 0 || c->velocity[1] != 0)
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' with moving water; allowed: water at rest at t = 0; "
                  "remove water.velocity",
                  r->name);
   double shortest = fmin(b.max[0] - b.min[0], b.max[1] - b.min[1]) / c->H;
   if (shortest * r->resolution < FEWEST)
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "resolution"),
                  "runs.%s.resolution: found '%.6g', %.3g nodes on the shorter side of the water; "
                  "allowed: at least %d nodes; raise it to %g",
                  r->name, r->resolution, shortest * r->resolution, FEWEST, ceil(FEWEST / shortest));

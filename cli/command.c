@@ -2,6 +2,8 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/file.h>
@@ -9,13 +11,27 @@
 #include <unistd.h>
 
 #include "cli/registry.h"
+#include "cli/room.h"
 #include "common/text.h"
 #include "compare/output.h"
 
-int command_fail(enum status status) {
+static void print_line(const char *text) {
   fputs("plunge: ", stderr);
-  text_show(stderr, status_message(), "");
+  text_show(stderr, text, "");
   fputc('\n', stderr);
+}
+
+void command_warn(const char *format, ...) {
+  char text[2 * PATH_MAX];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(text, sizeof text, format, args);
+  va_end(args);
+  print_line(text);
+}
+
+int command_fail(enum status status) {
+  print_line(status_message());
   return status_exit_code(status);
 }
 
@@ -45,6 +61,22 @@ struct case_file *command_load_case(const char *path, size_t n_set, const char *
   if (status != OK && (!problems.n || status != ERR_INPUT)) command_fail(status);
   problems_destroy(&problems);
   return c;
+}
+
+int command_check_room(const struct case_file *c, const bool *chosen, size_t n_set,
+                       const char *const *set) {
+  struct problems problems = {0};
+  for (size_t i = 0; i < c->n_runs; i++) {
+    struct solver_estimate e = {0};
+    if (chosen && !chosen[i]) continue;
+    c->runs[i].solver->estimate(c, &c->runs[i], &e);
+    room_check(&c->runs[i], &e, &problems);
+  }
+  problems_finish(&problems, c->path, n_set, set);
+  command_list_problems(&problems);
+  int exit_code = problems.n ? EXIT_BAD_INPUT : EXIT_FINE;
+  problems_destroy(&problems);
+  return exit_code;
 }
 
 /* The process that holds a lock on file `inode`, as the kernel lists it: "1: FLOCK ADVISORY WRITE

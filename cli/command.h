@@ -25,6 +25,9 @@ COMMANDS(X)
 /* Prints "plunge: message" of a failed status to stderr and returns its exit code. */
 int command_fail(enum status status);
 
+/* A line of warning on stderr, whatever --quiet says. */
+void command_warn(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 /* Sends off what was printed; the exit code, which becomes EXIT_RUN_FAILED when that is not
  * possible (a full disk). */
 int command_finish(int exit_code);
@@ -35,6 +38,11 @@ void command_list_problems(const struct problems *problems);
 /* Loads a case; prints every problem to stderr. NULL when there is any, with the exit code. */
 struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set,
                                     int *exit_code);
+
+/* Complains of every run (of those marked in `chosen`, [n_runs], unless it is NULL) that needs more
+ * memory than there is; returns the exit code. */
+int command_check_room(const struct case_file *c, const bool *chosen, size_t n_set,
+                       const char *const *set);
 
 /* Makes the folder of results and report and keeps it for this process until `fd` is closed. When
  * another process has it, waits for that one or raises ERR_IO, which names it. */

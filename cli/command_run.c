@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "cli/command.h"
+#include "cli/room.h"
 #include "cli/traps.h"
 
 struct run_arguments {
@@ -126,6 +127,41 @@ done:
   return status;
 }
 
+/* In what the file of run r belongs to another case than this one is now; NULL when in nothing. */
+static const char *why_stale(const struct case_file *c, const struct case_run *r,
+                             const struct result_file *file) {
+  char water[33], whole[33];
+  case_water_fingerprint(c, water);
+  case_fingerprint(c, r, whole);
+  if (*file->water_fingerprint && strcmp(file->water_fingerprint, water) != 0)
+    return "is of other water, another tank or other scales";
+  if (strcmp(file->fingerprint, whole) != 0)
+    return "was run with other times, probes, gauges or options, or by another version of plunge";
+  return NULL;
+}
+
+/* The file of run r when there is one that belongs to the case. One that does not is named, also
+ * with
+ * --quiet: a report on the rest looks whole. */
+static enum status read_current(const struct case_file *c, const struct case_run *r,
+                                const char *folder, struct progress *progress,
+                                struct result_file **file) {
+  char path[PATH_MAX];
+  struct stat s;
+  TRY(result_path(folder, r, path));
+  if (stat(path, &s)) {
+    progress_say(progress, "%s is not there: left out of the comparison", path);
+    return OK;
+  }
+  TRY(result_read(path, file));
+  const char *why = why_stale(c, r, *file);
+  if (!why) return OK;
+  command_warn("%s %s: left out of the comparison; run %s again", path, why, r->name);
+  result_file_destroy(*file);
+  *file = NULL;
+  return OK;
+}
+
 /* Reads back the runs that have a file, and compares them. */
 static int report(const struct case_file *c, const char *out, struct progress *progress) {
   int exit_code = EXIT_FINE;
@@ -133,20 +169,13 @@ static int report(const struct case_file *c, const char *out, struct progress *p
   size_t n = 0;
   if (!runs) return command_fail(status_raise(ERR_MEMORY, "no memory"));
   for (size_t i = 0; i < c->n_runs; i++) {
-    char path[PATH_MAX];
-    struct stat s;
-    if (result_path(out, &c->runs[i], path) != OK) continue; /* said so when it ran */
-    if (stat(path, &s)) {
-      progress_say(progress, "%s is not there: left out of the comparison", path);
-      continue;
-    }
     struct result_file *file = NULL;
-    enum status status = result_read(path, &file);
+    enum status status = read_current(c, &c->runs[i], out, progress, &file);
     if (status != OK)
       exit_code = command_fail(status);
     else if (i == c->compare.reference)
       ref = file;
-    else
+    else if (file)
       runs[n++] = file;
   }
   if (ref && n) {
@@ -215,6 +244,9 @@ static int run_case(const struct run_arguments *a, const struct case_file *c,
   ATTEMPT(choose_runs(c, a->only, chosen));
   ATTEMPT(command_lock_folder(folder, a->wait, progress, &lock));
   ATTEMPT(skip_finished(a, c, folder, chosen, progress));
+  exit_code = command_check_room(c, chosen, a->n_set, a->set);
+  if (exit_code != EXIT_FINE) goto done;
+  ATTEMPT(room_take_for_blas());
   ATTEMPT(run_chosen(c, folder, chosen, progress, &exit_code));
   if (c->compare.reference < c->n_runs) {
     int compared = report(c, folder, progress);

@@ -113,7 +113,7 @@ static enum status parse(const char *name, const char *text, size_t n, size_t n_
 static enum status conclude(enum status status, const char *name, size_t n_set,
                             const char *const *set, struct problems *problems) {
   size_t n = problems->n + problems->unlisted;
-  case_problems_finish(problems, name, n_set, set);
+  problems_finish(problems, name, n_set, set);
   TRY(status);
   CHECK(!problems->out_of_memory, ERR_MEMORY, "no memory to read %s", name);
   CHECK(!n, ERR_INPUT, "%s has %zu problem%s", name, n, n == 1 ? "" : "s");
@@ -166,6 +166,7 @@ void case_destroy(struct case_file *c) {
     if (r->solver) params_release(r->solver->params, r->solver->n_params, r->options);
     free(r->name);
     free(r->options);
+    free(r->key_line);
   }
   for (size_t i = 0; i < c->compare.n_tolerances; i++) {
     free(c->compare.tolerances[i].measure);

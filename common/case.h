@@ -30,6 +30,7 @@ struct case_run {
   double resolution; /* H/dx for SPH, nodes per H for BEM; dx = H/resolution */
   void *options;     /* the solver's own struct, filled from its table; owned */
   int line;          /* of the run in the file, for messages */
+  int *key_line;     /* of its keys: see case_run_line; owned */
 };
 
 struct case_tolerance {
@@ -104,9 +105,16 @@ void problems_add(struct problems *p, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 void problems_destroy(struct problems *p);
 
-/* Reads, overrides and checks a case; `path` "-" is standard input. `set` holds "path=value" strings (runs.NAME.key=value,
- * time.end=...). On ERR_INPUT *problems lists every problem found (file, line, key, value found,
- * what is allowed, what to do) and *c is NULL. Data files are taken relative to the case file. */
+/* Sorts the problems and puts their place before each. */
+void problems_finish(struct problems *p, const char *file, size_t n_set, const char *const *set);
+
+/* Where to point when value `key` of a run is wrong: the line of the key, of the run without it. */
+int case_run_line(const struct case_run *r, const char *key);
+
+/* Reads, overrides and checks a case; `path` "-" is standard input. `set` holds "path=value"
+ * strings (runs.NAME.key=value, time.end=...). On ERR_INPUT *problems lists every problem found
+ * (file, line, key, value found, what is allowed, what to do) and *c is NULL. Data files are taken
+ * relative to the case file. */
 enum status case_load(const char *path, size_t n_set, const char *const *set,
                       const struct registry *registry, struct problems *problems,
                       struct case_file **c);

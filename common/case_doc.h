@@ -78,7 +78,3 @@ void case_doc_found(struct case_doc *d, int node, char out[64]);
 
 /* `s` without control characters and shortened to fit, for messages. */
 void case_quote(const char *s, size_t n, char *out, size_t size);
-
-/* Sorts the problems and puts their place before each. */
-void case_problems_finish(struct problems *p, const char *file, size_t n_set,
-                          const char *const *set);

@@ -85,8 +85,7 @@ static bool say_where(struct problems *p, size_t i, const char *file, size_t n_s
   return true;
 }
 
-void case_problems_finish(struct problems *p, const char *file, size_t n_set,
-                          const char *const *set) {
+void problems_finish(struct problems *p, const char *file, size_t n_set, const char *const *set) {
   put_in_order(p);
   if (p->unlisted && make_room(p)) {
     char *text = NULL;

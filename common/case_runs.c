@@ -40,6 +40,26 @@ static const struct solver *find_solver(struct case_draft *d, int run, const cha
   return NULL;
 }
 
+static enum status note_lines(struct case_draft *d, int node, struct case_run *run) {
+  const struct solver *solver = run->solver;
+  size_t n = solver ? solver->n_params : 0;
+  TRY(case_allocate((void **)&run->key_line, ROWS(run_rows) + n, sizeof *run->key_line));
+  for (size_t i = 0; i < ROWS(run_rows); i++)
+    run->key_line[i] = case_doc_member_line(&d->doc, node, run_rows[i].key);
+  for (size_t i = 0; i < n; i++)
+    run->key_line[ROWS(run_rows) + i] = case_doc_member_line(&d->doc, node, solver->params[i].key);
+  return OK;
+}
+
+int case_run_line(const struct case_run *r, const char *key) {
+  if (!r->key_line) return r->line;
+  for (size_t i = 0; i < ROWS(run_rows); i++)
+    if (!strcmp(run_rows[i].key, key)) return r->key_line[i];
+  for (size_t i = 0; i < r->solver->n_params; i++)
+    if (!strcmp(r->solver->params[i].key, key)) return r->key_line[ROWS(run_rows) + i];
+  return r->line;
+}
+
 static enum status read_run(struct case_draft *d, int node, size_t i, struct case_run *run) {
   char path[CASE_PATH];
   case_doc_item_path(&d->doc, "runs", node, i, path);
@@ -62,6 +82,7 @@ static enum status read_run(struct case_draft *d, int node, size_t i, struct cas
   run->solver = solver;
   run->resolution = section.resolution;
   run->line = case_doc_line(&d->doc, node);
+  TRY(note_lines(d, node, run));
   if (!run->name && solver) {
     run->name = strdup(solver->name);
     CHECK(run->name, ERR_MEMORY, "no memory for the name of a run");

@@ -87,7 +87,7 @@ void progress_begin(struct progress *p, const char *name, double end, double tim
   p->pace = NAN;
 }
 
-static void format_left(char *out, size_t size, double seconds) {
+void progress_format_time(char *out, size_t size, double seconds) {
   if (!(seconds >= 0) || seconds > 1e7)
     snprintf(out, size, "-");
   else if (seconds < 90)
@@ -116,7 +116,7 @@ void progress_step(struct progress *p, size_t step, double time, double dt, doub
   p->last_shown = now;
 
   char left[32], drift[48] = "";
-  format_left(left, sizeof left, (p->end - time) * p->pace);
+  progress_format_time(left, sizeof left, (p->end - time) * p->pace);
   if (!isnan(energy_drift)) snprintf(drift, sizeof drift, "  energy %+.1e", energy_drift);
   double elapsed = now - p->began;
   fprintf(stderr, "%s%-10s %3.0f%%  step %zu  t*=%.3f of %.2f  dt*=%.1e  %.2g %s/s  %s left%s%s",

@@ -30,3 +30,6 @@ void progress_catch_signals(void);
 bool progress_is_stopped(void);     /* the same without a promise to ask again */
 bool progress_stop_requested(void); /* to be asked every step from the first one on */
 double progress_wall_clock(void);   /* s, monotonic */
+
+/* "12 s", "3 min", "4.5 h"; "-" when that is unknown. */
+void progress_format_time(char *out, size_t size, double seconds);

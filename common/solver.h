@@ -12,6 +12,15 @@ struct problems;
 struct progress;
 struct result;
 
+/* What a run will take, before anything of it is allocated: memory within a third or so, time
+ * within a factor of three on a machine like those of docs/accuracy.md. */
+struct solver_estimate {
+  double points;    /* how many, at the start */
+  const char *unit; /* what they are: "particles", "nodes" */
+  double bytes;     /* most memory at once */
+  double seconds;   /* of the clock, with as many threads as OpenMP will use */
+};
+
 struct solver {
   const char *name, *help;
   const struct param *params; /* the keys a run of this solver may have, [n_params] */
@@ -22,6 +31,9 @@ struct solver {
    * (tank not rectangular, resolution too coarse for the tank ...). May be NULL. */
   void (*check)(const struct case_file *c, const struct case_run *r, struct problems *problems);
 
+  /* Estimates a run that `check` found fine, in next to no time. */
+  void (*estimate)(const struct case_file *c, const struct case_run *r, struct solver_estimate *e);
+
   /* Runs to the end of the case, writing every output into `out` (already created, not yet
    * finished) and reporting each step to `progress` (which the caller begins and ends). INTERRUPTED
    * when progress_stop_requested(). */
@@ -29,9 +41,11 @@ struct solver {
                      struct progress *progress);
 };
 
-/* What a case file may name; handed to case_load by whoever knows the solvers and the comparator. */
+/* What a case file may name; handed to case_load by whoever knows the solvers and the comparator.
+ */
 struct measure {
-  const char *name, *units, *help; /* units: "H", "sqrt(H/g)", "1", ... : what `max` is counted in */
+  const char *name, *units,
+      *help; /* units: "H", "sqrt(H/g)", "1", ... : what `max` is counted in */
 };
 
 struct registry {

@@ -43,7 +43,7 @@ static struct wave_standing theory(const struct case_file *c, const struct case_
 static void wave_check(const struct case_file *c, const struct case_run *r,
                        struct problems *problems) {
   if (c->wave.kind != CASE_WAVE_STANDING) {
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'exact' with regions of water; allowed: a standing wave; "
                  "give water.wave or take another solver",
                  r->name);
@@ -52,7 +52,7 @@ static void wave_check(const struct case_file *c, const struct case_run *r,
   struct wave_standing w = theory(c, r);
   double error = wave_standing_error(&w, tank_width(c), c->end);
   if (error > MOST_ERROR)
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'exact' where what theory leaves out is %.2g of the wave; "
                  "allowed: at most %g; lower water.wave.amplitude or raise water.wave.depth",
                  r->name, error, MOST_ERROR);
@@ -180,6 +180,16 @@ done:
   return status;
 }
 
+/* Measured on the standing wave of cases/, 17 to 16,000 points: 3 microseconds a point and output,
+ * 0.8 ms a sample, 3 kB a point. */
+static void wave_estimate(const struct case_file *c, const struct case_run *r,
+                          struct solver_estimate *e) {
+  e->points = ceil(r->resolution * tank_width(c) / c->H);
+  e->unit = "points";
+  e->bytes = 30e6 + 3000 * e->points;
+  e->seconds = c->end / c->every * e->points * 3e-6 + c->end / c->sample * 0.8e-3;
+}
+
 const struct solver wave_solver = {
     .name = "exact",
     .help = "wave theory: standing waves in a rectangular tank, to second order",
@@ -187,5 +197,6 @@ const struct solver wave_solver = {
     .n_params = sizeof wave_params / sizeof *wave_params,
     .options_size = sizeof(struct wave_options),
     .check = wave_check,
+    .estimate = wave_estimate,
     .run = wave_run,
 };

@@ -8,6 +8,7 @@
 #include "common/geometry_check.h"
 #include "common/progress.h"
 #include "common/result.h"
+#include "sph/estimate.h"
 #include "sph/integrator.h"
 #include "sph/kernel.h"
 #include "sph/output.h"
@@ -99,14 +100,14 @@ static void check_thickness(const struct case_file *c, const struct case_run *r,
   struct geo_box w = geo_lines_box(&c->water);
   double thin = fmin(w.max[0] - w.min[0], w.max[1] - w.min[1]);
   if (thin < 4 * dx)
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "resolution"),
                  "runs.%s.resolution: found '%g', where four particle spacings (%g m) exceed the "
                  "water's thickness (%g m); allowed: at least %g; raise it",
                  r->name, r->resolution, 4 * dx, thin, ceil(r->resolution * 4 * dx / thin));
   else if (geo_lines_thin(&c->water, 2 * (1 - 1e-6) * dx, 4 * dx * dx, &area, &thickness, at) != OK)
     problems->out_of_memory = true;
   else if (area > 0)
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "resolution"),
                  "runs.%s.resolution: found '%g', where two particle spacings (%g m) exceed the "
                  "thickness of a part of the water (%.3g m at (%.4g, %.4g) m); allowed: at least "
                  "%g; raise it or leave that part out",
@@ -120,17 +121,17 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
   double support = SPH_KERNEL_SUPPORT * o->h_over_dx * dx;
   double width = c->tank.max[0] - c->tank.min[0], height = c->tank.max[1] - c->tank.min[1];
   if (o->delta < 0 && o->delta != -1)
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "delta"),
                  "runs.%s.delta: found '%g'; allowed: 0 to 10, or -1 for the usual one of the "
                  "diffusion; correct it",
                  r->name, o->delta);
   if (!c->rectangular)
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'sph' in a tank that is not rectangular; allowed: one wall "
                  "down the left side, along a flat bed, up the right side; change tank.walls",
                  r->name);
   if (width < 2 * support || height < 2 * support)
-    problems_add(problems, r->line,
+    problems_add(problems, case_run_line(r, "resolution"),
                  "runs.%s.resolution: found '%g', where two kernel supports (%g m) exceed the tank "
                  "(%g m x %g m); allowed: at least %g; raise it",
                  r->name, r->resolution, 2 * support, width, height,
@@ -145,5 +146,6 @@ const struct solver sph_solver = {
     .n_params = SPH_N_PARAMS,
     .options_size = sizeof(struct sph_options),
     .check = check,
+    .estimate = sph_estimate,
     .run = run,
 };
