@@ -194,6 +194,30 @@ static void test_sparse_solve_converges_to_the_column(void) {
   }
 }
 
+/* A slanting surface: the right triangle of side 1 at the wall has p/(rho g) = 1/2 - y + (y^2 -
+ * x^2)/2, zero where x + y = 1. Stencils and interpolation are exact for parabolas; the
+ * errors of the stencils cut by the surface, of second order, have opposite signs in x and y here.
+ * Largest error. */
+static double triangle_error(double spacing) {
+  struct sph_released_tank tank = {{{0, 0}, {4, 3}}, {3, 3}};
+  struct case_file *c = water_of("regions: [[[0, 0], [1, 0], [0, 1]]], pressure: released", 20);
+  struct sph_released *r;
+  EXPECT_OK(sph_released_create(&c->water, &tank, spacing, 1e-9, &r));
+  double worst = 0;
+  for (double x = 0.003; x < 1; x += 0.0171)
+    for (double y = 0.0021; y < 1 - x; y += 0.0171)
+      worst = fmax(worst, fabs(sph_released_at(r, x, y) - (0.5 - y + (y * y - x * x) / 2)));
+  sph_released_destroy(r);
+  case_destroy(c);
+  return worst;
+}
+
+static void test_sparse_solve_meets_a_slanting_surface(void) {
+  double coarse = triangle_error(0.043), fine = triangle_error(0.0107);
+  printf("     triangle: error over H %.1e %.1e\n", coarse, fine);
+  EXPECT(coarse < 1e-4 && fine < 1e-5); /* the spacings in x and y differ by up to 1 % */
+}
+
 /* Nothing can start to move: hydrostatic, exactly, since the solution is linear. */
 static void test_released_water_between_walls_stays_hydrostatic(void) {
   expect_depth("regions: [[[0, 0], [4, 0], [4, 1], [0, 1]]], pressure: released", one);
@@ -245,6 +269,7 @@ int main(void) {
   RUN(test_depth_counts_from_the_surface_above);
   RUN(test_water_that_falls_free_has_no_pressure);
   RUN(test_sparse_solve_converges_to_the_column);
+  RUN(test_sparse_solve_meets_a_slanting_surface);
   RUN(test_released_water_between_walls_stays_hydrostatic);
   RUN(test_regions_that_touch_are_one_water);
   RUN(test_start_is_repeatable);
