@@ -23,7 +23,13 @@ enum sph_diffusion {
 #define X(name, delta, strength, help) SPH_DIFFUSION_##name,
   SPH_DIFFUSIONS(X)
 #undef X
-      SPH_N_DIFFUSIONS
+};
+
+enum {
+  SPH_N_DIFFUSIONS = 0
+#define X(name, delta, strength, help) +1
+  SPH_DIFFUSIONS(X)
+#undef X
 };
 
 /* c0^2 psi_ji of a pair: dp = p_j - p_i, (x, y) = r_j - r_i, r2 = |r_ji|^2, G = sum of both
@@ -37,9 +43,10 @@ SPECIALISE vec diffusion_psi(enum sph_diffusion d, vec dp, vec x, vec y, vec r2,
     return dp * vec_sqrt(r2) * (0.5 / h);
   case SPH_DIFFUSION_antuono:
     return dp - 0.5 * (Gx * x + Gy * y);
-  default:
+  case SPH_DIFFUSION_none:
     return (vec){0};
   }
+  __builtin_unreachable();
 }
 
 SPECIALISE bool diffusion_needs_gradient(enum sph_diffusion d) {

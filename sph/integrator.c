@@ -36,6 +36,8 @@ const struct sph_integrator sph_integrators[] = {
 
 const char *const sph_integrator_names[] = {"rk4", "rk4-frozen", "tvd-rk3", NULL};
 
+_Static_assert(SPH_MAX_STAGES == 4, "combine adds four terms at most");
+
 /* w = w0 + sum c_r k_r over the stages with a weight. */
 static void combine(size_t n, double *w, const double *w0, int n_terms, const double *c,
                     const double *const *k) {

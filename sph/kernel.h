@@ -15,7 +15,13 @@ enum sph_kernel {
 #define X(k) SPH_KERNEL_##k,
   SPH_KERNELS(X)
 #undef X
-      SPH_N_KERNELS
+};
+
+enum {
+  SPH_N_KERNELS = 0
+#define X(k) +1
+  SPH_KERNELS(X)
+#undef X
 };
 
 #define SPH_KERNEL_SUPPORT 3.0                   /* radius of the support, in h */
@@ -26,33 +32,33 @@ enum sph_kernel {
 SPECIALISE vec kernel_slope(enum sph_kernel k, vec q2) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-  default:
     return vec_exp_minus(q2);
   }
+  __builtin_unreachable();
 }
 
 SPECIALISE vec kernel_value(enum sph_kernel k, vec q2) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-  default:
     return vec_exp_minus(q2) - SPH_GAUSSIAN_C0;
   }
+  __builtin_unreachable();
 }
 
 SPECIALISE double kernel_slope_scale(enum sph_kernel k, double h) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-  default:
     return 2 / (M_PI * h * h * h * h * SPH_GAUSSIAN_C1);
   }
+  __builtin_unreachable();
 }
 
 SPECIALISE double kernel_value_scale(enum sph_kernel k, double h) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-  default:
     return 1 / (M_PI * h * h * SPH_GAUSSIAN_C1);
   }
+  __builtin_unreachable();
 }
 
 /* Pairs count below this squared distance. A square lattice with h/dx = 4/3 has neighbours exactly
