@@ -2,6 +2,7 @@
 
 #include "sph/kernel.h"
 #include "sph/moments.h"
+#include "sph/wall.h"
 
 static const double smallest_eigenvalue = 0.1;
 
@@ -11,13 +12,14 @@ struct sums {
 
 SPECIALISE void add_pairs(struct sums *a, const struct sph *s, enum sph_kernel kernel, vec xi,
                           vec yi, vec pi, size_t n, const uint32_t *list,
-                          const struct sph_pack *pack) {
-  const double per_h2 = 1 / (s->h * s->h);
+                          const struct sph_pack *pack, const struct sph_lip *lip) {
+  const double per_h2 = 1 / (s->h * s->h), far2 = kernel_cutoff2(s->h);
   const vec cutoff2 = (vec){0} + kernel_cutoff2(s->h);
   struct sums t = *a;
   for (size_t k = 0; k < n; k++) {
     const struct sph_pack *j = &pack[list[k]];
     vec x = j->x - xi, y = j->y - yi, r2 = x * x + y * y;
+    if (lip) r2 = sph_lip_hide(lip, j->x, j->y, r2, far2);
     vec e = vec_where_less(kernel_slope(kernel, r2 * per_h2) * j->V, r2, cutoff2);
     vec ex = e * x, ey = e * y, dp = j->p - pi;
     t.xx += ex * x;
@@ -37,9 +39,11 @@ SPECIALISE void cluster_gradient(struct sph *s, enum sph_kernel kernel, size_t c
   struct sums a = {0};
   size_t n;
   const uint32_t *list = sph_lists_of(&s->water_water, cluster, &n);
-  add_pairs(&a, s, kernel, x, y, p, n, list, s->pack);
+  add_pairs(&a, s, kernel, x, y, p, n, list, s->pack, NULL);
   list = sph_lists_of(&s->water_wall, cluster, &n);
-  add_pairs(&a, s, kernel, x, y, p, n, list, s->w.pack);
+  struct sph_lip lip;
+  bool at_lip = n && sph_lip_at(s, x, y, vec_load(s->f.over + at), &lip);
+  add_pairs(&a, s, kernel, x, y, p, n, list, s->w.pack, at_lip ? &lip : NULL);
 
   vec Gx, Gy;
   const double F = kernel_slope_scale(kernel, s->h);

@@ -63,7 +63,8 @@ static enum status make_room(struct sph *s, size_t n) {
   return OK;
 }
 
-/* The images of one particle of water; reach from the walls. */
+/* The images of one particle of water; reach from the walls. Those in a side wall are listed for
+ * water that may sink below its top before the lists are made anew. */
 static size_t images_of(const struct sph *s, uint32_t i, double reach,
                         struct image out[MAX_IMAGES]) {
   double x = s->f.w.x[i], y = s->f.w.y[i];
@@ -73,7 +74,7 @@ static size_t images_of(const struct sph *s, uint32_t i, double reach,
   if (bed) out[n++] = (struct image){i, 0, 2 * t->min[1], 1, -1};
   for (int side = 0; side < 2; side++) {
     double wall = side ? t->max[0] : t->min[0];
-    if (y >= s->wall_top[side] || (side ? wall - x : x - wall) >= reach) continue;
+    if (y >= s->wall_top[side] + s->skin || (side ? wall - x : x - wall) >= reach) continue;
     out[n++] = (struct image){i, 2 * wall, 0, -1, 1};
     if (bed) out[n++] = (struct image){i, 2 * wall, 2 * t->min[1], -1, -1};
   }
@@ -108,6 +109,12 @@ static enum status mirror_list(struct sph *s) {
   return OK;
 }
 
+/* Water above the top of a side wall has no image in it; water that has passed over has none. */
+static bool has_image(const struct sph *s, const struct image *a) {
+  if (s->f.over[a->of] != 0) return false;
+  return a->sign_x > 0 || s->pack[a->of].y < s->wall_top[a->x0 > s->tank.min[0] + s->tank.max[0]];
+}
+
 static void mirror_fill(struct sph *s) {
   const struct mirror *m = s->w.data;
   const double per_c2 = 1 / (s->c0 * s->c0);
@@ -121,7 +128,7 @@ static void mirror_fill(struct sph *s) {
                                      .u = a->sign_x * j->u,
                                      .v = a->sign_y * j->v,
                                      .p = j->p + rho * s->g * (j->y - y),
-                                     .V = j->V};
+                                     .V = has_image(s, a) ? j->V : 0};
   }
 }
 

@@ -23,7 +23,8 @@ struct sph_particles {
   struct sph_state w;                 /* now */
   struct sph_state w0;                /* at the start of the step */
   struct sph_state k[SPH_MAX_STAGES]; /* rates of the stages */
-  double *D; /* delta h c0 D_i, kg m^-3 s^-1: kept where an integrator freezes it */
+  double *over; /* 1 for water that has passed over the top of a wall, else 0; [n] */
+  double *D;    /* delta h c0 D_i, kg m^-3 s^-1: kept where an integrator freezes it */
   double *x_listed, *y_listed; /* where the particles were when the lists were built, m */
   double *scratch;
   uint32_t *order, *key; /* scratch of the sort */

@@ -54,18 +54,20 @@ SPECIALISE double tiny2(const struct sph *s) {
   return 1e-24 * s->h * s->h;
 }
 
-/* soft2: what is added to squared distances in pi_most. */
+/* soft2: what is added to squared distances in pi_most. lip: NULL, or what hides neighbours. */
 SPECIALISE struct sums sum_pairs(const struct sph *s, enum sph_kernel kernel, enum sph_diffusion d,
                                  bool viscous, bool bounds, const struct lanes *i, size_t n,
-                                 const uint32_t *list, const struct sph_pack *pack, double soft2) {
+                                 const uint32_t *list, const struct sph_pack *pack, double soft2,
+                                 const struct sph_lip *lip) {
   struct sums a = {0};
   const double per_h2 = 1 / (s->h * s->h);
   const vec cutoff2 = (vec){0} + kernel_cutoff2(s->h);
-  const double tiny = tiny2(s);
+  const double tiny = tiny2(s), far2 = kernel_cutoff2(s->h);
   for (size_t k = 0; k < n; k++) {
     const struct sph_pack *j = &pack[list[k]];
     vec x = j->x - i->x, y = j->y - i->y;
     vec r2 = x * x + y * y;
+    if (lip) r2 = sph_lip_hide(lip, j->x, j->y, r2, far2);
     vec e = vec_where_less(kernel_slope(kernel, r2 * per_h2) * j->V, r2, cutoff2);
     vec approach = (j->u - i->u) * x + (j->v - i->v) * y;
     vec pressure = (j->p + i->p) * e;
@@ -110,13 +112,17 @@ SPECIALISE void cluster_rates(struct sph *s, enum sph_kernel kernel, enum sph_di
 
   size_t n;
   const uint32_t *list = sph_lists_of(&s->water_water, cluster, &n);
-  struct sums a = sum_pairs(s, kernel, d, viscous, bounds, &i, n, list, s->pack, tiny2(s)), b = {0};
+  struct sums a = sum_pairs(s, kernel, d, viscous, bounds, &i, n, list, s->pack, tiny2(s), NULL);
+  struct sums b = {0};
   list = sph_lists_of(&s->water_wall, cluster, &n);
   /* A particle that comes through the wall meets its own image at no distance: nearer than h/100
    * that must not stop the clock. */
   const double soft2 = s->wall->moving ? 1e-4 * s->h * s->h : tiny2(s);
+  struct sph_lip lip;
+  bool at_lip = n && sph_lip_at(s, i.x, i.y, vec_load(f->over + at), &lip);
   if (n)
-    b = sum_pairs(s, kernel, diffusion_at_walls(d), viscous, bounds, &i, n, list, s->w.pack, soft2);
+    b = sum_pairs(s, kernel, diffusion_at_walls(d), viscous, bounds, &i, n, list, s->w.pack, soft2,
+                  at_lip ? &lip : NULL);
 
   const double F = kernel_slope_scale(kernel, s->h);
   const vec per_rho = 1 / rho;

@@ -15,38 +15,11 @@
 #include "sph/rates.h"
 #include "sph/sph.h"
 #include "sph/timestep.h"
-
-/* Values that are not finite, or a density that is not positive. */
-static enum status check_state(const struct sph *s) {
-  const struct sph_state *w = &s->f.w;
-  double sum = 0, lightest = s->rho0; /* the sum is not finite as soon as one term is not */
-#pragma omp parallel for simd schedule(static) reduction(+ : sum) reduction(min : lightest)
-  for (size_t i = 0; i < s->f.n; i++) {
-    sum += 0 * (w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]);
-    lightest = fmin(lightest, w->rho[i]);
-  }
-  if (sum == 0 && lightest > 0) return OK;
-  for (size_t i = 0; i < s->f.n; i++)
-    if (!isfinite(w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]) || w->rho[i] <= 0)
-      return status_raise(ERR_DIVERGED,
-                          "particle %u at (%g, %g) m has velocity (%g, %g) m/s and density %g "
-                          "kg/m^3 at t = %g s: raise c0, alpha or delta, or lower cfl_acoustic",
-                          s->f.id[i], w->x[i], w->y[i], w->u[i], w->v[i], w->rho[i], s->t);
-  return OK;
-}
-
-/* Steps that shrink to nothing never end: some particle is being torn away. */
-static enum status check_step(const struct sph *s, double dt, double left) {
-  const double smallest = 1e-6 * s->h / s->c0;
-  CHECK(dt >= smallest || dt >= left, ERR_DIVERGED,
-        "the time step fell to %.2g s at t = %g s (speed up to %.3g m/s, acceleration up to %.3g "
-        "m/s^2): raise c0, alpha or delta",
-        dt, s->t, s->totals.speed, sqrt(s->totals.acceleration2));
-  return OK;
-}
+#include "sph/watch.h"
 
 static enum status march(const struct case_file *c, struct sph *s, struct sph_output *output,
                          struct progress *progress) {
+  TRY(sph_watch_state(s));
   TRY(sph_output_step(output, s, 0));
   double work = 0;
   while (s->t < c->end) {
@@ -54,10 +27,10 @@ static enum status march(const struct case_file *c, struct sph *s, struct sph_ou
     TRY(sph_remove_outside(s));
     TRY(sph_rates(s, 0, true, true));
     double next = sph_output_next(output), dt = sph_timestep(s, next);
-    TRY(check_step(s, dt, next - s->t));
+    TRY(sph_watch_step(s, dt, next - s->t));
     TRY(sph_step(s, dt));
     if (next - s->t < 1e-9 * dt) s->t = next;
-    TRY(check_state(s));
+    TRY(sph_watch_state(s));
     TRY(sph_output_step(output, s, dt));
     work += (double)s->f.n;
     progress_step(progress, s->steps, s->t, dt, work, "particles", sph_output_drift(output));
@@ -73,20 +46,11 @@ static enum status run(const struct case_file *c, const struct case_run *r, stru
   ATTEMPT(sph_create(c, r->resolution, r->options, &s));
   ATTEMPT(sph_output_create(c, s, result, &output));
   status = march(c, s, output, progress);
-  if (status == INTERRUPTED || status == ERR_DIVERGED) {
-    enum status why = status; /* the message of the first failure stays unless this one fails too */
-    status = sph_output_last(output, s);
-    if (status == OK) status = why;
-  }
-  if (status != OK) goto done;
-  ATTEMPT(result_statistic(result, "steps", (double)s->steps, "time steps"));
-  ATTEMPT(result_statistic(result, "evaluations", (double)s->evaluations,
-                           "evaluations of the right-hand side"));
-  ATTEMPT(result_statistic(result, "rebuilds", (double)s->rebuilds,
-                           "times the neighbour lists were built"));
-  ATTEMPT(result_statistic(result, "reflections", (double)s->reflections,
-                           "times a particle that had crossed a wall was reflected"));
-  ATTEMPT(result_statistic(result, "particles", (double)s->f.n, "particles of water at the end"));
+  if (status != OK && status != INTERRUPTED && status != ERR_DIVERGED) goto done;
+  enum status why = status; /* the message of the first failure stays unless this one fails too */
+  ATTEMPT(sph_watch_write(s, result));
+  if (why != OK) ATTEMPT(sph_output_last(output, s));
+  status = why;
 done:
   sph_output_destroy(output);
   sph_destroy(s);

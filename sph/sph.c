@@ -47,25 +47,36 @@ enum status sph_neighbours_update(struct sph *s) {
   return OK;
 }
 
+/* Water that cannot come back: below the top of the wall that it has passed over, or beyond the
+ * reach of what is inside. */
+static bool is_gone(const struct sph *s, size_t i) {
+  const double far = SPH_KERNEL_SUPPORT * s->h, x = s->f.w.x[i], y = s->f.w.y[i];
+  const struct geo_box *t = &s->tank;
+  if (x < t->min[0] - far || x > t->max[0] + far || y < t->min[1] - far) return true;
+  return s->f.over[i] != 0 && y < s->wall_top[x > t->max[0]];
+}
+
+static void book_removal(struct sph *s, size_t i) {
+  double volume = s->f.m[i] / s->f.w.rho[i];
+  s->budget.removed += sph_energy_of(s, i);
+  s->budget.removed_volume += volume;
+  if (s->f.over[i] != 0) s->budget.spilled_volume += volume;
+}
+
 enum status sph_remove_outside(struct sph *s) {
-  struct sph_particles *f = &s->f;
-  double far = SPH_KERNEL_SUPPORT * s->h;
   size_t n_out = 0;
-  for (size_t i = 0; i < f->n; i++)
-    n_out += f->w.x[i] < s->tank.min[0] - far || f->w.x[i] > s->tank.max[0] + far ||
-             f->w.y[i] < s->tank.min[1] - far;
+  for (size_t i = 0; i < s->f.n; i++) n_out += is_gone(s, i);
   if (!n_out) return OK;
-  unsigned char *drop = calloc(f->n, 1);
-  CHECK(drop, ERR_MEMORY, "no memory for %zu particles", f->n);
-  for (size_t i = 0; i < f->n; i++) {
-    drop[i] = f->w.x[i] < s->tank.min[0] - far || f->w.x[i] > s->tank.max[0] + far ||
-              f->w.y[i] < s->tank.min[1] - far;
-    if (!drop[i]) continue;
-    s->budget.removed += sph_energy_of(s, i);
-    s->budget.removed_volume += f->m[i] / f->w.rho[i];
-  }
+  unsigned char *drop = calloc(s->f.n, 1);
+  CHECK(drop, ERR_MEMORY, "no memory for %zu particles", s->f.n);
+  for (size_t i = 0; i < s->f.n; i++)
+    if ((drop[i] = is_gone(s, i))) book_removal(s, i);
   enum status status = sort_and_list(s, drop);
   free(drop);
+  CHECK(status != OK || s->f.n > 0, ERR_DIVERGED,
+        "no water is left in the tank at t = %g s (%.3g m^2 went over the walls, %.3g m^2 through "
+        "them): raise the walls, c0, alpha or delta",
+        s->t, s->budget.spilled_volume, s->budget.removed_volume - s->budget.spilled_volume);
   return status;
 }
 
@@ -77,6 +88,7 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   s->o = *o;
   s->o.delta = sph_options_delta(o);
   s->rho0 = c->density;
+  s->seen = (struct sph_seen){.lightest = INFINITY};
   s->c0 = o->c0;
   s->g = c->gravity;
   s->dx = c->H / resolution;

@@ -32,9 +32,11 @@ struct sph_wall_particles {
   void *data; /* of the treatment */
 };
 
-/* Energy that has left the water since t = 0, J/m, and water taken out of the computation. */
+/* Energy that has left the water since t = 0, J/m, and water taken out of the computation, m^2: all
+ * of it, and what has passed over the top of a wall. */
 struct sph_budget {
-  double viscosity, diffusion, walls, removed, removed_volume;
+  double viscosity, diffusion, walls, removed;
+  double removed_volume, spilled_volume;
 };
 
 /* What one evaluation leaves besides the rates: powers (W/m) taken out of the water, and the
@@ -43,6 +45,12 @@ struct sph_totals {
   double viscosity, diffusion, walls;
   double acceleration2; /* max |a|^2, m^2 s^-4 */
   double speed;         /* max (|u_i| + h max_j |pi_ij|), m/s */
+};
+
+/* The largest of any step so far, and how many steps were cut short (watch.h). */
+struct sph_seen {
+  double speed, lightest, heaviest; /* m/s, kg m^-3 */
+  size_t cut;
 };
 
 struct sph {
@@ -54,6 +62,7 @@ struct sph {
   size_t steps, evaluations, rebuilds, reflections;
   struct sph_budget budget;
   struct sph_totals totals; /* of the last evaluation */
+  struct sph_seen seen;
 
   struct sph_particles f;            /* the water */
   struct sph_pack *pack;             /* [f.room], owned */
@@ -61,6 +70,7 @@ struct sph {
 
   const struct sph_wall *wall;
   double wall_top[2]; /* m: upper ends of the left and the right wall */
+  double lowest_top;  /* m: the lower of both */
   struct sph_wall_particles w;
 
   struct sph_grid grid; /* of the water */
@@ -77,6 +87,7 @@ void sph_destroy(struct sph *s); /* NULL is fine */
  * particles are then sorted, so their places change. */
 enum status sph_neighbours_update(struct sph *s);
 
-/* Takes particles that are more than 3h outside the tank's walls or bed out of the computation,
- * into budget.removed. Between steps only. */
+/* Takes particles that cannot come back out of the computation, into the budget: those that have
+ * passed over a wall and fallen below its top, and those more than 3h outside the tank. Between
+ * steps only. ERR_DIVERGED when none is left. */
 enum status sph_remove_outside(struct sph *s);

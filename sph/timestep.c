@@ -27,6 +27,12 @@ struct sph_bounds sph_timestep_bounds(const struct sph *s) {
   };
 }
 
+bool sph_timestep_is_cut(const struct sph *s) {
+  struct sph_bounds b = sph_timestep_bounds(s);
+  double at_rest = b.acoustic * (1 + s->totals.speed / s->c0);
+  return fmin(b.acceleration, b.acoustic) < 0.1 * fmin(fmin(b.diffusive, b.viscous), at_rest);
+}
+
 double sph_timestep(const struct sph *s, double next) {
   struct sph_bounds b = sph_timestep_bounds(s);
   double dt = fmin(fmin(b.diffusive, b.viscous), fmin(b.acceleration, b.acoustic));

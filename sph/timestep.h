@@ -15,5 +15,9 @@ struct sph_bounds {
  * counts too. */
 struct sph_bounds sph_timestep_bounds(const struct sph *s);
 
+/* Whether speed or acceleration cut the bounds to less than a tenth of what sound, diffusion and
+ * viscosity leave to water at rest. */
+bool sph_timestep_is_cut(const struct sph *s);
+
 /* The smallest bound, shortened so that a whole number of equal steps ends at `next` (s). */
 double sph_timestep(const struct sph *s, double next);

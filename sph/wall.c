@@ -1,5 +1,6 @@
 #include "sph/wall.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "sph/ghost.h"
@@ -12,7 +13,37 @@ enum status sph_wall_create(struct sph *s, const struct geo_lines *walls) {
   s->wall = sph_walls[s->o.walls];
   s->wall_top[0] = walls->p[0][1];
   s->wall_top[1] = walls->p[walls->points - 1][1];
+  s->lowest_top = fmin(s->wall_top[0], s->wall_top[1]);
   return s->wall->create(s, walls);
+}
+
+/* Whether a particle that was inside the side wall at the start of the step, and is outside now,
+ * went over the top, on the straight way. */
+static bool went_over(const struct sph *s, size_t i, double wall, double top) {
+  const struct sph_state *a = &s->f.w0, *b = &s->f.w;
+  double t = (wall - a->x[i]) / (b->x[i] - a->x[i]);
+  return a->y[i] + t * (b->y[i] - a->y[i]) >= top;
+}
+
+static bool confine_sides(struct sph *s, size_t i) {
+  const struct sph_state *w = &s->f.w;
+  bool right = w->x[i] > s->tank.max[0];
+  double wall = right ? s->tank.max[0] : s->tank.min[0];
+  if (went_over(s, i, wall, s->wall_top[right])) {
+    s->f.over[i] = 1;
+    return false;
+  }
+  w->x[i] = 2 * wall - w->x[i];
+  w->u[i] = -w->u[i];
+  return true;
+}
+
+static void confine_bed(struct sph *s, size_t i) {
+  const struct sph_state *w = &s->f.w;
+  double lift = 2 * (s->tank.min[1] - w->y[i]);
+  w->y[i] += lift;
+  w->v[i] = -w->v[i];
+  s->budget.walls -= s->f.m[i] * s->g * lift;
 }
 
 void sph_wall_confine(struct sph *s) {
@@ -20,25 +51,18 @@ void sph_wall_confine(struct sph *s) {
   const struct geo_box *t = &s->tank;
   size_t reflections = 0;
   for (size_t i = 0; i < s->f.n; i++) {
-    if (w->x[i] < t->min[0] && w->y[i] < s->wall_top[0]) {
-      w->x[i] = 2 * t->min[0] - w->x[i];
-      w->u[i] = -w->u[i];
-      reflections++;
-    }
-    if (w->x[i] > t->max[0] && w->y[i] < s->wall_top[1]) {
-      w->x[i] = 2 * t->max[0] - w->x[i];
-      w->u[i] = -w->u[i];
-      reflections++;
-    }
+    bool beside = w->x[i] < t->min[0] || w->x[i] > t->max[0];
+    if (!beside)
+      s->f.over[i] = 0;
+    else if (!s->f.over[i])
+      reflections += confine_sides(s, i);
     if (w->y[i] < t->min[1] && w->x[i] > t->min[0] && w->x[i] < t->max[0]) {
-      double lift = 2 * (t->min[1] - w->y[i]);
-      w->y[i] += lift;
-      w->v[i] = -w->v[i];
-      s->budget.walls -= s->f.m[i] * s->g * lift;
+      confine_bed(s, i);
       reflections++;
     }
   }
   s->reflections += reflections;
+  sph_particles_pad(&s->f);
 }
 
 void sph_wall_destroy(struct sph *s) {

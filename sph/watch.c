@@ -1,0 +1,72 @@
+#include "sph/watch.h"
+
+#include <math.h>
+
+#include "sph/timestep.h"
+
+static enum status find_culprit(const struct sph *s) {
+  const struct sph_state *w = &s->f.w;
+  for (size_t i = 0; i < s->f.n; i++)
+    if (!isfinite(w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]) || w->rho[i] <= 0)
+      return status_raise(ERR_DIVERGED,
+                          "particle %u at (%g, %g) m has velocity (%g, %g) m/s and density %g "
+                          "kg/m^3 at t = %g s: raise c0, alpha or delta, or lower cfl_acoustic",
+                          s->f.id[i], w->x[i], w->y[i], w->u[i], w->v[i], w->rho[i], s->t);
+  return OK;
+}
+
+enum status sph_watch_state(struct sph *s) {
+  const struct sph_state *w = &s->f.w;
+  double sum = 0; /* not finite as soon as one term is not */
+  double lightest = s->seen.lightest, heaviest = s->seen.heaviest, speed2 = 0;
+#pragma omp parallel for simd schedule(static) reduction(+ : sum) reduction(min : lightest)        \
+    reduction(max : heaviest, speed2)
+  for (size_t i = 0; i < s->f.n; i++) {
+    sum += 0 * (w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]);
+    lightest = fmin(lightest, w->rho[i]);
+    heaviest = fmax(heaviest, w->rho[i]);
+    speed2 = fmax(speed2, w->u[i] * w->u[i] + w->v[i] * w->v[i]);
+  }
+  s->seen.lightest = lightest;
+  s->seen.heaviest = heaviest;
+  s->seen.speed = fmax(s->seen.speed, sqrt(speed2));
+  if (sum == 0 && lightest > 0) return OK;
+  return find_culprit(s);
+}
+
+enum status sph_watch_step(struct sph *s, double dt, double left) {
+  const double smallest = 1e-6 * s->h / s->c0;
+  CHECK(dt >= smallest || dt >= left, ERR_DIVERGED,
+        "the time step fell to %.2g s at t = %g s (speed up to %.3g m/s, acceleration up to %.3g "
+        "m/s^2): raise c0, alpha or delta",
+        dt, s->t, s->totals.speed, sqrt(s->totals.acceleration2));
+  s->seen.cut += sph_timestep_is_cut(s);
+  return OK;
+}
+
+enum status sph_watch_write(const struct sph *s, struct result *result) {
+  const struct {
+    const char *name;
+    double value;
+    const char *help;
+  } row[] = {
+      {"steps", (double)s->steps, "time steps"},
+      {"evaluations", (double)s->evaluations, "evaluations of the right-hand side"},
+      {"rebuilds", (double)s->rebuilds, "times the neighbour lists were built"},
+      {"reflections", (double)s->reflections,
+       "times a particle that had crossed a wall was reflected"},
+      {"particles", (double)s->f.n, "particles of water at the end"},
+      {"largest_mach", s->seen.speed / s->c0, "largest speed of a particle over c0, at any step"},
+      {"lowest_density", s->seen.lightest / s->rho0, "lowest density over rho0, at any step"},
+      {"highest_density", s->seen.heaviest / s->rho0, "highest density over rho0, at any step"},
+      {"steps_cut", (double)s->seen.cut,
+       "time steps that speed or acceleration cut to less than a tenth of what water at rest "
+       "allows"},
+      {"spilled_volume", s->budget.spilled_volume, "water that left over the top of a wall, m^2"},
+      {"lost_volume", s->budget.removed_volume - s->budget.spilled_volume,
+       "water that left through a wall or the bed, m^2"},
+  };
+  for (size_t k = 0; k < sizeof row / sizeof *row; k++)
+    TRY(result_statistic(result, row[k].name, row[k].value, row[k].help));
+  return OK;
+}
