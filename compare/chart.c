@@ -5,14 +5,9 @@
 
 #include "compare/text.h"
 
-enum { WIDTH = 900, LEFT = 92, RIGHT = 20, TOP = 36, GAP = 16 };
-
-/* Okabe and Ito's colours, yellow left out: it is lost on white. The reference is black. */
-const char *cmp_colour(size_t r) {
-  static const char *const palette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                        "#e69f00", "#56b4e9", "#7f7f7f"};
-  return r == SIZE_MAX ? "#000000" : palette[r % (sizeof palette / sizeof *palette)];
-}
+enum { WIDTH = 900, LEFT = 104, RIGHT = 20, TOP = 40, GAP = 18 };
+enum { KEY_LONGEST = 36, MOST_MARKS = 4 };
+#define LABEL_X 22.0 /* px: the middle of the label of the y axis */
 
 const struct cmp_run *cmp_run_or_ref(const struct comparison *c, size_t r) {
   return r == SIZE_MAX ? &c->ref : &c->run[r];
@@ -37,15 +32,24 @@ static double time_end(const struct comparison *c) {
   return end > 0 ? end : 1;
 }
 
+static size_t longer(size_t longest, const char *label) {
+  size_t n = cmp_key_length(label);
+  return n > longest ? n : longest;
+}
+
 static void key_measure(const struct comparison *c, const char *target, struct cmp_chart *chart) {
   const struct cmp_data *ref = &c->ref.data;
-  size_t n = c->n_runs + 1, longest = strlen(ref->label);
+  size_t named = cmp_runs_picked(c, CMP_NAMED), n = named + 1, longest = longer(0, ref->label);
+  if (named < c->n_runs) {
+    n++;
+    longest = longer(longest, "1000 other runs");
+  }
   for (size_t r = 0; r < c->n_runs; r++)
-    if (strlen(c->run[r].data.label) > longest) longest = strlen(c->run[r].data.label);
+    if (cmp_run_is_picked(c, r, CMP_NAMED)) longest = longer(longest, c->run[r].data.label);
   for (size_t k = 0; target && k < ref->n_experiments; k++) {
     if (strcmp(ref->file->experiments[k].target, target)) continue;
     n++;
-    if (strlen(ref->experiments[k].name) > longest) longest = strlen(ref->experiments[k].name);
+    longest = longer(longest, ref->experiments[k].name);
   }
   chart->columns = cmp_key_columns(longest, WIDTH - 40);
   chart->bottom = cmp_key_height(n, chart->columns);
@@ -58,32 +62,51 @@ enum status cmp_chart_begin(const struct comparison *c, struct cmp_figures *f,
   *chart = (struct cmp_chart){.c = c, .panels = panels, .end = end > 0 ? end : time_end(c)};
   key_measure(c, target, chart);
   int height = TOP + (int)panels * panel_height + GAP * ((int)panels - 1) + chart->bottom;
-  TRY(cmp_figure_begin(f, section, false, WIDTH, height, &chart->fig, "%s", name));
+  bool many = c->n_runs > CMP_NAMED; /* as vectors, a thousand curves are tens of megabytes */
+  TRY(cmp_figure_begin(f, section, many, WIDTH, height, &chart->fig, "%s", name));
   TRY(cmp_figure_data(f, chart->fig, ".csv", &chart->table));
   fprintf(chart->table, "series,name,t_star [sqrt(H/g)],%s\n", columns);
+  if (many) {
+    TRY(cmp_figure_data(f, chart->fig, "-others.csv", &chart->others));
+    fprintf(chart->others, "series,name,t_star [sqrt(H/g)],%s\n", columns);
+  }
   cmp_figure_formats(chart->fig);
   fprintf(chart->fig->script, "set multiplot\nset xrange [0:%.6g]\n", chart->end);
   return OK;
 }
 
 enum status cmp_chart_end(struct cmp_chart *chart) {
-  fputs("unset multiplot\n", chart->fig->script);
-  enum status table = cmp_figure_data_end(chart->fig, chart->table);
-  enum status script = cmp_figure_end(chart->fig);
-  return table != OK ? table : script;
+  struct cmp_figure *fig = chart->fig;
+  fputs("unset multiplot\n", fig->script);
+  enum status table = cmp_figure_data_end(fig, chart->table);
+  enum status others = chart->others ? cmp_figure_data_end(fig, chart->others) : OK;
+  enum status script = cmp_figure_end(fig);
+  return table != OK ? table : others != OK ? others : script;
+}
+
+/* The rows of other runs stand in a table of their own, kept apart by empty lines: one pass of
+ * gnuplot draws all of them, while every named curve is a pass over its table. */
+static FILE *table_of(struct cmp_chart *chart, size_t series) {
+  if (!chart->others || series >= chart->c->n_runs ||
+      cmp_run_is_picked(chart->c, series, CMP_NAMED))
+    return chart->table;
+  if (series != chart->other) fputc('\n', chart->others);
+  chart->other = series;
+  return chart->others;
 }
 
 void cmp_chart_row(struct cmp_chart *chart, size_t series, const char *name, double t,
                    const double *value, size_t n) {
-  fprintf(chart->table, "%zu,", series);
-  cmp_csv_string(chart->table, name);
-  fprintf(chart->table, ",%.10g", t);
+  FILE *table = table_of(chart, series);
+  fprintf(table, "%zu,", series);
+  cmp_csv_string(table, name);
+  fprintf(table, ",%.10g", t);
   for (size_t k = 0; k < n; k++)
     if (isfinite(value[k]))
-      fprintf(chart->table, ",%.10g", value[k]);
+      fprintf(table, ",%.10g", value[k]);
     else
-      fputs(",", chart->table);
-  fputc('\n', chart->table);
+      fputs(",", table);
+  fputc('\n', table);
 }
 
 /* Instants of the reference as vertical lines, named above the first panel. */
@@ -119,16 +142,40 @@ static void instants_mark(const struct cmp_chart *chart, bool named) {
     cmp_gnuplot_string(s, mark[k].name);
     fprintf(s,
             " at %.6g, graph 1 offset 0, character %.2f center noenhanced textcolor '#666666' "
-            "font ',%s'\n",
-            t, raised ? 1.35 : 0.5, "11");
+            "font small\n",
+            t, raised ? 1.35 : 0.5);
   }
 }
 
-void cmp_chart_panel(struct cmp_chart *chart, size_t k, const char *range, const char *label) {
-  const struct cmp_figure *fig = chart->fig;
+/* About five ticks, at 1, 2 or 5 times a power of ten. */
+static double tick_step(const struct cmp_frame *frame) {
+  double rough = (frame->high - frame->low) / 5, power = pow(10, floor(log10(rough)));
+  double digit = rough / power;
+  return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+}
+
+static double panel_height(const struct cmp_chart *chart) {
   double panels = (double)chart->panels;
-  double height = (fig->height - TOP - chart->bottom - GAP * (panels - 1)) / panels;
-  double top = TOP + (double)k * (height + GAP);
+  return (chart->fig->height - TOP - chart->bottom - GAP * (panels - 1)) / panels;
+}
+
+/* The label of the y axis has its place on the page: beside wide tick labels, gnuplot's own would
+ * leave it. */
+static void panel_labels(const struct cmp_chart *chart, const char *label, const char *title) {
+  FILE *s = chart->fig->script;
+  fprintf(s, "set label '%s' at screen %.5f, graph 0.5 center rotate\n", label, LABEL_X / WIDTH);
+  if (!title) return;
+  fputs("set label ", s);
+  cmp_key_string(s, title, NULL);
+  fputs(" at graph 0, graph 1 offset character 0.7, character -0.9 left front boxed noenhanced "
+        "font small\n",
+        s);
+}
+
+void cmp_chart_panel(struct cmp_chart *chart, size_t k, const struct cmp_frame *frame,
+                     const char *label, const char *title) {
+  const struct cmp_figure *fig = chart->fig;
+  double height = panel_height(chart), top = TOP + (double)k * (height + GAP);
   fprintf(fig->script,
           "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
           "set bmargin at screen %.5f\n",
@@ -138,13 +185,43 @@ void cmp_chart_panel(struct cmp_chart *chart, size_t k, const char *range, const
     fprintf(fig->script,
             "set format x\nset xlabel 't √(g/H)' offset 0, character 0.4\n"
             "set key at screen 0.5, screen %.5f bottom center horizontal maxcols %d samplen 2.2 "
-            "noenhanced\n",
+            "reverse Left noenhanced\n",
             8.0 / fig->height, chart->columns);
   else
     fputs("set format x ''\nunset xlabel\nunset key\n", fig->script);
   instants_mark(chart, k == 0);
-  fprintf(fig->script, "set yrange [%s]\nset ylabel '%s'\n", range, label);
+  panel_labels(chart, label, title);
+  fprintf(fig->script, "set yrange [%.12g:%.12g]\nset ytics %.12g\n", frame->low, frame->high,
+          tick_step(frame));
   chart->first = true;
+  chart->marks[0] = chart->marks[1] = 0;
+}
+
+static void extreme_mark(struct cmp_chart *chart, const struct cmp_extreme *x, bool top,
+                         const char *colour) {
+  FILE *s = chart->fig->script;
+  int *marks = &chart->marks[top ? 0 : 1];
+  double px = 1 / panel_height(chart); /* of the panel's height */
+  double edge = top ? 1 : 0, inwards = top ? -px : px;
+  if (!x->found) return;
+  fprintf(s,
+          "set arrow from %.6g, graph %.4f to %.6g, graph %.4f front head filled size screen "
+          "0.009,20 linewidth 1 linecolor '%s'\n",
+          x->t, edge + (24 + 18 * fmin(*marks, MOST_MARKS)) * inwards, x->t, edge, colour);
+  if (*marks < MOST_MARKS) {
+    bool late = x->t > 0.85 * chart->end;
+    fprintf(s,
+            "set label '%.3g' at %.6g, graph %.4f offset character %s, 0 %s front boxed textcolor "
+            "'%s' font small\n",
+            x->value, x->t, edge + (18 + 18 * *marks) * inwards, late ? "-0.6" : "0.6",
+            late ? "right" : "left", colour);
+  }
+  ++*marks;
+}
+
+void cmp_chart_mark(struct cmp_chart *chart, const struct cmp_beyond *b, const char *colour) {
+  extreme_mark(chart, &b->above, true, colour);
+  extreme_mark(chart, &b->below, false, colour);
 }
 
 static void curve_open(struct cmp_chart *chart) {
@@ -160,14 +237,26 @@ void cmp_chart_curve(struct cmp_chart *chart, const struct cmp_curve *k) {
   if (k->symbol)
     fprintf(s, " with points pointtype %d pointsize 0.6 linewidth 0.8", k->symbol);
   else
-    fprintf(s, " with lines linewidth %g", k->width);
-  fprintf(s, " linecolor '%s' ", k->colour);
+    fprintf(s, " with lines linewidth %g dashtype %s", k->width, cmp_dashes(&k->style));
+  fprintf(s, " linecolor '%s' ", k->style.colour);
   if (!k->name) {
     fputs("notitle", s);
     return;
   }
   fputs("title ", s);
-  cmp_gnuplot_string(s, k->name);
+  cmp_key_string(s, k->name, k->note);
+}
+
+void cmp_chart_others(struct cmp_chart *chart, size_t column, bool named) {
+  FILE *s = chart->fig->script;
+  if (!chart->others) return;
+  curve_open(chart);
+  fprintf(s, "'%s-others.csv' skip 1 using 3:%zu with lines linewidth 0.4 linecolor '#c4c4c4' ",
+          chart->fig->name, column + 4);
+  if (named)
+    fprintf(s, "title '%zu other runs'", chart->c->n_runs - CMP_NAMED);
+  else
+    fputs("notitle", s);
 }
 
 void cmp_chart_level(struct cmp_chart *chart, double level) {
@@ -176,13 +265,46 @@ void cmp_chart_level(struct cmp_chart *chart, double level) {
           "%.6g with lines linewidth 0.8 dashtype 2 linecolor '#777777' notitle", level);
 }
 
-void cmp_chart_key_entry(struct cmp_chart *chart, size_t run) {
+void cmp_chart_key_entry(struct cmp_chart *chart, size_t run, const char *note) {
+  struct cmp_style style = cmp_run_style(chart->c, run);
   curve_open(chart);
-  fprintf(chart->fig->script, "keyentry with lines linewidth 1.2 linecolor '%s' title ",
-          cmp_colour(run));
-  cmp_gnuplot_string(chart->fig->script, chart->c->run[run].data.label);
+  fprintf(chart->fig->script, "keyentry with lines linewidth 1.2 dashtype %s linecolor '%s' title ",
+          cmp_dashes(&style), style.colour);
+  cmp_key_string(chart->fig->script, chart->c->run[run].data.label, note);
 }
 
 void cmp_chart_panel_end(struct cmp_chart *chart) {
   fputc('\n', chart->fig->script);
+}
+
+/* ---- keys ---- */
+
+const char *cmp_dashes(const struct cmp_style *style) {
+  static const char *const pattern[] = {"1", "(9,4)", "(2,3)", "(9,3,2,3)"};
+  return pattern[style->dashes];
+}
+
+/* Bytes of the first `most` characters of UTF-8 text, and how many there are. */
+static size_t characters(const char *text, size_t most, size_t *n) {
+  size_t bytes = 0;
+  for (*n = 0; text[bytes]; bytes++) {
+    bool begins = (text[bytes] & 0xc0) != 0x80;
+    if (begins && *n == most) break;
+    *n += begins;
+  }
+  return bytes;
+}
+
+size_t cmp_key_length(const char *label) {
+  size_t n;
+  characters(label, KEY_LONGEST, &n);
+  return n;
+}
+
+void cmp_key_string(FILE *script, const char *label, const char *note) {
+  char text[4 * KEY_LONGEST + 96];
+  size_t n, bytes = characters(label, KEY_LONGEST, &n);
+  snprintf(text, sizeof text, "%.*s%s%s", (int)bytes, label, label[bytes] ? "…" : "",
+           note ? note : "");
+  cmp_gnuplot_string(script, text);
 }

@@ -3,9 +3,8 @@
 #pragma once
 #include "compare/comparison.h"
 #include "compare/figure.h"
-
-/* Run r's colour ("#rrggbb"), distinct for colour-blind readers; SIZE_MAX: the reference. */
-const char *cmp_colour(size_t r);
+#include "compare/frame.h"
+#include "compare/pick.h"
 
 /* "run r" or, for SIZE_MAX, the reference. */
 const struct cmp_run *cmp_run_or_ref(const struct comparison *c, size_t r);
@@ -18,11 +17,13 @@ int cmp_key_height(size_t n, int columns);
 struct cmp_chart {
   const struct comparison *c;
   struct cmp_figure *fig;
-  FILE *table;
+  FILE *table, *others; /* of what is named in the key; of the runs that are not */
+  size_t other;         /* the run that `others` is at */
   size_t panels;
   int bottom, columns; /* px below the panels; of the key */
   double end;          /* of the time axis */
   bool first;          /* the next curve opens a plot command */
+  int marks[2];        /* at the top and the bottom of this panel so far */
 };
 
 /* `target`: of the experiments in the key, or NULL. `end`: of the time axis; 0: the end of the
@@ -38,19 +39,33 @@ enum status cmp_chart_end(struct cmp_chart *chart);
 void cmp_chart_row(struct cmp_chart *chart, size_t series, const char *name, double t,
                    const double *value, size_t n);
 
-/* Starts panel k from the top. `range` is gnuplot's, e.g. "0:*". */
-void cmp_chart_panel(struct cmp_chart *chart, size_t k, const char *range, const char *label);
+/* Starts panel k from the top; `title` stands in its corner (NULL: none). */
+void cmp_chart_panel(struct cmp_chart *chart, size_t k, const struct cmp_frame *frame,
+                     const char *label, const char *title);
+
+/* Marks, before the curves, the extremes of a series that leaves the frame: an arrow at the edge
+ * and the value there. */
+void cmp_chart_mark(struct cmp_chart *chart, const struct cmp_beyond *beyond, const char *colour);
 
 struct cmp_curve {
   size_t series;
   size_t column;    /* of values in the table, from 0 */
   const char *name; /* in the key; NULL: not there */
-  const char *colour;
+  const char *note; /* behind the name in the key, e.g. " (beyond the frame)"; NULL: none */
+  struct cmp_style style;
   double width;
   int symbol;   /* 0: a line */
   size_t every; /* draws one row in so many; 0: all */
 };
 void cmp_chart_curve(struct cmp_chart *chart, const struct cmp_curve *curve);
-void cmp_chart_level(struct cmp_chart *chart, double level);   /* dashed, horizontal */
-void cmp_chart_key_entry(struct cmp_chart *chart, size_t run); /* of a run drawn elsewhere */
+void cmp_chart_others(struct cmp_chart *chart, size_t column,
+                      bool named);                           /* runs without a style */
+void cmp_chart_level(struct cmp_chart *chart, double level); /* dashed, horizontal */
+void cmp_chart_key_entry(struct cmp_chart *chart, size_t run,
+                         const char *note); /* not drawn here */
 void cmp_chart_panel_end(struct cmp_chart *chart);
+
+/* gnuplot's name for a dash pattern, and a label short enough for a key. */
+const char *cmp_dashes(const struct cmp_style *style);
+void cmp_key_string(FILE *script, const char *label, const char *note);
+size_t cmp_key_length(const char *label); /* characters that it takes there */

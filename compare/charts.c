@@ -8,21 +8,28 @@
 
 /* ---- distance ---- */
 
-/* Of a panel of distances: gnuplot finds no range where there is no number. */
-static const char *distance_range(const struct comparison *c, size_t panel) {
+static struct cmp_frame distance_frame(const struct comparison *c, size_t panel) {
+  double top = 0;
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_evolution *e = &c->run[r].evolution;
     const double *value = panel == 0 ? e->mean : panel == 1 ? e->largest : e->area;
+    if (panel == 0) top = fmax(top, c->run[r].noise);
     for (size_t i = 0; i < e->n; i++)
-      if (isfinite(value[i])) return "0:*";
+      if (isfinite(value[i])) top = fmax(top, value[i]);
   }
-  return "0:1";
+  return (struct cmp_frame){0, top > 0 ? 1.06 * top : 1};
 }
 
 static bool distance_known(const struct comparison *c) {
   for (size_t r = 0; r < c->n_runs; r++)
     if (c->run[r].evolution.n) return true;
   return false;
+}
+
+static void caption_end(const struct comparison *c, struct cmp_figure *fig) {
+  size_t used = strlen(fig->caption);
+  cmp_picked_say(c, CMP_NAMED, "are drawn in thin grey", fig->caption + used,
+                 sizeof fig->caption - used);
 }
 
 static enum status distance_chart(const struct comparison *c, struct cmp_figures *f) {
@@ -35,6 +42,7 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
       "largest distance of the main surfaces away from walls, and the area between the two. "
       "Dashed: the noise floor of the mean distance, half a particle spacing.",
       c->ref.data.label);
+  caption_end(c, chart.fig);
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_evolution *e = &c->run[r].evolution;
     for (size_t i = 0; i < e->n; i++)
@@ -43,10 +51,16 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
   }
   static const char *const label[] = {"mean distance / H", "largest distance / H", "area / H^2"};
   for (size_t panel = 0; panel < 3; panel++) {
-    cmp_chart_panel(&chart, panel, distance_range(c, panel), label[panel]);
+    struct cmp_frame frame = distance_frame(c, panel);
+    cmp_chart_panel(&chart, panel, &frame, label[panel], NULL);
+    cmp_chart_others(&chart, panel, true);
     for (size_t r = 0; r < c->n_runs; r++)
-      cmp_chart_curve(
-          &chart, &(struct cmp_curve){r, panel, c->run[r].data.label, cmp_colour(r), 1.3, 0, 0});
+      if (cmp_run_is_picked(c, r, CMP_NAMED))
+        cmp_chart_curve(&chart, &(struct cmp_curve){.series = r,
+                                                    .column = panel,
+                                                    .name = c->run[r].data.label,
+                                                    .style = cmp_run_style(c, r),
+                                                    .width = 1.3});
     for (size_t r = 0; r < c->n_runs && panel == 0; r++)
       if (r == 0 || fabs(c->run[r].noise - c->run[r - 1].noise) > 1e-12)
         cmp_chart_level(&chart, c->run[r].noise);
@@ -62,6 +76,7 @@ struct family {
   const char *target;            /* of experiments; NULL: none are drawn */
   const char *column, *label;    /* of the table, of the axis */
   double end;                    /* of the time axis; 0: the end of the runs */
+  struct cmp_frame frame;
 };
 
 typedef const struct cmp_series *series_pick(const struct cmp_data *d, const char *name);
@@ -120,67 +135,56 @@ static void family_rows(struct cmp_chart *chart, const struct family *family) {
 
 /* ---- the range of the axis ---- */
 
-struct extent {
-  double low, high;
-};
-
-static int ascending(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
+static const struct cmp_series *family_member(const struct comparison *c,
+                                              const struct family *family, size_t k) {
+  if (k <= c->n_runs) return family->run[k];
+  k -= c->n_runs + 1;
+  return family_shows(c, family, k) ? &c->ref.data.experiments[k] : NULL;
 }
 
-/* Of all but the most extreme rows, one in two hundred at each end. */
-static bool series_extent(const struct cmp_series *s, double end, struct extent *e) {
-  double *v = s ? malloc((s->n + 1) * sizeof *v) : NULL;
-  size_t n = 0;
-  for (size_t i = 0; v && i < s->n; i++)
-    if (isfinite(s->value[i]) && s->t[i] <= end) v[n++] = s->value[i];
-  if (n) {
-    qsort(v, n, sizeof *v, ascending);
-    *e = (struct extent){v[n / 200], v[n - 1 - n / 200]};
-  }
-  free(v);
-  return n > 0;
-}
-
-/* The union of the extents, except those that span more than four times the median span: a run that
- * has blown up leaves the picture and not the others flat. */
-static struct extent family_extent(const struct cmp_chart *chart, const struct family *family) {
+/* In a column of panels, curves far from the others have their own, where the mark says how far. */
+static enum status family_frame(const struct cmp_chart *chart, struct family *family) {
   const struct comparison *c = chart->c;
-  size_t room = c->n_runs + 1 + c->ref.data.n_experiments, n = 0;
-  struct extent all = {INFINITY, -INFINITY}, *e = calloc(room, sizeof *e);
-  double *span = calloc(room, sizeof *span);
-  for (size_t k = 0; e && span && k < room; k++) {
-    const struct cmp_series *s = k <= c->n_runs ? family->run[k]
-                                 : family_shows(c, family, k - c->n_runs - 1)
-                                     ? &c->ref.data.experiments[k - c->n_runs - 1]
-                                     : NULL;
-    if (!series_extent(s, chart->end, &e[n])) continue;
-    span[n] = e[n].high - e[n].low;
-    n++;
-  }
-  if (n) qsort(span, n, sizeof *span, ascending);
-  for (size_t k = 0; k < n; k++) {
-    if (e[k].high - e[k].low > fmax(4 * span[n / 2], 0.02)) continue;
-    all.low = fmin(all.low, e[k].low);
-    all.high = fmax(all.high, e[k].high);
-  }
-  free(e);
-  free(span);
-  if (!(all.low <= all.high)) return (struct extent){0, 1};
-  double size = fmax(fabs(all.low), fabs(all.high));
-  double margin = fmax(0.06 * (all.high - all.low), size > 0 ? 1e-6 * size : 1e-6);
-  return (struct extent){all.low - margin, all.high + margin};
+  size_t n = c->n_runs + 1 + c->ref.data.n_experiments;
+  const struct cmp_series **all = calloc(n, sizeof(struct cmp_series *));
+  CHECK(all, ERR_MEMORY, "no memory for a chart");
+  for (size_t k = 0; k < n; k++) all[k] = family_member(c, family, k);
+  family->frame = cmp_frame_choose(n, all, chart->end, chart->panels > 1 ? 2.5 : 8);
+  free(all);
+  return OK;
 }
 
-static void panel_begin(struct cmp_chart *chart, const struct family *family, size_t k) {
-  char range[64];
-  struct extent e = family_extent(chart, family);
-  snprintf(range, sizeof range, "%.12g:%.12g", e.low, e.high);
-  cmp_chart_panel(chart, k, range, family->label);
+/* Of the series that a panel shows, before its curves. */
+static void beyond_mark(struct cmp_chart *chart, const struct family *family, size_t k,
+                        const char *colour) {
+  const struct cmp_series *s = family_member(chart->c, family, k);
+  if (!s || !s->n) return;
+  struct cmp_beyond beyond = cmp_frame_beyond(&family->frame, s, chart->end);
+  cmp_chart_mark(chart, &beyond, colour);
+}
+
+/* What the key says of a series: a few peaks have their mark, and no word. */
+static const char *family_note(const struct cmp_chart *chart, const struct family *family,
+                               size_t k) {
+  const struct cmp_series *s = family_member(chart->c, family, k);
+  if (!s || !s->n) return " (has none)";
+  struct cmp_beyond b = cmp_frame_beyond(&family->frame, s, chart->end);
+  if (b.n && b.outside == b.n) return " (beyond the frame)";
+  return 50 * b.outside > b.n ? " (partly beyond the frame)" : NULL;
 }
 
 /* ---- drawing a family ---- */
+
+static const char *experiment_colour(size_t shown) {
+  return shown % 2 ? "#a08050" : "#707070";
+}
+
+static void experiments_mark(struct cmp_chart *chart, const struct family *family) {
+  const struct comparison *c = chart->c;
+  for (size_t k = 0, shown = 0; k < c->ref.data.n_experiments; k++)
+    if (family_shows(c, family, k))
+      beyond_mark(chart, family, c->n_runs + 1 + k, experiment_colour(shown++));
+}
 
 static void experiments_draw(struct cmp_chart *chart, const struct family *family, bool named) {
   static const int symbols[] = {4, 6, 8, 12, 2};
@@ -188,34 +192,55 @@ static void experiments_draw(struct cmp_chart *chart, const struct family *famil
   size_t shown = 0;
   for (size_t k = 0; k < c->ref.data.n_experiments; k++) {
     if (!family_shows(c, family, k)) continue;
-    const char *name = named ? c->ref.data.experiments[k].name : NULL;
-    size_t every = c->ref.data.experiments[k].n / 80 + 1; /* symbols, not a smear */
-    cmp_chart_curve(chart, &(struct cmp_curve){c->n_runs + 1 + k, 0, name,
-                                               shown % 2 ? "#a08050" : "#707070", 1,
-                                               symbols[shown % 5], every});
+    cmp_chart_curve(
+        chart, &(struct cmp_curve){.series = c->n_runs + 1 + k,
+                                   .name = named ? c->ref.data.experiments[k].name : NULL,
+                                   .note = family_note(chart, family, c->n_runs + 1 + k),
+                                   .style = {experiment_colour(shown), 0},
+                                   .symbol = symbols[shown % 5],
+                                   .every = c->ref.data.experiments[k].n / 80 + 1}); /* no smear */
     shown++;
   }
 }
 
+/* The reference is wider and below: a run that lies on it is seen. */
 static void run_draw(struct cmp_chart *chart, const struct family *family, size_t r, bool named) {
-  if (!family->run[r]) return;
+  if (!family->run[r] || !family->run[r]->n) return;
   bool reference = r == chart->c->n_runs;
   size_t id = reference ? SIZE_MAX : r;
-  const char *name = named ? cmp_run_or_ref(chart->c, id)->data.label : NULL;
-  cmp_chart_curve(chart, &(struct cmp_curve){r, 0, name, cmp_colour(id), 1.1, 0, 0});
+  cmp_chart_curve(chart, &(struct cmp_curve){
+                             .series = r,
+                             .name = named ? cmp_run_or_ref(chart->c, id)->data.label : NULL,
+                             .note = family_note(chart, family, r),
+                             .style = cmp_run_style(chart->c, id),
+                             .width = reference ? 2 : 1,
+                         });
+}
+
+static void runs_draw(struct cmp_chart *chart, const struct family *family) {
+  const struct comparison *c = chart->c;
+  cmp_chart_others(chart, 0, true);
+  run_draw(chart, family, c->n_runs, true);
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (cmp_run_is_picked(c, r, CMP_NAMED)) run_draw(chart, family, r, true);
 }
 
 static enum status family_chart(const struct comparison *c, struct cmp_figures *f,
                                 enum cmp_section section, const char *file, const char *caption,
-                                const struct family *family) {
+                                struct family *family) {
   struct cmp_chart chart;
   TRY(cmp_chart_begin(c, f, section, 1, 280, family->target, family->end, family->column, file,
                       &chart));
   snprintf(chart.fig->caption, sizeof chart.fig->caption, "%s", caption);
+  caption_end(c, chart.fig);
   family_rows(&chart, family);
-  panel_begin(&chart, family, 0);
+  TRY(family_frame(&chart, family));
+  cmp_chart_panel(&chart, 0, &family->frame, family->label, NULL);
+  experiments_mark(&chart, family);
+  for (size_t r = 0; r <= c->n_runs; r++)
+    beyond_mark(&chart, family, r, cmp_run_style(c, r < c->n_runs ? r : SIZE_MAX).colour);
   experiments_draw(&chart, family, true);
-  for (size_t r = 0; r <= c->n_runs; r++) run_draw(&chart, family, r, true);
+  runs_draw(&chart, family);
   cmp_chart_panel_end(&chart);
   return cmp_chart_end(&chart);
 }
@@ -254,30 +279,51 @@ static enum status energy_charts(const struct comparison *c, struct cmp_figures 
   return OK;
 }
 
+/* The key of a column of panels stands below the last and names every curve of all. */
+static void key_draw(struct cmp_chart *chart, const struct family *family, size_t except) {
+  const struct comparison *c = chart->c;
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (r != except && cmp_run_is_picked(c, r, CMP_PANELS))
+      cmp_chart_key_entry(chart, r, family_note(chart, family, r));
+}
+
+static void probe_panel(struct cmp_chart *chart, const struct family *family, size_t k, size_t r) {
+  const struct comparison *c = chart->c;
+  bool last = k + 1 == chart->panels, run = r < c->n_runs;
+  cmp_chart_panel(chart, k, &family->frame, family->label,
+                  chart->panels > 1 ? c->run[r].data.label : NULL);
+  experiments_mark(chart, family);
+  beyond_mark(chart, family, c->n_runs, cmp_run_style(c, SIZE_MAX).colour);
+  if (run) beyond_mark(chart, family, r, cmp_run_style(c, r).colour);
+  experiments_draw(chart, family, last);
+  run_draw(chart, family, c->n_runs, last);
+  if (last) key_draw(chart, family, r);
+  if (run && family->run[r] && family->run[r]->n)
+    run_draw(chart, family, r, last);
+  else if (run && last)
+    cmp_chart_key_entry(chart, r, family_note(chart, family, r));
+  cmp_chart_panel_end(chart);
+}
+
 /* A panel for every run: one full of noise would hide the others. */
 static enum status probe_chart(const struct comparison *c, struct cmp_figures *f,
-                               const struct cmp_series *probe, const struct family *family) {
+                               const struct cmp_series *probe, struct family *family) {
   struct cmp_chart chart;
-  char slug[40], file[64];
+  char slug[40], file[64], left_out[160];
   cmp_slug(probe->name, slug, sizeof slug);
   snprintf(file, sizeof file, "pressure-%s", slug);
-  size_t panels = c->n_runs ? c->n_runs : 1;
+  size_t picked = cmp_runs_picked(c, CMP_PANELS), panels = picked ? picked : 1;
   TRY(cmp_chart_begin(c, f, CMP_SECTION_PRESSURE, panels, panels == 1 ? 280 : 175, family->target,
                       0, family->column, file, &chart));
+  cmp_picked_say(c, CMP_PANELS, "have no panel", left_out, sizeof left_out);
   snprintf(chart.fig->caption, sizeof chart.fig->caption,
            "Pressure at %.60s (x = %.4g H, y = %.4g H): each run, the reference %.60s in black, "
-           "experiments as symbols.",
-           probe->name, probe->x, probe->y, c->ref.data.label);
+           "experiments as symbols.%s",
+           probe->name, probe->x, probe->y, c->ref.data.label, left_out);
   family_rows(&chart, family);
-  for (size_t k = 0; k < panels; k++) {
-    bool last = k + 1 == panels; /* its key names every curve */
-    panel_begin(&chart, family, k);
-    experiments_draw(&chart, family, last);
-    for (size_t r = 0; last && r + 1 < c->n_runs; r++) cmp_chart_key_entry(&chart, r);
-    if (k < c->n_runs) run_draw(&chart, family, k, last);
-    run_draw(&chart, family, c->n_runs, last);
-    cmp_chart_panel_end(&chart);
-  }
+  TRY(family_frame(&chart, family));
+  for (size_t r = 0, k = 0; r < c->n_runs || (k == 0 && r == c->n_runs); r++)
+    if (r == c->n_runs || cmp_run_is_picked(c, r, CMP_PANELS)) probe_panel(&chart, family, k++, r);
   return cmp_chart_end(&chart);
 }
 

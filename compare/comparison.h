@@ -40,6 +40,7 @@ struct cmp_run {
   struct cmp_value volume;                  /* largest change, relative */
   size_t n_pairs;
   struct cmp_pair *pairs;
+  size_t rank; /* among the runs, from 0: the one that agrees longest (compare/pick.h) */
 };
 
 struct comparison {

@@ -98,7 +98,7 @@ static enum status stream_open(const struct cmp_figures *f, const char *name, co
 enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bool raster,
                              int width, int height, struct cmp_figure **figure, const char *name,
                              ...) {
-  CHECK(!progress_stop_requested(), INTERRUPTED, "stopped while preparing figures");
+  CHECK(!progress_is_stopped(), INTERRUPTED, "stopped while preparing figures");
   if (f->n == f->room) {
     size_t room = f->room ? 2 * f->room : 16;
     struct cmp_figure *more = realloc(f->figure, room * sizeof *more);
@@ -132,7 +132,9 @@ void cmp_figure_formats(struct cmp_figure *fig) {
           "linewidth 1.3 background '#ffffff' }\n"
           "if (fmt eq 'png') { set terminal pngcairo size %d,%d font 'sans,21' linewidth 2.6 "
           "pointscale 2 background '#ffffff' }\n"
+          "small = fmt eq 'svg' ? ',11' : fmt eq 'pdf' ? ',8' : ',16.5'\n"
           "set output '%s.'.fmt\n"
+          "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n"
           "set border linewidth 0.7 linecolor '#444444'\n"
           "set tics nomirror scale 0.6 textcolor '#222222'\n"
           "set grid linetype 1 linecolor '#e4e4e4' linewidth 0.5\n",

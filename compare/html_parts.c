@@ -53,10 +53,14 @@ void cmp_html_reasons_list(struct page *p, const struct cmp_html_reasons *why) {
 }
 
 void cmp_html_run(struct page *p, const struct comparison *c, size_t r) {
-  char style[64];
+  /* a ring of dashes or dots for the runs that have such a line */
+  static const char *const ring[] = {"", " dash", " dots", " ring"};
+  char style[64], class[16];
+  struct cmp_style line = cmp_run_style(c, r);
+  snprintf(class, sizeof class, "dot%s", ring[line.dashes]);
   cmp_page_open(p, "th", "t");
-  cmp_page_open(p, "span", "dot");
-  snprintf(style, sizeof style, "background:%s", r == SIZE_MAX ? "currentColor" : cmp_colour(r));
+  cmp_page_open(p, "span", class);
+  snprintf(style, sizeof style, "color:%s", r == SIZE_MAX ? "inherit" : line.colour);
   cmp_page_attribute(p, "style", style);
   cmp_page_close(p);
   cmp_page_text(p, "%s", cmp_run_or_ref(c, r)->data.label);

@@ -114,9 +114,10 @@ static void lines_write(FILE *data, size_t id, const char *name, const struct ge
   }
 }
 
-/* Walls are series n_runs + 1, the reference n_runs, run r is r. */
+/* Of the runs picked when there is room for `most`. Walls are series n_runs + 1, the reference
+ * n_runs, run r is r. */
 static enum status surfaces_write(const struct comparison *c, struct cmp_figures *f,
-                                  const struct cmp_figure *fig, size_t time) {
+                                  const struct cmp_figure *fig, size_t time, size_t most) {
   FILE *data;
   TRY(cmp_figure_data(f, fig, "-surfaces.csv", &data));
   fputs("series,name,piece,x [H],y [H]\n", data);
@@ -124,7 +125,7 @@ static enum status surfaces_write(const struct comparison *c, struct cmp_figures
   bool reference = false;
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_at *at = &c->run[r].at[time];
-    if (at->output != SIZE_MAX)
+    if (at->output != SIZE_MAX && cmp_run_is_picked(c, r, most))
       lines_write(data, r, c->run[r].data.label, &c->run[r].data.surface[at->output]);
     if (at->ref_output == SIZE_MAX || reference) continue;
     lines_write(data, c->n_runs, c->ref.data.label, &c->ref.data.surface[at->ref_output]);
@@ -159,6 +160,7 @@ static struct geo_box view_choose(const struct comparison *c, size_t time) {
   view.max[1] = view.min[1] + 0.3;
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_at *at = &c->run[r].at[time];
+    if (!cmp_run_is_picked(c, r, CMP_PANELS)) continue;
     if (at->output != SIZE_MAX) view_include(c, &c->run[r].data.surface[at->output], &view);
     if (at->ref_output != SIZE_MAX) view_include(c, &c->ref.data.surface[at->ref_output], &view);
   }
@@ -244,24 +246,24 @@ static void panel_title(const struct comparison *c, const struct cmp_run *run, s
 
 static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
                        const struct layout *l, const struct geo_box *view,
-                       const struct cloud *cloud, size_t time, size_t r) {
+                       const struct cloud *cloud, size_t time, size_t k, size_t r) {
   const struct cmp_run *run = &c->run[r];
   const struct cmp_at *at = &run->at[time];
   FILE *s = fig->script;
-  panel_place(fig, l, r);
+  panel_place(fig, l, k);
   char title[256];
   panel_title(c, run, time, title, sizeof title);
   fputs("unset label\nset label 1 ", s);
   cmp_gnuplot_string(s, title);
   fputs(" at graph 0, graph 1 offset 0, character 0.7 left noenhanced\n", s);
-  fputs(r / l->columns + 1 == l->rows || r + l->columns >= c->n_runs
+  fputs(k / l->columns + 1 == l->rows || k + l->columns >= cmp_runs_picked(c, CMP_PANELS)
             ? "set format x\nset xlabel 'x / H'\n"
             : "set format x ''\nunset xlabel\n",
         s);
-  fputs(r % l->columns == 0 ? "set format y\nset ylabel 'y / H'\n"
+  fputs(k % l->columns == 0 ? "set format y\nset ylabel 'y / H'\n"
                             : "set format y ''\nunset ylabel\n",
         s);
-  if (r == 0)
+  if (k == 0)
     fprintf(s, "set colorbox user origin screen %.5f, screen %.5f size screen 0.016, screen %.5f\n",
             1 - (RIGHT - 16.0) / WIDTH, 1 - (TOP + TITLE + l->height) / fig->height,
             l->height / fig->height);
@@ -289,7 +291,7 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
                                 const struct cloud *cloud) {
   double top = colour_top(c, cloud);
   struct geo_box view = view_choose(c, time);
-  struct layout l = layout_choose(&view, c->n_runs);
+  struct layout l = layout_choose(&view, cmp_runs_picked(c, CMP_PANELS));
   struct cmp_figure *fig;
   TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, WIDTH, l.total, &fig, "overlay-t%.4g",
                        c->times[time]));
@@ -299,7 +301,9 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
       "free surface in thin orange, that of %.60s in black. Mean: distance between the two; area: "
       "between them.",
       c->times[time], c->ref.data.label);
-  TRY(surfaces_write(c, f, fig, time));
+  size_t used = strlen(fig->caption);
+  cmp_picked_say(c, CMP_PANELS, "have no panel", fig->caption + used, sizeof fig->caption - used);
+  TRY(surfaces_write(c, f, fig, time, CMP_PANELS));
   for (size_t r = 0; r < c->n_runs; r++)
     if (cloud[r].n) TRY(cloud_write(&cloud[r], f, fig, r));
   layers_draw(fig, &l, &view, c, cloud, top);
@@ -309,7 +313,8 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
           "unset key\nunset grid\nset tics front\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset ytics 0.5\nset multiplot\n",
           palette, top, top / 4, view.min[0], view.max[0], view.min[1], view.max[1]);
-  for (size_t r = 0; r < c->n_runs; r++) panel_draw(c, fig, &l, &view, &cloud[r], time, r);
+  for (size_t r = 0, k = 0; r < c->n_runs; r++)
+    if (cmp_run_is_picked(c, r, CMP_PANELS)) panel_draw(c, fig, &l, &view, &cloud[r], time, k++, r);
   fputs("unset multiplot\n", fig->script);
   return cmp_figure_end(fig);
 }
@@ -339,27 +344,62 @@ static void view_around(const struct cmp_jet *jet, struct geo_box *view) {
     }
 }
 
+struct jet_figure {
+  struct geo_box view;
+  double width, height; /* of the panel, px */
+  int columns, total_width, total_height;
+};
+
+static struct jet_figure jet_layout(const struct comparison *c, const struct cmp_jet *jet) {
+  struct jet_figure l;
+  view_around(jet, &l.view);
+  double aspect = (l.view.max[0] - l.view.min[0]) / (l.view.max[1] - l.view.min[1]);
+  l.height = fmin(620, (640 - LEFT - 20) / aspect);
+  l.width = l.height * aspect;
+  size_t longest = cmp_key_length(c->ref.data.label);
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (cmp_run_is_picked(c, r, CMP_NAMED) && cmp_key_length(c->run[r].data.label) > longest)
+      longest = cmp_key_length(c->run[r].data.label);
+  l.total_width = (int)fmax(l.width + LEFT + 20, 420);
+  l.columns = cmp_key_columns(longest, l.total_width - 20);
+  l.total_height =
+      (int)(l.height + 20) + cmp_key_height(cmp_runs_picked(c, CMP_NAMED) + 1, l.columns);
+  return l;
+}
+
+static void jet_curve(const struct comparison *c, const struct cmp_figure *fig, size_t time,
+                      size_t k) {
+  FILE *s = fig->script;
+  size_t r = k < c->n_runs ? k : SIZE_MAX;
+  struct cmp_style style = cmp_run_style(c, r);
+  bool shown = r == SIZE_MAX || c->run[r].at[time].output != SIZE_MAX;
+  fprintf(s,
+          ", \\\n  '%s-surfaces.csv' skip 1 using ($1==%zu?$4:NaN):5 with lines linewidth %g "
+          "dashtype %s linecolor '%s' title ",
+          fig->name, k, r == SIZE_MAX ? 2.0 : 1.1, cmp_dashes(&style), style.colour);
+  cmp_key_string(s, cmp_run_or_ref(c, r)->data.label, shown ? NULL : " (no output then)");
+  const struct cmp_jet *jet = jet_at(c, time, k);
+  if (jet)
+    fprintf(s,
+            ", \\\n  '+' using (%.6g):(%.6g) every ::0::0 with points pointtype 2 pointsize 0.9 "
+            "linecolor '%s' notitle",
+            jet->tip[0], jet->tip[1], style.colour);
+}
+
 /* Drawn when the reference has a jet: of one that only a run has, the overlay shows enough. */
 static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, size_t time) {
   const struct cmp_jet *main = jet_at(c, time, c->n_runs);
   if (!main) return OK;
-  struct geo_box view;
-  view_around(main, &view);
-  double aspect = (view.max[0] - view.min[0]) / (view.max[1] - view.min[1]);
-  double height = fmin(620, (640 - LEFT - 20) / aspect), width = height * aspect;
-  size_t longest = strlen(c->ref.data.label);
-  for (size_t r = 0; r < c->n_runs; r++)
-    if (strlen(c->run[r].data.label) > longest) longest = strlen(c->run[r].data.label);
-  int total_width = (int)(width + LEFT + 20);
-  int columns = cmp_key_columns(longest, total_width - 20);
-  int total = (int)(height + 20) + cmp_key_height(c->n_runs + 1, columns);
+  struct jet_figure l = jet_layout(c, main);
   struct cmp_figure *fig;
-  TRY(cmp_figure_begin(f, CMP_SECTION_JET, false, total_width, total, &fig, "jet-t%.4g",
+  TRY(cmp_figure_begin(f, CMP_SECTION_JET, false, l.total_width, l.total_height, &fig, "jet-t%.4g",
                        c->times[time]));
   snprintf(fig->caption, sizeof fig->caption,
            "The plunging jet at t* = %.4g, same scale in both directions; crosses mark the tips.",
            c->times[time]);
-  TRY(surfaces_write(c, f, fig, time));
+  size_t used = strlen(fig->caption);
+  cmp_picked_say(c, CMP_NAMED, "are left out", fig->caption + used, sizeof fig->caption - used);
+  TRY(surfaces_write(c, f, fig, time, CMP_NAMED));
   cmp_figure_formats(fig);
   FILE *s = fig->script;
   fprintf(s,
@@ -367,25 +407,14 @@ static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, s
           "set bmargin at screen %.5f\nset xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n"
           "set xlabel 'x / H' offset 0, character 0.4\nset ylabel 'y / H'\n"
           "set key at screen 0.5, screen %.5f bottom center horizontal maxcols %d samplen 2.2 "
-          "noenhanced\nplot ",
-          (double)LEFT / total_width, (LEFT + width) / total_width, 1 - 20.0 / total,
-          1 - (20 + height) / total, view.min[0], view.max[0], view.min[1], view.max[1],
-          8.0 / total, columns);
-  for (size_t k = 0; k <= c->n_runs; k++) {
-    fprintf(s,
-            "%s'%s-surfaces.csv' skip 1 using ($1==%zu?$4:NaN):5 with lines linewidth %g linecolor "
-            "'%s' title ",
-            k ? ", \\\n  " : "", fig->name, k, k < c->n_runs ? 1.1 : 1.5,
-            cmp_colour(k < c->n_runs ? k : SIZE_MAX));
-    cmp_gnuplot_string(s, cmp_run_or_ref(c, k < c->n_runs ? k : SIZE_MAX)->data.label);
-    const struct cmp_jet *jet = jet_at(c, time, k);
-    if (jet)
-      fprintf(s,
-              ", \\\n  '+' using (%.6g):(%.6g) every ::0::0 with points pointtype 2 pointsize 0.9 "
-              "linecolor '%s' notitle",
-              jet->tip[0], jet->tip[1], cmp_colour(k < c->n_runs ? k : SIZE_MAX));
-  }
+          "reverse Left noenhanced\nplot NaN notitle",
+          (double)LEFT / l.total_width, (LEFT + l.width) / l.total_width, 1 - 20.0 / l.total_height,
+          1 - (20 + l.height) / l.total_height, l.view.min[0], l.view.max[0], l.view.min[1],
+          l.view.max[1], 8.0 / l.total_height, l.columns);
   surface_plot(fig, c->n_runs + 1, "linewidth 1.6 linecolor '#666666'");
+  jet_curve(c, fig, time, c->n_runs); /* the reference below: a run that lies on it is seen */
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (cmp_run_is_picked(c, r, CMP_NAMED)) jet_curve(c, fig, time, r);
   fputc('\n', s);
   return cmp_figure_end(fig);
 }
@@ -396,7 +425,9 @@ enum status cmp_overlays_write(const struct comparison *c, struct cmp_figures *f
   CHECK(cloud, ERR_MEMORY, "no memory for the pictures");
   for (size_t k = 0; k < c->n_times; k++) {
     if (!cmp_comparison_has_output(c, k)) continue;
-    for (size_t r = 0; r < c->n_runs; r++) cloud_read(c, &c->run[r], c->run[r].at[k].t, &cloud[r]);
+    for (size_t r = 0; r < c->n_runs; r++)
+      if (cmp_run_is_picked(c, r, CMP_PANELS))
+        cloud_read(c, &c->run[r], c->run[r].at[k].t, &cloud[r]);
     ATTEMPT(overlay_draw(c, f, k, cloud));
     for (size_t r = 0; r < c->n_runs; r++) cloud_free(&cloud[r]);
     ATTEMPT(jet_draw(c, f, k));

@@ -8,6 +8,7 @@
 #include "compare/json.h"
 #include "compare/output.h"
 #include "compare/overlays.h"
+#include "compare/pick.h"
 #include "compare/summary.h"
 
 enum status cmp_report(const struct case_file *settings, const struct result_file *reference,
@@ -24,6 +25,7 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   TRY(cmp_directory_make(out_dir));
 
   ATTEMPT(cmp_comparison_create(settings, reference, n, runs, &c));
+  ATTEMPT(cmp_runs_rank(c));
   ATTEMPT(cmp_rows_create(c, &rows));
   ATTEMPT(cmp_summary_sentence(c, &rows, verdict->sentence, sizeof verdict->sentence));
   verdict->passed = rows.passed;

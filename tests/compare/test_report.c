@@ -278,6 +278,85 @@ static void test_nothing_in_common(void) {
   result_file_destroy(b);
 }
 
+static char *script_of(const char *figure) {
+  char path[PATH_MAX], name[64], *bytes = NULL;
+  size_t n;
+  snprintf(name, sizeof name, "figures/%s.gp", figure);
+  path_in(name, path);
+  EXPECT_OK(cmp_file_read(path, &bytes, &n));
+  return bytes ? bytes : text("");
+}
+
+static size_t count(const char *in, const char *what) {
+  size_t n = 0;
+  for (const char *at = in; (at = strstr(at, what)); at += strlen(what)) n++;
+  return n;
+}
+
+/* Two hundred runs: every figure is drawn; keys name 28 runs, each in a style of its own, and say
+ * how many there are besides; what has panels has twelve. */
+static void test_many_runs(void) {
+  enum { MANY = 200 };
+  struct case_file c;
+  settings_make(&c);
+  struct result_file *a = made_up("ref", "many", (struct flaws){.until = end}), *runs[MANY];
+  for (int r = 0; r < MANY; r++) {
+    char name[32];
+    snprintf(name, sizeof name, "run-%d", r);
+    runs[r] = made_up(name, "", (struct flaws){.raised = 1e-4 * r, .decay = 1e-4, .until = end});
+  }
+  compare(&c, a, MANY, runs);
+  char *energy = script_of("energy"), *pressure = script_of("pressure-P--1-");
+  EXPECT(count(energy, "title 'run-") == 28 && count(energy, "title 'ref'") == 1);
+  EXPECT(count(energy, "title '172 other runs'") == 1);
+  EXPECT(count(energy, "dashtype (9,4) linecolor '#0072b2'") == 1);
+  EXPECT(count(energy, "dashtype (9,3,2,3) linecolor '#7f7f7f'") == 1);
+  EXPECT(count(pressure, "set yrange") == 12 && count(pressure, "title 'run-") == 12);
+  /* the twelve: six that agree longest, six that leave first */
+  EXPECT(strstr(pressure, "title 'run-0'") && strstr(pressure, "title 'run-199'"));
+  EXPECT(!strstr(pressure, "title 'run-100'"));
+  free(energy);
+  free(pressure);
+  char path[PATH_MAX], *page = NULL;
+  size_t n;
+  path_in("report.html", path);
+  EXPECT_OK(cmp_file_read(path, &page, &n));
+  EXPECT(page && strstr(page, "the 172 others are drawn in thin grey"));
+  EXPECT(page && strstr(page, "the 188 others have no panel") && !strstr(page, "is missing"));
+  free(page);
+  settings_free(&c);
+  result_file_destroy(a);
+  for (int r = 0; r < MANY; r++) result_file_destroy(runs[r]);
+}
+
+/* A curve far out is named as such in the key, and a mark shows how far; a peak has its mark. One
+ * without a series is not drawn, and named so where the key names it. */
+static void test_curves_beyond_the_frame(void) {
+  struct case_file c;
+  settings_make(&c);
+  struct result_file *a = made_up("a", "beyond", (struct flaws){.until = end}), *runs[3];
+  for (size_t r = 0; r < 3; r++)
+    runs[r] = made_up((const char *[]){"fine", "blown-up", "deaf"}[r], "",
+                      (struct flaws){.decay = 0.01, .until = end});
+  for (size_t i = 0; i < runs[1]->n_energy; i++) runs[1]->energy[i].kinetic += 4e4 * density * g;
+  runs[0]->probes->value[100] = 47.5 * density * g * H;
+  runs[2]->n_probes = 0;
+  compare(&c, a, 3, runs);
+  char *energy = script_of("energy"), *pressure = script_of("pressure-P--1-");
+  EXPECT(strstr(energy, "title 'blown-up (beyond the frame)'") && strstr(energy, "title 'fine'"));
+  EXPECT(count(energy, "head filled") == 1);
+  EXPECT(strstr(pressure, "set label '47.5' at 2, graph"));
+  EXPECT(strstr(pressure, "title 'fine'") && strstr(pressure, "title 'deaf (has none)'"));
+  free(energy);
+  free(pressure);
+  settings_free(&c);
+  result_file_destroy(a);
+  for (size_t r = 0; r < 3; r++) {
+    runs[r]->n_probes = 1;
+    result_file_destroy(runs[r]);
+  }
+}
+
 static void test_other_scales_are_refused(void) {
   struct case_file c;
   settings_make(&c);
@@ -372,6 +451,8 @@ int main(void) {
   RUN(test_sentence_groups_runs);
   RUN(test_page_without_figures);
   RUN(test_nothing_in_common);
+  RUN(test_many_runs);
+  RUN(test_curves_beyond_the_frame);
   RUN(test_other_scales_are_refused);
   RUN(test_names_stay_text);
   RUN(test_figures_are_complete);
