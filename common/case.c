@@ -12,21 +12,11 @@
 enum { MOST_BYTES = 10 * 1024 * 1024 };
 
 /* The line of the first byte that is not UTF-8, or 0. */
-static int find_bad_utf8(const unsigned char *s, size_t n) {
+static int find_bad_utf8(const char *text, size_t n) {
+  const char *bad = text_bad_utf8(text, n);
   int line = 1;
-  for (size_t i = 0; i < n;) {
-    size_t more = s[i] < 0x80       ? 0
-                  : s[i] >> 5 == 6  ? 1
-                  : s[i] >> 4 == 14 ? 2
-                  : s[i] >> 3 == 30 ? 3
-                                    : 9;
-    if (more == 9 || i + more >= n) return line;
-    for (size_t k = 1; k <= more; k++)
-      if ((s[i + k] & 0xc0) != 0x80) return line;
-    if (s[i] == '\n') line++;
-    i += more + 1;
-  }
-  return 0;
+  for (const char *c = text; bad && c < bad; c++) line += *c == '\n';
+  return bad ? line : 0;
 }
 
 static bool text_is_fit(struct problems *problems, const char *text, size_t n) {
@@ -35,7 +25,7 @@ static bool text_is_fit(struct problems *problems, const char *text, size_t n) {
     problems_add(problems, 0, "found an empty file; allowed: %s", allowed);
     return false;
   }
-  int line = find_bad_utf8((const unsigned char *)text, n);
+  int line = find_bad_utf8(text, n);
   if (line) {
     problems_add(problems, line, "found a byte that is not UTF-8; allowed: %s; save it as UTF-8",
                  allowed);

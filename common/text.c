@@ -2,10 +2,14 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unictype.h>
 #include <unistd.h>
+#include <unistr.h>
 
 /* What is there instead of a text file; NULL when it is one. Without O_NONBLOCK the opening alone
  * of a FIFO could take for ever. */
@@ -84,17 +88,38 @@ char *text_line(char **rest) {
   return line;
 }
 
-/* ASCII's control characters, and U+0080 to U+009F, which in UTF-8 follow c2. */
-static size_t control_length(const unsigned char *c) {
-  if (c[0] < 32 || c[0] == 127) return 1;
-  return c[0] == 0xc2 && c[1] >= 0x80 && c[1] < 0xa0 ? 2 : 0;
+/* Bytes of the character at `c`, and whether it is to be shown as bytes. */
+static size_t character(const uint8_t *c, size_t n, bool *odd) {
+  ucs4_t code;
+  int length = u8_mbtoucr(&code, c, n);
+  *odd = length <= 0 || uc_is_cntrl(code) || uc_is_property_bidi_control(code) ||
+         uc_is_property_not_a_character(code) || code == 0x2028 || code == 0x2029; /* line ends */
+  return length > 0 ? (size_t)length : 1;
 }
 
 void text_show(FILE *out, const char *text, const char *keep) {
-  for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
-    size_t n = strchr(keep, *c) ? 0 : control_length(c);
-    if (!n) putc(*c, out);
-    for (size_t i = 0; i < n; i++) fprintf(out, "\\x%02x", c[i]);
-    if (n) c += n - 1;
+  const uint8_t *c = (const uint8_t *)text;
+  for (size_t n = strlen(text), length; n; n -= length, c += length) {
+    bool odd;
+    length = character(c, n, &odd);
+    if (!odd || strchr(keep, *c))
+      fwrite(c, 1, length, out);
+    else
+      for (size_t i = 0; i < length; i++) fprintf(out, "\\x%02x", c[i]);
   }
+}
+
+char *text_visible(const char *text, const char *keep) {
+  char *copy = NULL;
+  size_t n;
+  FILE *out = open_memstream(&copy, &n);
+  if (!out) return NULL;
+  text_show(out, text, keep);
+  if (fclose(out) == 0) return copy;
+  free(copy);
+  return NULL;
+}
+
+const char *text_bad_utf8(const char *text, size_t n) {
+  return (const char *)u8_check((const uint8_t *)text, n);
 }

@@ -18,6 +18,11 @@ char *text_line(char **rest);
 
 enum { TEXT_LONGEST_LINE = 1000 }; /* bytes, of a table that people write */
 
-/* Prints `text` with its control characters made visible ("\x1b"), so that a name cannot command a
- * terminal or forge a line; those in `keep` are printed as they are. */
-void text_show(FILE *out, const char *text, const char *keep);
+/* Text that shows what it holds: control characters, marks that turn the direction of writing and
+ * bytes that are not UTF-8 become "\x1b", so that a name cannot command a terminal, forge a line or
+ * break a file; those in `keep` stay as they are. */
+void text_show(FILE *out, const char *text, const char *keep); /* prints it */
+char *text_visible(const char *text, const char *keep);        /* a copy; NULL: no memory */
+
+/* The first byte that is not UTF-8 (RFC 3629) among n, NULL when all are. */
+const char *text_bad_utf8(const char *text, size_t n);

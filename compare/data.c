@@ -177,8 +177,7 @@ enum status cmp_data_create(const struct result_file *f, const struct cmp_scales
   *d = (struct cmp_data){.file = f, .dx = f->spacing / s->H};
   CHECK(f->spacing > 0, ERR_INPUT, "%s: its spacing is %g m; it must be positive", f->path,
         f->spacing);
-  snprintf(d->label, sizeof d->label, "%s", f->run);
-  cmp_text_clean(d->label); /* also of a character cut in half */
+  cmp_text_fit(f->run, d->label, sizeof d->label);
   TRY(lines_scaled(&f->walls, s->H, &d->walls));
   d->bed = geo_lines_box(&d->walls).min[1];
   TRY(surfaces(f, s, depth, window, d));

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -25,7 +26,7 @@ struct drawing {
   struct cmp_figures *figures;
   struct cmp_drawing_limits limits;
   size_t next, failed; /* of the figures */
-  double deadline;
+  double used;         /* s, counted as limits.all is */
   struct worker worker[WORKERS];
 };
 
@@ -120,33 +121,37 @@ static void outcome_note(struct drawing *d, struct cmp_figure *fig, int outcome)
 
 /* ---- all of them ---- */
 
+static double seconds(const struct timeval *t) {
+  return (double)t->tv_sec + 1e-6 * (double)t->tv_usec;
+}
+
 /* Whether a worker has ended, been ended, or was idle. */
 static bool worker_tend(struct drawing *d, struct worker *w) {
   int outcome;
+  struct rusage use;
   if (!w->pid) return true;
-  pid_t ended = waitpid(w->pid, &outcome, WNOHANG);
+  pid_t ended = wait4(w->pid, &outcome, WNOHANG, &use);
   if (ended == w->pid) {
     kill(-w->pid, SIGKILL); /* whatever it has left behind */
     w->pid = 0;
+    d->used += seconds(&use.ru_utime) + seconds(&use.ru_stime);
     outcome_note(d, w->figure, outcome);
   } else if (progress_wall_clock() > w->deadline) {
     worker_kill(w);
     snprintf(w->figure->missing, sizeof w->figure->missing,
              "gnuplot took longer than %g s and was stopped", d->limits.each);
+    d->used += d->limits.each;
     d->failed++;
   }
   return !w->pid;
 }
 
-static void out_of_time(struct drawing *d) {
-  for (size_t k = 0; k < WORKERS; k++) worker_kill(&d->worker[k]);
-  for (size_t i = 0; i < d->figures->n; i++) {
-    struct cmp_figure *fig = &d->figures->figure[i];
-    bool begun = i < d->next, running = false;
-    for (size_t k = 0; k < WORKERS; k++) running = running || d->worker[k].figure == fig;
-    if (begun && !running) continue;
+static void rest_leave_out(struct drawing *d) {
+  for (; d->next < d->figures->n; d->next++) {
+    struct cmp_figure *fig = &d->figures->figure[d->next];
     snprintf(fig->missing, sizeof fig->missing,
-             "left out, for all figures together took longer than %g s", d->limits.all);
+             "left out, for all figures together took more than %g s of processor time",
+             d->limits.all);
   }
 }
 
@@ -156,20 +161,13 @@ static enum status figures_draw(struct drawing *d) {
     busy = false;
     for (size_t k = 0; k < WORKERS; k++) {
       struct worker *w = &d->worker[k];
-      if (!worker_tend(d, w)) {
-        busy = true;
-      } else if (d->next < d->figures->n) {
-        w->figure = NULL;
+      bool idle = worker_tend(d, w);
+      if (d->used > d->limits.all) rest_leave_out(d);
+      if (idle && d->next < d->figures->n) {
         TRY(worker_start(d, w, &d->figures->figure[d->next]));
         d->next++;
-        busy = true;
-      } else {
-        w->figure = NULL;
       }
-    }
-    if (busy && progress_wall_clock() > d->deadline) {
-      out_of_time(d);
-      return OK;
+      busy = busy || w->pid;
     }
     if (busy) nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL); /* a signal ends it */
   }
@@ -185,8 +183,7 @@ static enum status failures_raise(const struct cmp_figures *f, size_t failed) {
 }
 
 enum status cmp_figures_draw(struct cmp_figures *f, struct cmp_drawing_limits limits) {
-  struct drawing d = {
-      .figures = f, .limits = limits, .deadline = progress_wall_clock() + limits.all};
+  struct drawing d = {.figures = f, .limits = limits};
   enum status status = figures_draw(&d);
   for (size_t k = 0; k < WORKERS; k++) worker_kill(&d.worker[k]);
   if (status != OK) {

@@ -95,6 +95,18 @@ static enum status stream_open(const struct cmp_figures *f, const char *name, co
   return OK;
 }
 
+static bool name_taken(const struct cmp_figures *f, const char *name) {
+  for (size_t i = 0; i < f->n; i++)
+    if (!strcmp(f->figure[i].name, name)) return true;
+  return false;
+}
+
+/* Two probes "P/1" and "P-1" make one name. */
+static void name_distinct(const struct cmp_figures *f, char *name, size_t room) {
+  size_t n = strlen(name);
+  for (size_t k = 2; name_taken(f, name); k++) snprintf(name + n, room - n, "-%zu", k);
+}
+
 enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bool raster,
                              int width, int height, struct cmp_figure **figure, const char *name,
                              ...) {
@@ -113,6 +125,7 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
   va_start(args, name);
   vsnprintf(fig->name, sizeof fig->name, name, args);
   va_end(args);
+  name_distinct(f, fig->name, sizeof fig->name);
   TRY(stream_open(f, fig->name, ".gp", &fig->script));
   f->n++;
   fprintf(fig->script,

@@ -19,7 +19,7 @@ enum cmp_section { /* of the report, in its order */
 };
 
 struct cmp_figure {
-  char name[80];     /* of its files, without suffix */
+  char name[96];     /* of its files, without suffix */
   char caption[512]; /* one or two sentences, plain text */
   enum cmp_section section;
   bool raster;       /* heavy: the report shows the PNG, not the SVG */

@@ -67,8 +67,12 @@ static void text_write(struct page *p, const char *format, va_list args) {
     p->failed = true;
     return;
   }
-  cmp_text_clean(text);
-  note(p, xmlTextWriterWriteString(p->writer, BAD_CAST text));
+  char *visible = cmp_text_copy(text);
+  if (visible)
+    note(p, xmlTextWriterWriteString(p->writer, BAD_CAST visible));
+  else
+    p->failed = true;
+  free(visible);
   free(text);
 }
 

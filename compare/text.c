@@ -4,59 +4,43 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bytes of the well-formed UTF-8 character at s (RFC 3629), 0 if there is none. */
-static size_t utf8_length(const unsigned char *s) {
-  if (s[0] < 0x80) return 1;
-  size_t n = s[0] >= 0xc2 && s[0] < 0xe0   ? 2
-             : s[0] >= 0xe0 && s[0] < 0xf0 ? 3
-             : s[0] >= 0xf0 && s[0] < 0xf5 ? 4
-                                           : 0;
-  for (size_t k = 1; k < n; k++)
-    if ((s[k] & 0xc0) != 0x80) return 0;
-  if (n == 3 && ((s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xed && s[1] >= 0xa0))) return 0;
-  if (n == 3 && s[0] == 0xef && s[1] == 0xbf && s[2] >= 0xbe) return 0; /* U+FFFE, U+FFFF */
-  if (n == 4 && ((s[0] == 0xf0 && s[1] < 0x90) || (s[0] == 0xf4 && s[1] >= 0x90))) return 0;
-  return n;
-}
-
-void cmp_text_clean(char *text) {
-  unsigned char *to = (unsigned char *)text;
-  for (const unsigned char *from = to; *from;) {
-    size_t n = utf8_length(from);
-    if (n == 0 || (n == 1 && ((*from < ' ' && *from != '\n' && *from != '\t') || *from == 0x7f))) {
-      *to++ = '?';
-      from++;
-      continue;
-    }
-    memmove(to, from, n);
-    to += n;
-    from += n;
-  }
-  *to = 0;
-}
+#include "common/text.h"
 
 char *cmp_text_copy(const char *text) {
-  char *copy = strdup(text ? text : "");
-  if (copy) cmp_text_clean(copy);
-  return copy;
+  return text_visible(text ? text : "", "\n\t\r");
+}
+
+void cmp_text_fit(const char *text, char *out, size_t room) {
+  char *copy = text_visible(text, "");
+  size_t n = copy ? strlen(copy) : 0;
+  if (n >= room) {
+    const char *cut = text_bad_utf8(copy, room - 1); /* a character cut in half */
+    n = cut ? (size_t)(cut - copy) : room - 1;
+  }
+  if (n) memcpy(out, copy, n);
+  out[n] = 0;
+  free(copy);
+}
+
+/* With the quotes in it doubled, as gnuplot's single and CSV's double ones want it: nothing else
+ * means anything there. */
+static void quoted(FILE *out, const char *text, char quote) {
+  char *copy = text_visible(text, "");
+  fputc(quote, out);
+  for (const char *c = copy ? copy : ""; *c; c++) {
+    if (*c == quote) fputc(quote, out);
+    fputc(*c, out);
+  }
+  fputc(quote, out);
+  free(copy);
 }
 
 void cmp_gnuplot_string(FILE *script, const char *text) {
-  fputc('\'', script); /* nothing is expanded in single quotes; a quote is doubled */
-  for (; *text; text++) {
-    if (*text == '\'') fputc('\'', script);
-    fputc((unsigned char)*text < ' ' ? ' ' : *text, script);
-  }
-  fputc('\'', script);
+  quoted(script, text, '\'');
 }
 
 void cmp_csv_string(FILE *data, const char *text) {
-  fputc('"', data);
-  for (; *text; text++) {
-    if (*text == '"') fputc('"', data);
-    fputc((unsigned char)*text < ' ' ? ' ' : *text, data);
-  }
-  fputc('"', data);
+  quoted(data, text, '"');
 }
 
 void cmp_slug(const char *text, char *out, size_t room) {

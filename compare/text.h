@@ -1,12 +1,12 @@
-/* Text from files on its way into other formats: whatever it holds, it stays text. */
+/* Text from files on its way into other formats: whatever it holds, it stays text, and what cannot
+ * be shown is made visible (common/text.h). */
 #pragma once
 #include <stddef.h>
 #include <stdio.h>
 
-/* Replaces, in place, what is not UTF-8 and control characters other than tab and newline by '?'.
- */
-void cmp_text_clean(char *text);
-char *cmp_text_copy(const char *text); /* cleaned; NULL gives ""; NULL back: no memory */
+/* With tabs and line ends as they are; NULL gives ""; NULL back: no memory. */
+char *cmp_text_copy(const char *text);
+void cmp_text_fit(const char *text, char *out, size_t room); /* in one line; cut if too long */
 
 void cmp_gnuplot_string(FILE *script, const char *text); /* quoted */
 void cmp_csv_string(FILE *data, const char *text);       /* quoted */

@@ -371,6 +371,20 @@ static void test_other_scales_are_refused(void) {
   result_file_destroy(b);
 }
 
+/* In a picture, gnuplot's own marks and escapes are text as well, and what cannot be shown is
+ * visible. */
+static void picture_shows(const char *figure, const char *words) {
+  char path[PATH_MAX], name[64];
+  snprintf(name, sizeof name, "figures/%s.svg", figure);
+  path_in(name, path);
+  xmlDocPtr picture = xmlReadFile(path, NULL, XML_PARSE_NONET | XML_PARSE_NOERROR);
+  EXPECT(picture != NULL);
+  xmlChar *content = picture ? xmlNodeGetContent(xmlDocGetRootElement(picture)) : NULL;
+  EXPECT(content && strstr((char *)content, words));
+  xmlFree(content);
+  xmlFreeDoc(picture);
+}
+
 /* Hostile names stay text: the page is well-formed, has no script, loads nothing, and gnuplot and
  * the shell run nothing. */
 static void test_names_stay_text(void) {
@@ -379,12 +393,18 @@ static void test_names_stay_text(void) {
   size_t n;
   settings_make(&c);
   struct result_file *a =
-      made_up("ref'`touch /tmp/plunge-was-here`", "</title><script>alert(1)</script> \xff & \x01 é",
+      made_up("ref'`touch /tmp/plunge-was-here`",
+              "</title><script>alert(1)</script> \xff & \x01 \xc0\xae \xed\xa0\x80 é \u202e",
               (struct flaws){.until = end});
   struct result_file *b = made_up("run\"'; system 'touch /tmp/plunge-was-here'; '<img src=x>", "t",
-                                  (struct flaws){.raised = 0.01, .until = end});
-  compare(&c, a, 1, &b);
+                                  (struct flaws){.raised = 0.01, .until = end}),
+                     *d = made_up("\x1b[31m\\n{/Symbol a}^2\xc2\x9b@_b", "t",
+                                  (struct flaws){.raised = 0.02, .until = end});
+  struct result_file *runs[] = {b, d};
+  compare(&c, a, 2, runs);
   EXPECT(access("/tmp/plunge-was-here", F_OK) != 0);
+  picture_shows("energy", "\\x1b[31m\\n{/Symbol a}^2\\xc2\\x9b@_b");
+  picture_shows("pressure-P--1-", "\\x1b[31m\\n{/Symbol a}^2\\xc2\\x9b@_b");
   path_in("report.html", path);
   EXPECT_OK(cmp_file_read(path, &bytes, &n));
   if (!bytes) return;
@@ -393,12 +413,14 @@ static void test_names_stay_text(void) {
   EXPECT(page != NULL);
   xmlFreeDoc(page);
   EXPECT(!strstr(bytes, "<script") && !strstr(bytes, "http") && !strstr(bytes, "<img src=x>"));
-  EXPECT(strstr(bytes, "&lt;script&gt;alert(1)&lt;/script&gt; ? &amp; ? é"));
+  EXPECT(strstr(bytes, "&lt;script&gt;alert(1)&lt;/script&gt; \\xff &amp; \\x01 \\xc0\\xae "
+                       "\\xed\\xa0\\x80 é \\xe2\\x80\\xae"));
   EXPECT(strstr(bytes, "prefers-color-scheme:dark"));
   free(bytes);
   settings_free(&c);
   result_file_destroy(a);
   result_file_destroy(b);
+  result_file_destroy(d);
 }
 
 /* Every figure is there in three formats with its data and script, and nothing temporary is left.
