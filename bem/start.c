@@ -28,10 +28,12 @@ static void check_most(const struct case_run *r, double length, struct problems 
 void bem_start_check(const struct case_file *c, const struct case_run *r,
                      struct problems *problems) {
   if (!c->rectangular)
-    problems_add(problems, case_run_line(r, "solver"),
-                 "runs.%s.solver: found 'bem' in a tank that is not rectangular; allowed: one wall "
-                 "down the left side, along a flat bed, up the right side; take another solver",
-                 r->name);
+    problems_add(
+        problems, case_run_line(r, "solver"),
+        "runs.%s.solver: found 'bem' in a tank that is not rectangular; allowed: one wall, "
+        "open at the top, down the left side, along a flat bed, up the right side; take another "
+        "solver",
+        r->name);
   double width = c->tank.max[0] - c->tank.min[0], near = NEAR * width;
   if (c->wave.kind != CASE_WAVE_NONE) {
     if (width / c->H * r->resolution < FEWEST)

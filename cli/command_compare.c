@@ -28,7 +28,7 @@ int command_report(const struct case_file *c, const struct result_file *ref, siz
 }
 
 struct compare_arguments {
-  const char *out;
+  const char *out, *settings;
   char **files; /* [n], in argv */
   size_t n;
 };
@@ -38,6 +38,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   switch (key) {
   case 'o':
     a->out = arg;
+    return 0;
+  case 's':
+    a->settings = arg;
     return 0;
   case ARGP_KEY_ARGS:
     a->files = state->argv + state->next;
@@ -49,6 +52,32 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   default:
     return ARGP_ERR_UNKNOWN;
   }
+}
+
+/* The settings in a file of their own; problems are printed. */
+static struct case_file *settings_from(const char *path, size_t n, struct result_file *const *files,
+                                       int *exit_code) {
+  struct problems problems = {0};
+  struct case_file *c = NULL;
+  const char **names = calloc(n, sizeof *names);
+  for (size_t i = 0; names && i < n; i++) names[i] = files[i]->run;
+  struct case_frame frame = {
+      .H = files[0]->H,
+      .gravity = files[0]->g,
+      .tank = geo_lines_box(&files[0]->walls),
+      .n_times = files[0]->n_surfaces,
+      .times = files[0]->surface_time,
+      .n_runs = n,
+      .runs = names,
+  };
+  enum status status = names ? case_load_settings(path, &frame, &registry, &problems, &c)
+                             : status_raise(ERR_MEMORY, "no memory for %zu runs", n);
+  command_list_problems(&problems);
+  *exit_code = status_exit_code(status);
+  if (status != OK && !problems.n) command_fail(status);
+  problems_destroy(&problems);
+  free(names);
+  return c;
 }
 
 /* The settings that stand in the reference's own case; problems are printed. */
@@ -65,12 +94,16 @@ static struct case_file *settings_of(const struct result_file *ref) {
 
 int command_compare(int argc, char **argv) {
   static const struct argp_option options[] = {
-      {"out", 'o', "DIR", 0, "folder of the report (default: comparison)", 0}, {0}};
+      {"out", 'o', "DIR", 0, "folder of the report (default: comparison)", 0},
+      {"settings", 's', "FILE", 0,
+       "times, window and tolerances from the section `compare` of this file", 0},
+      {0}};
   static const struct argp argp = {
       .options = options,
       .parser = parse,
       .args_doc = "REF.h5 RUN.h5...",
-      .doc = "Compares finished results with a reference, by the settings in the reference's case, "
+      .doc = "Compares finished results with a reference, by the settings in the reference's case "
+             "or in a file of their own, "
              "and writes report.html, report.json and figures/. Exit code 1 when a check fails.",
   };
   struct compare_arguments a = {.out = "comparison"};
@@ -90,7 +123,7 @@ int command_compare(int argc, char **argv) {
     exit_code = command_fail(status);
     goto done;
   }
-  c = settings_of(files[0]);
+  c = a.settings ? settings_from(a.settings, a.n, files, &exit_code) : settings_of(files[0]);
   if (!c) goto done;
   enum status status = command_lock_folder(a.out, false, progress, &lock);
   if (status != OK)

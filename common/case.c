@@ -68,8 +68,8 @@ static enum status build(struct case_draft *d, const char *path, const char *tex
   if (!c->title) c->title = title_from_path(path);
   CHECK(c->title, ERR_MEMORY, "no memory for the case");
   case_check(d);
-  if (d->doc.problems->n) return OK;
-  for (size_t i = 0; i < c->n_runs; i++) {
+  bool solvable = d->good.scales && d->good.shapes && d->good.time && d->good.runs;
+  for (size_t i = 0; solvable && i < c->n_runs; i++) {
     const struct case_run *r = &c->runs[i];
     if (r->solver->check) r->solver->check(c, r, d->doc.problems);
   }

@@ -123,6 +123,21 @@ enum status case_load(const char *path, size_t n_set, const char *const *set,
  * are left empty: they are in the result file itself. */
 enum status case_parse(const char *name, const char *text, const struct registry *registry,
                        struct problems *problems, struct case_file **c);
+
+/* What is known of results that are there already, for settings that stand by themselves. */
+struct case_frame {
+  double H, gravity;   /* m, m s^-2 */
+  struct geo_box tank; /* m */
+  size_t n_times, n_runs;
+  const double *times;     /* s, of the reference's outputs, [n_times] */
+  const char *const *runs; /* names, the reference's first, [n_runs] */
+};
+
+/* Settings of a comparison (the section `compare` alone) from a YAML file: *c has runs with names
+ * and nothing else, and `compare` filled. Problems as case_load. */
+enum status case_load_settings(const char *path, const struct case_frame *frame,
+                               const struct registry *registry, struct problems *problems,
+                               struct case_file **c);
 void case_destroy(struct case_file *c);
 
 /* Every section with its keys: what is allowed, the default, what it is (for `plunge list`). */

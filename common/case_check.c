@@ -160,7 +160,7 @@ static void check_times(struct case_draft *d) {
   }
 }
 
-static void check_tolerances(struct case_draft *d) {
+void case_check_tolerances(struct case_draft *d) {
   struct case_file *c = d->c;
   int list = case_doc_member(&d->doc, d->at.compare, "tolerances");
   char path[CASE_PATH], found[64];
@@ -187,7 +187,7 @@ static void check_tolerances(struct case_draft *d) {
   }
 }
 
-static void check_window(struct case_draft *d) {
+void case_check_window(struct case_draft *d) {
   const struct geo_box *w = &d->c->compare.window, *tank = &d->c->tank;
   if (w->min[0] >= w->max[0] || w->min[1] >= w->max[1]) return; /* reported when it was read */
   if (w->min[0] < tank->max[0] && w->max[0] > tank->min[0] && w->max[1] > tank->min[1]) return;
@@ -202,6 +202,6 @@ void case_check(struct case_draft *d) {
   check_instruments(d);
   check_run_names(d);
   if (d->good.time) check_times(d);
-  if (d->good.time && d->good.runs) check_tolerances(d);
-  if (d->good.tank) check_window(d);
+  if (d->good.time && d->good.runs) case_check_tolerances(d);
+  if (d->good.tank) case_check_window(d);
 }

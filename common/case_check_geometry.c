@@ -230,11 +230,13 @@ static void check_wave(struct case_draft *d) {
 
 void case_check_geometry(struct case_draft *d) {
   struct case_file *c = d->c;
+  size_t faults = d->doc.faults;
   if (d->good.tank) check_walls(d);
   if (d->good.tank) c->rectangular = is_rectangular(c);
   if (d->good.water && c->wave.kind)
     check_wave(d);
   else if (d->good.water)
     check_regions(d);
+  d->good.shapes = d->good.water && d->good.tank && d->doc.faults == faults;
   if (d->good.water && d->good.tank) check_pressure(d);
 }

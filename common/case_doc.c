@@ -222,6 +222,19 @@ void case_doc_found(struct case_doc *d, int node, char out[64]) {
   }
 }
 
+struct case_offer case_offer(const char *lead, size_t n, const char *const *names,
+                             const char *text) {
+  struct case_offer offer = {"", ""};
+  snprintf(offer.allowed, sizeof offer.allowed, "%s", lead);
+  for (size_t i = 0; i < n; i++) {
+    size_t at = strlen(offer.allowed);
+    snprintf(offer.allowed + at, sizeof offer.allowed - at, "%s%s", i ? ", " : "", names[i]);
+  }
+  const char *near = text ? param_nearest(text, n, names) : NULL;
+  if (near) snprintf(offer.todo, sizeof offer.todo, "did you mean '%s'?", near);
+  return offer;
+}
+
 bool case_doc_value(struct case_doc *d, int node, const char *path, const struct param *p,
                     void *into) {
   char found[64], allowed[640], todo[160] = "";
@@ -274,29 +287,26 @@ static const struct param *find_row(size_t n_blocks, const struct case_block *bl
   return NULL;
 }
 
+static size_t list_keys(size_t n_blocks, const struct case_block *blocks,
+                        const char *names[MOST_KEYS]) {
+  size_t n = 0;
+  for (size_t b = 0; b < n_blocks; b++)
+    for (size_t i = 0; i < blocks[b].n && n < MOST_KEYS; i++) names[n++] = blocks[b].params[i].key;
+  return n;
+}
+
 static void report_unknown(struct case_doc *d, int key, const char *path, size_t n_blocks,
                            const struct case_block *blocks) {
-  const char *names[MOST_KEYS];
-  size_t n = 0;
-  char allowed[1024] = "", todo[96] = "", found[64], shown[48], full[CASE_PATH];
-  const char *text = case_doc_text(d, key);
-  for (size_t b = 0; b < n_blocks; b++)
-    for (size_t i = 0; i < blocks[b].n && n < MOST_KEYS; i++) {
-      size_t at = strlen(allowed);
-      names[n] = blocks[b].params[i].key;
-      snprintf(allowed + at, sizeof allowed - at, "%s%s", n ? ", " : "", names[n]);
-      n++;
-    }
-  const char *near = text ? param_nearest(text, n, names) : NULL;
-  if (near) snprintf(todo, sizeof todo, "did you mean '%s'?", near);
+  const char *names[MOST_KEYS], *text = case_doc_text(d, key);
+  char shown[48], full[CASE_PATH];
+  struct case_offer offer = case_offer("", list_keys(n_blocks, blocks, names), names, text);
   if (!text) {
-    case_doc_problem(d, case_doc_line(d, key), path, "a key that is not text", allowed, todo);
+    case_doc_problem(d, case_doc_line(d, key), path, "a key that is not text", offer.allowed, "");
     return;
   }
   case_quote(text, strlen(text), shown, sizeof shown);
   join(full, path, shown);
-  snprintf(found, sizeof found, "an unknown key");
-  case_doc_problem(d, case_doc_line(d, key), full, found, allowed, todo);
+  case_doc_problem(d, case_doc_line(d, key), full, "an unknown key", offer.allowed, offer.todo);
 }
 
 /* Reads one key: value pair; `pairs` are those before it. */
@@ -361,14 +371,10 @@ bool case_doc_read(struct case_doc *d, int node, const char *path, int line_if_a
     char found[64];
     case_doc_found(d, node, found);
     if (n_pairs > MOST_KEYS) snprintf(found, sizeof found, "a mapping of %zu keys", n_pairs);
-    char allowed[1024] = "a mapping with the keys";
-    for (size_t b = 0, first = 1; b < n_blocks; b++)
-      for (size_t i = 0; i < blocks[b].n; i++, first = 0) {
-        size_t at = strlen(allowed);
-        snprintf(allowed + at, sizeof allowed - at, "%s %s", first ? "" : ",",
-                 blocks[b].params[i].key);
-      }
-    case_doc_problem(d, case_doc_line(d, node), path, found, allowed,
+    const char *names[MOST_KEYS];
+    struct case_offer offer =
+        case_offer("a mapping with the keys ", list_keys(n_blocks, blocks, names), names, NULL);
+    case_doc_problem(d, case_doc_line(d, node), path, found, offer.allowed,
                      is_nothing(d, node) ? "give its keys or remove it" : "");
     return false;
   }

@@ -73,6 +73,14 @@ bool case_doc_expect_list(struct case_doc *d, int node, const char *path, size_t
 void case_doc_problem(struct case_doc *d, int line, const char *path, const char *found,
                       const char *allowed, const char *todo);
 
+/* What a word may be and which of it was perhaps meant, for messages: "one of a, b, c" behind the
+ * lead "one of ", and "did you mean 'b'?" or "". `text` is what stands there, or NULL. */
+struct case_offer {
+  char allowed[1024], todo[96];
+};
+struct case_offer case_offer(const char *lead, size_t n, const char *const *names,
+                             const char *text);
+
 /* What stands at `node`, for messages: 'text', "a list", "a mapping", "nothing". */
 void case_doc_found(struct case_doc *d, int node, char out[64]);
 

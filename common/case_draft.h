@@ -14,6 +14,7 @@ struct case_draft {
   } at;
   struct { /* sections read without a fault: what the checks may rely on */
     bool scales, tank, water, time, probes, gauges, runs;
+    bool shapes; /* tank and water make sense together */
   } good;
 };
 
@@ -59,6 +60,8 @@ extern const struct case_table case_section_tables[], case_run_tables[];
 
 /* case_check.c: whether what was read makes sense together. */
 void case_check(struct case_draft *d);
+void case_check_tolerances(struct case_draft *d); /* their times are among compare.times */
+void case_check_window(struct case_draft *d);
 double case_tank_size(const struct case_file *c); /* the longer side of the tank's box, m */
 
 /* Lengths, areas and times closer than this part of the whole are the same: decimal input and its

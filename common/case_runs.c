@@ -20,23 +20,19 @@ static const struct param run_rows[] = {
 static const struct solver *find_solver(struct case_draft *d, int run, const char *path) {
   const struct registry *r = d->registry;
   const char *names[64];
-  char allowed[512] = "one of ", found[64], todo[96] = "", full[CASE_PATH + 16];
+  char found[64], full[CASE_PATH + 16];
   int node = case_doc_member(&d->doc, run, "solver");
   const char *text = case_doc_text(&d->doc, node);
   size_t n = r->n_solvers < 64 ? r->n_solvers : 64;
   for (size_t i = 0; i < n; i++) {
-    size_t at = strlen(allowed);
     names[i] = r->solvers[i]->name;
     if (text && !strcmp(text, names[i])) return r->solvers[i];
-    snprintf(allowed + at, sizeof allowed - at, "%s%s", i ? ", " : "", names[i]);
   }
-  const char *near = text ? param_nearest(text, n, names) : NULL;
-  if (near) snprintf(todo, sizeof todo, "did you mean '%s'?", near);
-  if (!node) snprintf(todo, sizeof todo, "add this key");
+  struct case_offer offer = case_offer("one of ", n, names, text);
   case_doc_found(&d->doc, node, found);
   snprintf(full, sizeof full, "%s.solver", path);
-  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, run, "solver"), full, found, allowed,
-                   todo);
+  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, run, "solver"), full, found,
+                   offer.allowed, node ? offer.todo : "add this key");
   return NULL;
 }
 
@@ -120,19 +116,16 @@ static const struct param compare_rows[] = {
 static size_t find_run(struct case_draft *d, int node, const char *path) {
   struct case_file *c = d->c;
   const char *text = case_doc_text(&d->doc, node), *names[CASE_MOST_ITEMS];
-  char allowed[512] = "one of the runs ", found[64], todo[96] = "";
+  char found[64];
   size_t n = 0;
   for (size_t i = 0; i < c->n_runs; i++) {
-    size_t at = strlen(allowed);
     if (!c->runs[i].name) continue;
     if (text && !strcmp(text, c->runs[i].name)) return i;
-    snprintf(allowed + at, sizeof allowed - at, "%s%s", n ? ", " : "", c->runs[i].name);
     names[n++] = c->runs[i].name;
   }
-  const char *near = text ? param_nearest(text, n, names) : NULL;
-  if (near) snprintf(todo, sizeof todo, "did you mean '%s'?", near);
+  struct case_offer offer = case_offer("one of the runs ", n, names, text);
   case_doc_found(&d->doc, node, found);
-  case_doc_problem(&d->doc, case_doc_line(&d->doc, node), path, found, allowed, todo);
+  case_doc_problem(&d->doc, case_doc_line(&d->doc, node), path, found, offer.allowed, offer.todo);
   return c->n_runs;
 }
 
@@ -191,23 +184,19 @@ static const struct param tolerance_rows[] = {
 
 static enum status read_measure(struct case_draft *d, int node, const char *path, char **out) {
   const struct registry *r = d->registry;
-  char allowed[1024] = "one of ", found[64], todo[96] = "";
   const char *text = case_doc_text(&d->doc, node), *names[128];
+  char found[64];
   size_t n = r->n_measures < 128 ? r->n_measures : 128;
   for (size_t i = 0; i < n; i++) {
-    size_t at = strlen(allowed);
     names[i] = r->measures[i].name;
-    if (text && !strcmp(text, names[i])) {
-      *out = strdup(text);
-      CHECK(*out, ERR_MEMORY, "no memory for the name of a measure");
-      return OK;
-    }
-    snprintf(allowed + at, sizeof allowed - at, "%s%s", i ? ", " : "", names[i]);
+    if (!text || strcmp(text, names[i]) != 0) continue;
+    *out = strdup(text);
+    CHECK(*out, ERR_MEMORY, "no memory for the name of a measure");
+    return OK;
   }
-  const char *near = text ? param_nearest(text, n, names) : NULL;
-  if (near) snprintf(todo, sizeof todo, "did you mean '%s'?", near);
+  struct case_offer offer = case_offer("one of ", n, names, text);
   case_doc_found(&d->doc, node, found);
-  case_doc_problem(&d->doc, case_doc_line(&d->doc, node), path, found, allowed, todo);
+  case_doc_problem(&d->doc, case_doc_line(&d->doc, node), path, found, offer.allowed, offer.todo);
   return OK;
 }
 

@@ -95,6 +95,9 @@ struct water_section {
   int regions, wave, velocity, pressure;
 };
 static const char *const pressure_names[] = {"hydrostatic", "released", NULL};
+static const char *const pressure_helps[] = {
+    "that of the surface above each point",
+    "that just after the gate before the water has gone: zero on every face without a wall"};
 static const struct param water_rows[] = {
     NODE(struct water_section, regions, "", "a list of regions, each a list of points [x, y]"),
     NODE(struct water_section, wave, "", "a mapping with kind, amplitude, wavelength, depth"),
@@ -104,7 +107,8 @@ static const struct param water_rows[] = {
      .offset = offsetof(struct water_section, pressure),
      .choices = pressure_names,
      .value = "hydrostatic",
-     .help = "pressure at t = 0"},
+     .help = "pressure at t = 0",
+     .helps = pressure_helps},
 };
 
 struct wave_section {

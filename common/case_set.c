@@ -136,6 +136,7 @@ static size_t find_key(struct case_doc *d, int node, const char *path, size_t k,
     const char *key = case_doc_text(d, pairs[*index].key);
     if (key && strlen(key) == length && !strncmp(key, path, length)) return length;
   }
+  if (path[length] == '[') return 0; /* an item of a list that is not there */
   int key = add_scalar(d, path, length, YAML_ANY_SCALAR_STYLE, k);
   int value = mark(d, yaml_document_add_mapping(&d->yaml, NULL, YAML_ANY_MAPPING_STYLE), k);
   if (!key || !value || !yaml_document_append_mapping_pair(&d->yaml, node, key, value)) return 0;
@@ -157,6 +158,18 @@ static void report_item(struct case_doc *d, size_t k, int list, const char *path
   snprintf(found, sizeof found, "no item '%s' in the list", shown);
   case_doc_problem(d, -(int)k - 1, "", found, *allowed ? allowed : "nothing, the list is empty",
                    "correct the path");
+}
+
+static void report_key(struct case_doc *d, int line, const char *path) {
+  char found[96], shown[64];
+  case_quote(path, strcspn(path, ".["), shown, sizeof shown);
+  snprintf(found, sizeof found, "no list '%s' in the case", shown);
+  if (*shown)
+    case_doc_problem(d, line, "", found, "items of a list that is there",
+                     "set the list as a whole");
+  else
+    case_doc_problem(d, line, "", "an empty word in the path", "words joined by '.'",
+                     "correct the path");
 }
 
 void case_doc_set(struct case_doc *d, size_t k, const char *assignment) {
@@ -203,8 +216,7 @@ void case_doc_set(struct case_doc *d, size_t k, const char *assignment) {
       if (list)
         report_item(d, k, node, rest);
       else
-        case_doc_problem(d, line, "", "an empty word in the path", "words joined by '.'",
-                         "correct the path");
+        report_key(d, line, rest);
       goto done;
     }
     at = (struct place){node, index};

@@ -289,6 +289,14 @@ void params_write(FILE *out, const struct param *params, size_t n, const void *f
   }
 }
 
+static void print_choices(FILE *out, const struct param *p, int indent) {
+  int width = 0;
+  for (size_t i = 0; p->choices[i]; i++)
+    if ((int)strlen(p->choices[i]) > width) width = (int)strlen(p->choices[i]);
+  for (size_t i = 0; p->choices[i]; i++)
+    fprintf(out, "%*s%-*s  %s\n", indent, "", width, p->choices[i], p->helps[i]);
+}
+
 void params_print(FILE *out, const struct param *params, size_t n) {
   int width = 0;
   for (size_t i = 0; i < n; i++) {
@@ -307,6 +315,7 @@ void params_print(FILE *out, const struct param *params, size_t n) {
     else
       fprintf(out, "optional\n");
     if (p->type != PARAM_NODE) fprintf(out, "    %-*s  %s\n", width, "", p->help);
+    if (p->type == PARAM_CHOICE && p->helps) print_choices(out, p, width + 8);
   }
 }
 

@@ -12,8 +12,8 @@ enum param_type {
   PARAM_BOOL,   /* bool */
   PARAM_CHOICE, /* int: index into `choices` */
   PARAM_TEXT,   /* char *, owned by the struct (params_release); one line of at most `max` bytes */
-  PARAM_NODE,   /* int: handle of a nested list or mapping, read by the caller; 0: absent; help says what is
-                   allowed there */
+  PARAM_NODE,   /* int: handle of a nested list or mapping, read by the caller; 0: absent; help says
+                   what is   allowed there */
 };
 
 #define PARAM_ABOVE_0 DBL_MIN
@@ -26,13 +26,14 @@ struct param {
   const char *key;
   enum param_type type;
   enum quantity quantity;
-  size_t offset;     /* of the member in the struct that is filled */
-  double min, max;   /* allowed range, ends included (PARAM_REAL and PARAM_INT), in SI; PARAM_ABOVE_0
-                        as min: greater than zero; min = max: any finite number */
+  size_t offset;   /* of the member in the struct that is filled */
+  double min, max; /* allowed range, ends included (PARAM_REAL and PARAM_INT), in SI; PARAM_ABOVE_0
+                      as min: greater than zero; min = max: any finite number */
   const char *value; /* default, written as in a case file; NULL: the key is required; "": optional,
                         the member keeps what it held */
   const char *const *choices; /* PARAM_CHOICE: NULL-terminated names */
   const char *help;           /* one sentence: what it is, its source (paper and equation) */
+  const char *const *helps;   /* PARAM_CHOICE: one a choice, or NULL */
 };
 
 /* What "H" and "g" in a unit stand for; NaN while not known. */
@@ -51,7 +52,8 @@ void param_allowed(const struct param *p, char *out, size_t size);
 /* Appends the members that row by row describe the struct, as "key=value\n" with all digits. */
 void params_write(FILE *out, const struct param *params, size_t n, const void *from);
 
-/* One readable paragraph a key: name, what is allowed, default, help. */
+/* One readable paragraph a key: name, what is allowed, default, help, and a line for each choice.
+ */
 void params_print(FILE *out, const struct param *params, size_t n);
 
 /* Frees what PARAM_TEXT rows own in `from`. */

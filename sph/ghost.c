@@ -164,7 +164,6 @@ static void ghosts_destroy(struct sph *s) {
 
 const struct sph_wall sph_wall_ghost = {
     .name = "ghost",
-    .help = "fixed ghost particles with free slip (Marrone et al. 2011)",
     .create = ghosts_create,
     .list = ghosts_list,
     .fill = ghosts_fill,

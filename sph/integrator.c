@@ -6,7 +6,6 @@
 
 const struct sph_integrator sph_integrators[] = {
     {.name = "rk4",
-     .help = "classic Runge-Kutta of order 4",
      .stages = 4,
      .order = 4,
      .a = {{0}, {1. / 2}, {0, 1. / 2}, {0, 0, 1}},
@@ -16,7 +15,6 @@ const struct sph_integrator sph_integrators[] = {
     /* Every stage of eq. (25) adds D(w0) with the weights of the classic method: it is that method
      * applied to dw/dt = Q(w) + D(w0). The error of freezing D is first order, times delta. */
     {.name = "rk4-frozen",
-     .help = "classic Runge-Kutta, diffusion evaluated once a step (paper, eq. 25)",
      .stages = 4,
      .order = 1,
      .frozen = true,
@@ -25,7 +23,6 @@ const struct sph_integrator sph_integrators[] = {
      .acoustic = 1,
      .diffusive = 1},
     {.name = "tvd-rk3",
-     .help = "total-variation diminishing Runge-Kutta of order 3 (Gottlieb & Shu 1998)",
      .stages = 3,
      .order = 3,
      .a = {{0}, {1}, {1. / 4, 1. / 4}},
@@ -34,6 +31,10 @@ const struct sph_integrator sph_integrators[] = {
      .diffusive = 2.513 / 2.785},
 };
 
+const char *const sph_integrator_helps[] = {
+    "classic Runge-Kutta of order 4",
+    "classic Runge-Kutta, diffusion evaluated once a step (paper, eq. 25)",
+    "total-variation diminishing Runge-Kutta of order 3 (Gottlieb & Shu 1998)"};
 const char *const sph_integrator_names[] = {"rk4", "rk4-frozen", "tvd-rk3", NULL};
 
 _Static_assert(SPH_MAX_STAGES == 4, "combine adds four terms at most");

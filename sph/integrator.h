@@ -5,7 +5,7 @@
 #include "sph/sph.h"
 
 struct sph_integrator {
-  const char *name, *help;
+  const char *name;
   int stages, order;
   bool frozen; /* the diffusive term of the first stage serves all (P eq. (25)) */
   double a[SPH_MAX_STAGES][SPH_MAX_STAGES], b[SPH_MAX_STAGES];
@@ -18,6 +18,7 @@ struct sph_integrator {
 
 extern const struct sph_integrator sph_integrators[];
 extern const char *const sph_integrator_names[]; /* NULL-terminated */
+extern const char *const sph_integrator_helps[]; /* what each is */
 
 /* Completes a step of length dt (s) whose first stage sph_rates(s, 0, true, ...) has evaluated.
  * Advances the state, s->t, s->steps, and the dissipated energies at the method's own order. */

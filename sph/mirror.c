@@ -153,7 +153,6 @@ static void mirror_destroy(struct sph *s) {
 
 const struct sph_wall sph_wall_mirror = {
     .name = "mirror",
-    .help = "mirror images of the water with free slip (Colagrossi & Landrini 2003)",
     .create = mirror_create,
     .list = mirror_list,
     .fill = mirror_fill,

@@ -19,32 +19,42 @@ static const char *const diffusion_names[] = {
 #undef X
         NULL};
 
+static const char *const diffusion_helps[] = {
+#define X(name, delta, strength, help) help,
+    SPH_DIFFUSIONS(X)
+#undef X
+};
+
 #define AT(member) offsetof(struct sph_options, member)
 const struct param sph_params[SPH_N_PARAMS] = {
     {"kernel", PARAM_CHOICE, QTY_NUMBER, AT(kernel), 0, 0, "gaussian", kernel_names,
-     "smoothing kernel (renormalised Gaussian, support 3h)"},
+     "smoothing kernel (renormalised Gaussian, support 3h)", NULL},
     {"h_over_dx", PARAM_REAL, QTY_NUMBER, AT(h_over_dx), 0.8, 3, "1.3333333333333333", NULL,
-     "smoothing length over particle spacing (4/3: paper, III.A)"},
+     "smoothing length over particle spacing (4/3: paper, III.A)", NULL},
     {"diffusion", PARAM_CHOICE, QTY_NUMBER, AT(diffusion), 0, 0, "antuono", diffusion_names,
-     "density diffusion in the continuity equation (paper, eqs. 7, 9, 10)"},
+     "density diffusion in the continuity equation (paper, eqs. 7, 9, 10)", diffusion_helps},
     {"delta", PARAM_REAL, QTY_NUMBER, AT(delta), -1, 10, "-1", NULL,
-     "strength of the diffusion; -1 takes the paper's: antuono 0.2, molteni 0.5, ferrari 1"},
+     "strength of the diffusion; -1 takes the paper's: antuono 0.2, molteni 0.5, ferrari 1", NULL},
     {"alpha", PARAM_REAL, QTY_NUMBER, AT(alpha), 0, 1, "0.01", NULL,
-     "strength of the artificial viscosity (paper, eqs. 1 and 2)"},
+     "strength of the artificial viscosity (paper, eqs. 1 and 2)", NULL},
     {"c0", PARAM_REAL, QTY_VELOCITY, AT(c0), 1e-6, 1e6, "20 sqrt(gH)", NULL,
-     "speed of sound; at least 10 times the largest velocity, about 2 sqrt(gH) in a dam break"},
+     "speed of sound; at least 10 times the largest velocity, about 2 sqrt(gH) in a dam break",
+     NULL},
     {"integrator", PARAM_CHOICE, QTY_NUMBER, AT(integrator), 0, 0, "rk4-frozen",
-     sph_integrator_names, "time integration (paper, IV; rk4-frozen is eq. 25)"},
+     sph_integrator_names, "time integration (paper, IV; rk4-frozen is eq. 25)",
+     sph_integrator_helps},
     {"walls", PARAM_CHOICE, QTY_NUMBER, AT(walls), 0, 0, "ghost", sph_wall_names,
-     "free-slip walls: fixed ghost particles (paper), or mirror images, which do no work"},
+     "free-slip walls: fixed ghost particles (paper), or mirror images, which do no work",
+     sph_wall_helps},
     {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,
-     "factor of the bound from sound and convection (paper, eq. 29); of rk4, scaled for others"},
+     "factor of the bound from sound and convection (paper, eq. 29); of rk4, scaled for others",
+     NULL},
     {"cfl_diffusive", PARAM_REAL, QTY_NUMBER, AT(cfl_diffusive), 1e-3, 10, "0.44", NULL,
-     "factor of the bound from diffusion (paper, eq. 27); of rk4, scaled for others"},
+     "factor of the bound from diffusion (paper, eq. 27); of rk4, scaled for others", NULL},
     {"cfl_viscous", PARAM_REAL, QTY_NUMBER, AT(cfl_viscous), 1e-3, 10, "0.125", NULL,
-     "factor of the bound from viscosity (paper, eq. 28)"},
+     "factor of the bound from viscosity (paper, eq. 28)", NULL},
     {"cfl_acceleration", PARAM_REAL, QTY_NUMBER, AT(cfl_acceleration), 1e-3, 10, "0.25", NULL,
-     "factor of the bound from acceleration (paper, eq. 28)"},
+     "factor of the bound from acceleration (paper, eq. 28)", NULL},
 };
 
 double sph_options_delta(const struct sph_options *o) {

@@ -90,10 +90,12 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  "diffusion; correct it",
                  r->name, o->delta);
   if (!c->rectangular)
-    problems_add(problems, case_run_line(r, "solver"),
-                 "runs.%s.solver: found 'sph' in a tank that is not rectangular; allowed: one wall "
-                 "down the left side, along a flat bed, up the right side; change tank.walls",
-                 r->name);
+    problems_add(
+        problems, case_run_line(r, "solver"),
+        "runs.%s.solver: found 'sph' in a tank that is not rectangular; allowed: one wall, "
+        "open at the top, down the left side, along a flat bed, up the right side; change "
+        "tank.walls",
+        r->name);
   if (width < 2 * support || height < 2 * support)
     problems_add(problems, case_run_line(r, "resolution"),
                  "runs.%s.resolution: found '%g', where two kernel supports (%g m) exceed the tank "

@@ -8,6 +8,9 @@
 
 const struct sph_wall *const sph_walls[] = {&sph_wall_ghost, &sph_wall_mirror};
 const char *const sph_wall_names[] = {"ghost", "mirror", NULL};
+const char *const sph_wall_helps[] = {
+    "fixed ghost particles with free slip (Marrone et al. 2011)",
+    "mirror images of the water with free slip (Colagrossi & Landrini 2003)"};
 
 enum status sph_wall_create(struct sph *s, const struct geo_lines *walls) {
   s->wall = sph_walls[s->o.walls];

@@ -5,7 +5,7 @@
 #include "sph/vec.h"
 
 struct sph_wall {
-  const char *name, *help;
+  const char *name;
   /* Makes s->w.grid and .data, and what does not move: s->w.x, .y, .pack (positions and volumes)
    * and .n. */
   enum status (*create)(struct sph *s, const struct geo_lines *walls);
@@ -60,6 +60,7 @@ SPECIALISE vec sph_lip_hide(const struct sph_lip *lip, double x, double y, vec r
 
 extern const struct sph_wall *const sph_walls[];
 extern const char *const sph_wall_names[]; /* NULL-terminated */
+extern const char *const sph_wall_helps[]; /* what each is */
 
 enum status sph_wall_create(struct sph *s, const struct geo_lines *walls);
 

@@ -76,4 +76,11 @@ waiting=$!
 end_with HUP
 wait $waiting || fail "the one that waited fails: $(cat third)"
 "$program" info run/sph.h5 | grep -q complete || fail "the one that waited did not run"
+
+# ---- while comparing ----
+"$program" compare run/sph.h5 run/sph.h5 --out compared >log 2>&1 &
+pid=$!
+wait_for log
+end_with TERM
+[ -e compared/report.html ] && fail "a stopped comparison leaves a report"
 exit $failed

@@ -18,13 +18,13 @@ struct sample_options {
 static const char *const sample_diffusions[] = {"none", "antuono", NULL};
 static const struct param sample_params[] = {
     {"alpha", PARAM_REAL, QTY_VELOCITY, offsetof(struct sample_options, alpha), 0, 1, "0.01", NULL,
-     "a number with a unit"},
+     "a number with a unit", NULL},
     {"order", PARAM_INT, QTY_NUMBER, offsetof(struct sample_options, order), 1, 4, "4", NULL,
-     "a count"},
+     "a count", NULL},
     {"diffusion", PARAM_CHOICE, QTY_NUMBER, offsetof(struct sample_options, diffusion), 0, 0,
-     "none", sample_diffusions, "a choice"},
+     "none", sample_diffusions, "a choice", NULL},
     {"frozen", PARAM_BOOL, QTY_NUMBER, offsetof(struct sample_options, frozen), 0, 0, "true", NULL,
-     "a switch"},
+     "a switch", NULL},
 };
 static const struct solver sample_solver = {.name = "sample",
                                             .help = "writes made-up numbers",

@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# plunge compare --settings: times, window and tolerances of one's own, checked with line numbers against
+# the results; and what `plunge list` says of variants.
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failed=0
+
+fail() {
+  echo "FAIL: $*"
+  failed=1
+}
+compare() { # wanted exit code
+  local wanted=$1 got=0
+  "$program" compare out/a.h5 out/b.h5 --settings settings.yaml --out own >log 2>&1 || got=$?
+  [ "$got" = "$wanted" ] || fail "exit code $got, expected $wanted: $(cat log)"
+}
+
+cat >wave.yaml <<'E2'
+title: Two theories of a wave
+scales: {H: 2}
+tank:
+  walls: [[[0, 3], [0, 0], [4, 0], [4, 3]]]
+water:
+  wave: {amplitude: 0.04, wavelength: 4, depth: 2}
+time: {end: 0.4, every: 0.1}
+runs:
+  - {name: a, solver: exact, resolution: 8}
+  - {name: b, solver: exact, resolution: 8, order: 1}
+E2
+"$program" run wave.yaml --out out -q >log 2>&1 || fail "no results: $(cat log)"
+
+printf '\xef\xbb\xbfcompare:\n  times: [0.2 s, 0.4]\n  window: [[0, 0.5 H], [1 H, 2 H]]\n  tolerances:\n    - {measure: mean_distance, max: 0.5, runs: [b]}\n' >settings.yaml
+compare 0
+grep -q "2 of 2 checks passed" log || fail "not two checks at two times: $(cat log)"
+printf 'compare:\n  times: [0.2]\n  tolerances: [{measure: mean_distance, max: 1e-12}]\n' >settings.yaml
+compare 1
+printf 'compare: {}\n' >settings.yaml
+compare 0
+
+cat >settings.yaml <<'E2'
+compare:
+  reference: a
+  times: [0.15, 0.3, 0.2]
+  window: [[9 H, 0], [10 H, 2 H]]
+  tolerances:
+    - {measure: mean_distanse, max: 1}
+    - {measure: mean_distance, max: 1, runs: [c]}
+    - {measure: mean_distance, max: 1, at: 0.25}
+E2
+compare 2
+sed -i "s/allowed: one of mean_distance[^;]*/allowed: one of WHATEVER/" log
+diff - log <<'E2' || fail "other messages"
+settings.yaml:2: compare.reference: found a key of a case; allowed: none, the reference is the first file; remove it
+settings.yaml:3: compare.times[0]: found 0.15 s; allowed: an output time of the reference; the nearest is 0.1 s
+settings.yaml:3: compare.times[2]: found 0.2 s; allowed: times that increase; put them in order
+settings.yaml:4: compare.window: found a window without any of the tank in it; allowed: part of the tank; move it
+settings.yaml:6: compare.tolerances[0].measure: found 'mean_distanse'; allowed: one of WHATEVER; did you mean 'mean_distance'?
+settings.yaml:7: compare.tolerances[1].runs[0]: found 'c'; allowed: one of the runs a, b
+settings.yaml:8: compare.tolerances[2].at: found 0.25 s; allowed: one of compare.times; add it there or change it
+E2
+for odd in /dev/zero nowhere.yaml; do
+  cp /dev/null settings.yaml
+  got=0
+  timeout 20 "$program" compare out/a.h5 out/b.h5 --settings $odd >log 2>&1 || got=$?
+  [ $got = 2 ] && [ "$(wc -l <log)" = 1 ] || fail "$odd: exit code $got: $(cat log)"
+done
+cp wave.yaml settings.yaml # a case is not settings
+compare 2
+grep -q "settings.yaml:1: title: found an unknown key; allowed: compare" log || fail "a case as settings: $(cat log)"
+
+"$program" list >log
+for words in "rk4-frozen  *classic Runge-Kutta, diffusion" "antuono  *Antuono et al. 2010" "mirror  *mirror images" \
+  "released  *that just after the gate"; do
+  grep -qE "^ +$words" log || fail "plunge list does not explain '$words'"
+done
+got=$("$program" run wave.yaml --set 'gauges[0].x=3' 2>&1)
+[ "$got" = "--set gauges[0].x=3: found no list 'gauges' in the case; allowed: items of a list that is there; set the list as a whole" ] ||
+  fail "--set of an item without a list: $got"
+exit $failed
