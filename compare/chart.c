@@ -22,8 +22,9 @@ int cmp_key_height(size_t n, int columns) {
   return 70 + 19 * (int)((n + (size_t)columns - 1) / (size_t)columns);
 }
 
-static double time_end(const struct comparison *c) {
+double cmp_chart_time_end(const struct comparison *c, const struct cmp_chart_plan *plan) {
   double end = 0;
+  if (plan->end > 0) return plan->end;
   for (size_t r = 0; r <= c->n_runs; r++) {
     const struct cmp_data *d = &cmp_run_or_ref(c, r < c->n_runs ? r : SIZE_MAX)->data;
     if (d->n) end = fmax(end, d->t[d->n - 1]);
@@ -37,7 +38,8 @@ static size_t longer(size_t longest, const char *label) {
   return n > longest ? n : longest;
 }
 
-static void key_measure(const struct comparison *c, const char *target, struct cmp_chart *chart) {
+static void key_measure(const struct comparison *c, const struct cmp_chart_plan *plan,
+                        struct cmp_chart *chart) {
   const struct cmp_data *ref = &c->ref.data;
   size_t named = cmp_runs_picked(c, CMP_NAMED), n = named + 1, longest = longer(0, ref->label);
   if (named < c->n_runs) {
@@ -46,29 +48,28 @@ static void key_measure(const struct comparison *c, const char *target, struct c
   }
   for (size_t r = 0; r < c->n_runs; r++)
     if (cmp_run_is_picked(c, r, CMP_NAMED)) longest = longer(longest, c->run[r].data.label);
-  for (size_t k = 0; target && k < ref->n_experiments; k++) {
-    if (strcmp(ref->file->experiments[k].target, target)) continue;
+  for (size_t k = 0; plan->target && k < ref->n_experiments; k++) {
+    if (strcmp(ref->file->experiments[k].target, plan->target)) continue;
     n++;
     longest = longer(longest, ref->experiments[k].name);
   }
-  chart->columns = cmp_key_columns(longest, WIDTH - 40);
+  chart->columns = cmp_key_columns(longest + plan->note, WIDTH - 40);
   chart->bottom = cmp_key_height(n, chart->columns);
 }
 
 enum status cmp_chart_begin(const struct comparison *c, struct cmp_figures *f,
-                            enum cmp_section section, size_t panels, int panel_height,
-                            const char *target, double end, const char *columns, const char *name,
-                            struct cmp_chart *chart) {
-  *chart = (struct cmp_chart){.c = c, .panels = panels, .end = end > 0 ? end : time_end(c)};
-  key_measure(c, target, chart);
-  int height = TOP + (int)panels * panel_height + GAP * ((int)panels - 1) + chart->bottom;
+                            const struct cmp_chart_plan *plan, struct cmp_chart *chart) {
+  *chart = (struct cmp_chart){.c = c, .panels = plan->panels, .end = cmp_chart_time_end(c, plan)};
+  key_measure(c, plan, chart);
+  int panels = (int)plan->panels;
+  int height = TOP + panels * plan->panel_height + GAP * (panels - 1) + chart->bottom;
   bool many = c->n_runs > CMP_NAMED; /* as vectors, a thousand curves are tens of megabytes */
-  TRY(cmp_figure_begin(f, section, many, WIDTH, height, &chart->fig, "%s", name));
+  TRY(cmp_figure_begin(f, plan->section, many, WIDTH, height, &chart->fig, "%s", plan->name));
   TRY(cmp_figure_data(f, chart->fig, ".csv", &chart->table));
-  fprintf(chart->table, "series,name,t_star [sqrt(H/g)],%s\n", columns);
+  fprintf(chart->table, "series,name,t_star [sqrt(H/g)],%s\n", plan->columns);
   if (many) {
     TRY(cmp_figure_data(f, chart->fig, "-others.csv", &chart->others));
-    fprintf(chart->others, "series,name,t_star [sqrt(H/g)],%s\n", columns);
+    fprintf(chart->others, "series,name,t_star [sqrt(H/g)],%s\n", plan->columns);
   }
   cmp_figure_formats(chart->fig);
   fprintf(chart->fig->script, "set multiplot\nset xrange [0:%.6g]\n", chart->end);

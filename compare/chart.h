@@ -26,12 +26,19 @@ struct cmp_chart {
   int marks[2];        /* at the top and the bottom of this panel so far */
 };
 
-/* `target`: of the experiments in the key, or NULL. `end`: of the time axis; 0: the end of the
- * runs. `columns` names those of the table after series, name and t_star. */
+struct cmp_chart_plan {
+  enum cmp_section section;
+  const char *name, *columns; /* of its files; of the table after series, name and t_star */
+  size_t panels;
+  int panel_height;   /* px */
+  const char *target; /* of the experiments in the key, or NULL */
+  double end;         /* of the time axis; 0: the end of the runs */
+  size_t note;        /* characters of the longest note in the key */
+};
+
+double cmp_chart_time_end(const struct comparison *c, const struct cmp_chart_plan *plan);
 enum status cmp_chart_begin(const struct comparison *c, struct cmp_figures *f,
-                            enum cmp_section section, size_t panels, int panel_height,
-                            const char *target, double end, const char *columns, const char *name,
-                            struct cmp_chart *chart);
+                            const struct cmp_chart_plan *plan, struct cmp_chart *chart);
 enum status cmp_chart_end(struct cmp_chart *chart);
 
 /* A row of the table; series are numbered: runs, then n_runs for the reference, then experiments.

@@ -34,8 +34,13 @@ static void caption_end(const struct comparison *c, struct cmp_figure *fig) {
 
 static enum status distance_chart(const struct comparison *c, struct cmp_figures *f) {
   struct cmp_chart chart;
-  TRY(cmp_chart_begin(c, f, CMP_SECTION_DISTANCE, 3, 190, NULL, 0,
-                      "mean_distance [H],largest_distance [H],area [H^2]", "distance", &chart));
+  const struct cmp_chart_plan plan = {.section = CMP_SECTION_DISTANCE,
+                                      .name = "distance",
+                                      .columns =
+                                          "mean_distance [H],largest_distance [H],area [H^2]",
+                                      .panels = 3,
+                                      .panel_height = 190};
+  TRY(cmp_chart_begin(c, f, &plan, &chart));
   snprintf(
       chart.fig->caption, sizeof chart.fig->caption,
       "Distance of each run's free surface from that of %.60s at every common output: mean and "
@@ -73,9 +78,8 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
 
 struct family {
   const struct cmp_series **run; /* [n_runs + 1]: the reference last; NULL: it has none */
-  const char *target;            /* of experiments; NULL: none are drawn */
-  const char *column, *label;    /* of the table, of the axis */
-  double end;                    /* of the time axis; 0: the end of the runs */
+  const char *label;             /* of the axis */
+  struct cmp_chart_plan plan;    /* without a target no experiments are drawn */
   struct cmp_frame frame;
 };
 
@@ -113,7 +117,8 @@ static bool family_empty(const struct comparison *c, const struct family *family
 }
 
 static bool family_shows(const struct comparison *c, const struct family *family, size_t k) {
-  return family->target && !strcmp(c->ref.data.file->experiments[k].target, family->target);
+  return family->plan.target &&
+         !strcmp(c->ref.data.file->experiments[k].target, family->plan.target);
 }
 
 static void series_rows(struct cmp_chart *chart, size_t id, const char *name,
@@ -142,15 +147,29 @@ static const struct cmp_series *family_member(const struct comparison *c,
   return family_shows(c, family, k) ? &c->ref.data.experiments[k] : NULL;
 }
 
+/* What the key says of a series: a few peaks have their mark, and no word. */
+static const char *family_note(const struct comparison *c, const struct family *family, size_t k) {
+  const struct cmp_series *s = family_member(c, family, k);
+  if (!s || !s->n) return " (has none)";
+  struct cmp_beyond b = cmp_frame_beyond(&family->frame, s, family->plan.end);
+  if (b.n && b.outside == b.n) return " (beyond the frame)";
+  return 50 * b.outside > b.n ? " (partly beyond the frame)" : NULL;
+}
+
 /* In a column of panels, curves far from the others have their own, where the mark says how far. */
-static enum status family_frame(const struct cmp_chart *chart, struct family *family) {
-  const struct comparison *c = chart->c;
+static enum status family_frame(const struct comparison *c, struct family *family) {
+  struct cmp_chart_plan *plan = &family->plan;
+  plan->end = cmp_chart_time_end(c, plan);
   size_t n = c->n_runs + 1 + c->ref.data.n_experiments;
   const struct cmp_series **all = calloc(n, sizeof(struct cmp_series *));
   CHECK(all, ERR_MEMORY, "no memory for a chart");
   for (size_t k = 0; k < n; k++) all[k] = family_member(c, family, k);
-  family->frame = cmp_frame_choose(n, all, chart->end, chart->panels > 1 ? 2.5 : 8);
+  family->frame = cmp_frame_choose(n, all, plan->end, plan->panels > 1 ? 2.5 : 8);
   free(all);
+  for (size_t k = 0; k < n; k++) {
+    const char *note = family_note(c, family, k);
+    if (note && strlen(note) > plan->note) plan->note = strlen(note);
+  }
   return OK;
 }
 
@@ -161,16 +180,6 @@ static void beyond_mark(struct cmp_chart *chart, const struct family *family, si
   if (!s || !s->n) return;
   struct cmp_beyond beyond = cmp_frame_beyond(&family->frame, s, chart->end);
   cmp_chart_mark(chart, &beyond, colour);
-}
-
-/* What the key says of a series: a few peaks have their mark, and no word. */
-static const char *family_note(const struct cmp_chart *chart, const struct family *family,
-                               size_t k) {
-  const struct cmp_series *s = family_member(chart->c, family, k);
-  if (!s || !s->n) return " (has none)";
-  struct cmp_beyond b = cmp_frame_beyond(&family->frame, s, chart->end);
-  if (b.n && b.outside == b.n) return " (beyond the frame)";
-  return 50 * b.outside > b.n ? " (partly beyond the frame)" : NULL;
 }
 
 /* ---- drawing a family ---- */
@@ -195,7 +204,7 @@ static void experiments_draw(struct cmp_chart *chart, const struct family *famil
     cmp_chart_curve(
         chart, &(struct cmp_curve){.series = c->n_runs + 1 + k,
                                    .name = named ? c->ref.data.experiments[k].name : NULL,
-                                   .note = family_note(chart, family, c->n_runs + 1 + k),
+                                   .note = family_note(c, family, c->n_runs + 1 + k),
                                    .style = {experiment_colour(shown), 0},
                                    .symbol = symbols[shown % 5],
                                    .every = c->ref.data.experiments[k].n / 80 + 1}); /* no smear */
@@ -211,7 +220,7 @@ static void run_draw(struct cmp_chart *chart, const struct family *family, size_
   cmp_chart_curve(chart, &(struct cmp_curve){
                              .series = r,
                              .name = named ? cmp_run_or_ref(chart->c, id)->data.label : NULL,
-                             .note = family_note(chart, family, r),
+                             .note = family_note(chart->c, family, r),
                              .style = cmp_run_style(chart->c, id),
                              .width = reference ? 2 : 1,
                          });
@@ -226,15 +235,15 @@ static void runs_draw(struct cmp_chart *chart, const struct family *family) {
 }
 
 static enum status family_chart(const struct comparison *c, struct cmp_figures *f,
-                                enum cmp_section section, const char *file, const char *caption,
-                                struct family *family) {
+                                const char *caption, struct family *family) {
   struct cmp_chart chart;
-  TRY(cmp_chart_begin(c, f, section, 1, 280, family->target, family->end, family->column, file,
-                      &chart));
+  family->plan.panels = 1;
+  family->plan.panel_height = 280;
+  TRY(family_frame(c, family));
+  TRY(cmp_chart_begin(c, f, &family->plan, &chart));
   snprintf(chart.fig->caption, sizeof chart.fig->caption, "%s", caption);
   caption_end(c, chart.fig);
   family_rows(&chart, family);
-  TRY(family_frame(&chart, family));
   cmp_chart_panel(&chart, 0, &family->frame, family->label, NULL);
   experiments_mark(&chart, family);
   for (size_t r = 0; r <= c->n_runs; r++)
@@ -246,11 +255,10 @@ static enum status family_chart(const struct comparison *c, struct cmp_figures *
 }
 
 static enum status picked_chart(const struct comparison *c, struct cmp_figures *f,
-                                enum cmp_section section, const char *file, const char *caption,
-                                series_pick *pick, const char *name, struct family family) {
+                                const char *caption, series_pick *pick, const char *name,
+                                struct family family) {
   enum status status = family_pick(c, pick, name, &family);
-  if (status == OK && !family_empty(c, &family))
-    status = family_chart(c, f, section, file, caption, &family);
+  if (status == OK && !family_empty(c, &family)) status = family_chart(c, f, caption, &family);
   free(family.run);
   return status;
 }
@@ -272,9 +280,10 @@ static enum status energy_charts(const struct comparison *c, struct cmp_figures 
   for (size_t k = 0; k < sizeof charts / sizeof *charts; k++) {
     char column[64];
     snprintf(column, sizeof column, "%s [E0]", charts[k].name);
-    struct family family = {.column = column, .label = charts[k].label};
-    TRY(picked_chart(c, f, CMP_SECTION_ENERGY, charts[k].file, charts[k].caption, pick_own,
-                     charts[k].name, family));
+    struct family family = {
+        .label = charts[k].label,
+        .plan = {.section = CMP_SECTION_ENERGY, .name = charts[k].file, .columns = column}};
+    TRY(picked_chart(c, f, charts[k].caption, pick_own, charts[k].name, family));
   }
   return OK;
 }
@@ -284,7 +293,7 @@ static void key_draw(struct cmp_chart *chart, const struct family *family, size_
   const struct comparison *c = chart->c;
   for (size_t r = 0; r < c->n_runs; r++)
     if (r != except && cmp_run_is_picked(c, r, CMP_PANELS))
-      cmp_chart_key_entry(chart, r, family_note(chart, family, r));
+      cmp_chart_key_entry(chart, r, family_note(c, family, r));
 }
 
 static void probe_panel(struct cmp_chart *chart, const struct family *family, size_t k, size_t r) {
@@ -301,7 +310,7 @@ static void probe_panel(struct cmp_chart *chart, const struct family *family, si
   if (run && family->run[r] && family->run[r]->n)
     run_draw(chart, family, r, last);
   else if (run && last)
-    cmp_chart_key_entry(chart, r, family_note(chart, family, r));
+    cmp_chart_key_entry(chart, r, family_note(c, family, r));
   cmp_chart_panel_end(chart);
 }
 
@@ -313,15 +322,20 @@ static enum status probe_chart(const struct comparison *c, struct cmp_figures *f
   cmp_slug(probe->name, slug, sizeof slug);
   snprintf(file, sizeof file, "pressure-%s", slug);
   size_t picked = cmp_runs_picked(c, CMP_PANELS), panels = picked ? picked : 1;
-  TRY(cmp_chart_begin(c, f, CMP_SECTION_PRESSURE, panels, panels == 1 ? 280 : 175, family->target,
-                      0, family->column, file, &chart));
+  family->plan = (struct cmp_chart_plan){.section = CMP_SECTION_PRESSURE,
+                                         .name = file,
+                                         .columns = "pressure [rho g H]",
+                                         .panels = panels,
+                                         .panel_height = panels == 1 ? 280 : 175,
+                                         .target = probe->name};
+  TRY(family_frame(c, family));
+  TRY(cmp_chart_begin(c, f, &family->plan, &chart));
   cmp_picked_say(c, CMP_PANELS, "have no panel", left_out, sizeof left_out);
   snprintf(chart.fig->caption, sizeof chart.fig->caption,
            "Pressure at %.60s (x = %.4g H, y = %.4g H): each run, the reference %.60s in black, "
            "experiments as symbols.%s",
            probe->name, probe->x, probe->y, c->ref.data.label, left_out);
   family_rows(&chart, family);
-  TRY(family_frame(&chart, family));
   for (size_t r = 0, k = 0; r < c->n_runs || (k == 0 && r == c->n_runs); r++)
     if (r == c->n_runs || cmp_run_is_picked(c, r, CMP_PANELS)) probe_panel(&chart, family, k++, r);
   return cmp_chart_end(&chart);
@@ -330,10 +344,9 @@ static enum status probe_chart(const struct comparison *c, struct cmp_figures *f
 static enum status probe_charts(const struct comparison *c, struct cmp_figures *f) {
   for (size_t k = 0; k < c->ref.data.n_probes; k++) {
     const struct cmp_series *probe = &c->ref.data.probes[k];
-    struct family family = {
-        .target = probe->name, .column = "pressure [rho g H]", .label = "p / (ρ g H)"};
+    struct family family = {.label = "p / (ρ g H)"};
     enum status status = family_pick(c, pick_probe, probe->name, &family);
-    if (status == OK) status = probe_chart(c, f, probe, &family);
+    if (status == OK && !family_empty(c, &family)) status = probe_chart(c, f, probe, &family);
     free(family.run);
     TRY(status);
   }
@@ -348,8 +361,12 @@ static enum status gauge_charts(const struct comparison *c, struct cmp_figures *
     snprintf(file, sizeof file, "gauge-%s", slug);
     snprintf(caption, sizeof caption, "Height of the water standing at %.60s (x = %.4g H).",
              g->name, g->x);
-    struct family family = {.target = g->name, .column = "elevation [H]", .label = "y / H"};
-    TRY(picked_chart(c, f, CMP_SECTION_GAUGE, file, caption, pick_gauge, g->name, family));
+    struct family family = {.label = "y / H",
+                            .plan = {.section = CMP_SECTION_GAUGE,
+                                     .name = file,
+                                     .columns = "elevation [H]",
+                                     .target = g->name}};
+    TRY(picked_chart(c, f, caption, pick_gauge, g->name, family));
   }
   return OK;
 }
@@ -361,11 +378,15 @@ static enum status front_chart(const struct comparison *c, struct cmp_figures *f
       "Position of the front, where the water standing on the bed is %.3g H deep: two particle "
       "spacings of the coarsest run.",
       c->depth);
-  struct family family = {.target = "front", .column = "front [H]", .label = "x_{front} / H"};
+  struct family family = {.label = "x_{front} / H",
+                          .plan = {.section = CMP_SECTION_FRONT,
+                                   .name = "front",
+                                   .columns = "front [H]",
+                                   .target = "front"}};
   const struct cmp_value *impact = &c->ref.data.impact.time; /* what follows is no front */
   if (!cmp_comparison_has_front(c)) return OK;
-  if (cmp_known(impact)) family.end = 1.1 * impact->value;
-  return picked_chart(c, f, CMP_SECTION_FRONT, "front", caption, pick_own, "front", family);
+  if (cmp_known(impact)) family.plan.end = 1.1 * impact->value;
+  return picked_chart(c, f, caption, pick_own, "front", family);
 }
 
 enum status cmp_charts_write(const struct comparison *c, struct cmp_figures *f) {
