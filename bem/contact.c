@@ -8,6 +8,8 @@
 
 static const double WORTH = 0.1; /* H: the length of thin film that is cut */
 static const double TIP = 0.06;  /* of the film, see struct bem_surface: a fifth of its thickness */
+static const double BELOW = 0.1; /* H: of the top of the wall, where the cap of a film ends */
+static const double REACH = 0.2; /* H: below the top, over which the film's thickness counts */
 enum { CAP = 8 };                /* points of the cap, and its length in film thicknesses */
 
 /* The first node beyond the wall, else the last node. */
@@ -92,9 +94,10 @@ bool bem_contact_film_is_thin(const struct bem_surface *s, double film) {
   return length > WORTH;
 }
 
-enum status bem_contact_cut_film(struct bem_flow *f, double film) {
+/* Cuts the film behind node c and caps it. */
+static enum status cut_behind(struct bem_flow *f, size_t c) {
   struct bem_surface *s = &f->surface;
-  const size_t n = s->n, c = film_begin(s, film);
+  const size_t n = s->n;
   const double *x = s->state, *y = x + n, *phi = y + n;
   CHECK(c >= 4 && c + 1 < n, ERR_SOLVER, "the film at the wall begins at node %zu of %zu", c, n);
   double thickness = s->tank - x[c], length = CAP * thickness;
@@ -122,4 +125,23 @@ enum status bem_contact_cut_film(struct bem_flow *f, double film) {
     point[i][2] = creal(beta);
   }
   return replace_end(f, c + 1, CAP, (const double(*)[3])point);
+}
+
+enum status bem_contact_cut_film(struct bem_flow *f, double film) {
+  return cut_behind(f, film_begin(&f->surface, film));
+}
+
+double bem_contact_thickness(const struct bem_surface *s, double top) {
+  const double *x = s->state, *y = x + s->n;
+  double thickness = 0;
+  for (size_t k = s->n; k-- > 0 && y[k] > top - REACH;) thickness = fmax(thickness, s->tank - x[k]);
+  return thickness;
+}
+
+enum status bem_contact_cut_top(struct bem_flow *f, double top) {
+  const struct bem_surface *s = &f->surface;
+  const double *x = s->state, *y = x + s->n;
+  size_t k = s->n - 1;
+  while (k > 0 && y[k] + CAP * (s->tank - x[k]) > top - BELOW) k--;
+  return cut_behind(f, k);
 }

@@ -21,3 +21,10 @@ bool bem_contact_film_is_thin(const struct bem_surface *s, double film);
 /* Cuts that film and caps it: the cap lies where the film was, so the potential on it is that of
  * the water there, interpolated by the complex polynomial of neighbouring nodes. */
 enum status bem_contact_cut_film(struct bem_flow *f, double film);
+
+/* Thickness (H) of the film on the right wall where it passes `top`. */
+double bem_contact_thickness(const struct bem_surface *s, double top);
+
+/* Cuts that film below `top`, by somewhat more than the length of the cap, so that it takes a while
+ * until it passes again. */
+enum status bem_contact_cut_top(struct bem_flow *f, double top);

@@ -105,12 +105,14 @@ void bem_events_roots(void *data, double time, const double *state, double root[
   root[BEM_EVENT_WALL] = dry ? e->thickness - bem_contact_height(s, state) : 1;
   root[BEM_EVENT_OVERTURN] = s->tip > 0 && !dry ? least_tangent(s, state, &where) : 1;
   root[BEM_EVENT_TOUCHDOWN] = bem_events_gap(e, state);
+  root[BEM_EVENT_OVER_LEFT] = e->top[0] - state[s->n];
+  root[BEM_EVENT_OVER_RIGHT] = dry ? 1 : e->top[1] - state[2 * s->n - 1];
 }
 
 void bem_events_place(const struct bem_events *e, enum bem_event event, const double *state,
                       double *x, double *y) {
   const struct bem_surface *s = e->surface;
-  double where = (double)(s->n - 1);
+  double where = event == BEM_EVENT_OVER_LEFT ? 0 : (double)(s->n - 1);
   if (event == BEM_EVENT_OVERTURN) least_tangent(s, state, &where);
   if (event == BEM_EVENT_TOUCHDOWN) least_gap(s, state, &where);
   *x = value_at(state, s->n, where);

@@ -4,15 +4,18 @@
 #include "bem/stepper.h"
 
 enum bem_event {
-  BEM_EVENT_IMPACT,   /* the thin tip reaches x = tank */
-  BEM_EVENT_WALL,     /* the film there is thick enough: the surface is cut at the wall */
-  BEM_EVENT_OVERTURN, /* first vertical tangent of the main breaker */
-  BEM_EVENT_TOUCHDOWN /* the jet meets the surface below it */
+  BEM_EVENT_IMPACT,    /* the thin tip reaches x = tank */
+  BEM_EVENT_WALL,      /* the film there is thick enough: the surface is cut at the wall */
+  BEM_EVENT_OVERTURN,  /* first vertical tangent of the main breaker */
+  BEM_EVENT_TOUCHDOWN, /* the jet meets the surface below it */
+  BEM_EVENT_OVER_LEFT, /* the surface on a wall passes its top */
+  BEM_EVENT_OVER_RIGHT
 };
 
 struct bem_events {
   const struct bem_surface *surface;
   double thickness; /* H, of the film when BEM_EVENT_WALL happens */
+  double top[2];    /* H, of the left and the right wall */
   bool overturned;
 };
 

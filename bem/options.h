@@ -8,3 +8,6 @@ struct bem_options {
   double film;              /* thickness below which the film on the wall is cut, m */
   double filter, smoothing; /* rates, 1/sqrt(H/g) */
 };
+
+/* H: thickness of the film at the wall when the surface is cut there after the impact. */
+static const double BEM_IMPACT = 0.01;

@@ -175,7 +175,7 @@ enum status bem_output_event(struct bem_output *o, const char *name, double time
 }
 
 enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f,
-                                  const struct bem_stepper *stepper) {
+                                  const struct bem_stepper *stepper, double steps_cut) {
   struct bem_stepper_counts n = bem_stepper_count(stepper);
   struct bem_solve_counts s = bem_solve_count(f->solve), view = bem_solve_count(o->view.solve);
   const struct {
@@ -183,6 +183,11 @@ enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f
     double value;
     const char *help;
   } all[] = {
+      {"spilled_volume", o->c->H * o->c->H * o->spilled_volume,
+       "m^2, cut from the thin film that passed the top of the right wall"},
+      {"steps_cut", steps_cut,
+       "time steps more than ten times shorter than the median, those just after a new start of "
+       "the integrator left out"},
       {"cvode_steps", n.steps, "internal steps of CVODE"},
       {"evaluations", n.evaluations, "of the right-hand side by CVODE"},
       {"initialisations", n.initialisations,

@@ -15,6 +15,7 @@ struct bem_output {
   double time_scale; /* sqrt(H/g), s */
   size_t next_output, next_sample;
   double removed_volume, removed_energy; /* H^2, rho g H^3 */
+  double spilled_volume;                 /* of that, over the top of a wall, H^2 */
   double drift;                          /* of the energy, relative to the initial one */
   double first_energy;
   size_t most_nodes;
@@ -38,4 +39,4 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
 enum status bem_output_event(struct bem_output *o, const char *name, double time, double x,
                              double y);
 enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f,
-                                  const struct bem_stepper *stepper);
+                                  const struct bem_stepper *stepper, double steps_cut);

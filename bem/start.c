@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "bem/options.h"
+
 static const double TOE = 0.15;  /* of the released column, see struct bem_surface */
 static const double NEAR = 1e-9; /* of the tank: lengths that count as equal */
 enum { FEWEST = 8 };             /* nodes that a surface needs */
@@ -25,6 +27,17 @@ static void check_most(const struct case_run *r, double length, struct problems 
                floor(0.5 * BEM_MOST_NODES / length));
 }
 
+/* The first cut would leave a film that is to be cut at once, at every step. */
+static void check_film(const struct case_file *c, const struct case_run *r,
+                       struct problems *problems) {
+  const struct bem_options *o = r->options;
+  if (o->film / c->H < BEM_IMPACT) return;
+  problems_add(problems, r->line,
+               "runs.%s.film: found %.4g m; allowed: less than %.4g m (%g H), the film's thickness "
+               "when it is cut at the wall after the impact; make it thinner",
+               r->name, o->film, BEM_IMPACT * c->H, BEM_IMPACT);
+}
+
 void bem_start_check(const struct case_file *c, const struct case_run *r,
                      struct problems *problems) {
   if (!c->rectangular)
@@ -45,6 +58,7 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
     check_most(r, width / c->H, problems);
     return;
   }
+  check_film(c, r, problems);
   if (c->water.pieces != 1) {
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' with %zu regions of water; allowed: one region; take "

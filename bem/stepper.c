@@ -110,7 +110,8 @@ enum status bem_stepper_step(struct bem_stepper *s, double *time, double *dt,
   int code = CVode(s->cvode, *time + 1, s->state, time, CV_ONE_STEP);
   if (code == CV_ROOT_RETURN) CVodeGetRootInfo(s->cvode, found);
   if (code < 0 && s->flow->status != OK) return s->flow->status;
-  CHECK(code >= 0, ERR_SOLVER, "CVODE: %s", CVodeGetReturnFlagName(code));
+  CHECK(code >= 0, ERR_SOLVER, "the flow cannot be followed any further (%s)",
+        CVodeGetReturnFlagName(code));
   *dt = *time - before;
   return OK;
 }

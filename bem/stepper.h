@@ -2,7 +2,7 @@
 #pragma once
 #include "bem/flow.h"
 
-enum { BEM_ROOTS = 4 };
+enum { BEM_ROOTS = 6 };
 typedef void bem_root_function(void *data, double time, const double *state,
                                double root[BEM_ROOTS]);
 

@@ -1,0 +1,27 @@
+/* How fast a run gets on: when it no longer does, and how many of its steps were unusually short.
+ */
+#pragma once
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "common/status.h"
+
+struct bem_pace {
+  size_t steps, settled, room; /* settled: steps that an integrator long started took */
+  double *dt;                  /* of the settled ones, sqrt(H/g), [settled], owned */
+  size_t since;                /* steps since the integrator was last started */
+  size_t tiny;                 /* steps in a row that lead nowhere */
+  double mark;                 /* time at the start of the current stretch, sqrt(H/g) */
+};
+
+void bem_pace_destroy(struct bem_pace *p);
+
+/* Counts a step to `time`. */
+enum status bem_pace_add(struct bem_pace *p, double time, double dt);
+void bem_pace_restarted(struct bem_pace *p);
+
+/* Whether the last steps lead nowhere, or so slowly that the end is out of reach. */
+bool bem_pace_is_lost(struct bem_pace *p, double time);
+
+/* Settled steps that were more than ten times shorter than the median of all settled ones. */
+double bem_pace_cut(const struct bem_pace *p);
