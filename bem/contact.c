@@ -9,7 +9,6 @@
 static const double WORTH = 0.1; /* H: the length of thin film that is cut */
 static const double TIP = 0.06;  /* of the film, see struct bem_surface: a fifth of its thickness */
 static const double BELOW = 0.1; /* H: of the top of the wall, where the cap of a film ends */
-static const double REACH = 0.2; /* H: below the top, over which the film's thickness counts */
 enum { CAP = 8 };                /* points of the cap, and its length in film thicknesses */
 
 /* The first node beyond the wall, else the last node. */
@@ -131,17 +130,18 @@ enum status bem_contact_cut_film(struct bem_flow *f, double film) {
   return cut_behind(f, film_begin(&f->surface, film));
 }
 
-double bem_contact_thickness(const struct bem_surface *s, double top) {
-  const double *x = s->state, *y = x + s->n;
-  double thickness = 0;
-  for (size_t k = s->n; k-- > 0 && y[k] > top - REACH;) thickness = fmax(thickness, s->tank - x[k]);
-  return thickness;
-}
-
-enum status bem_contact_cut_top(struct bem_flow *f, double top) {
-  const struct bem_surface *s = &f->surface;
+/* The last node from which a cap ends well below `top`. */
+static size_t spill_begin(const struct bem_surface *s, double top) {
   const double *x = s->state, *y = x + s->n;
   size_t k = s->n - 1;
   while (k > 0 && y[k] + CAP * (s->tank - x[k]) > top - BELOW) k--;
-  return cut_behind(f, k);
+  return k;
+}
+
+double bem_contact_thickness(const struct bem_surface *s, double top) {
+  return s->tank - s->state[spill_begin(s, top)];
+}
+
+enum status bem_contact_cut_top(struct bem_flow *f, double top) {
+  return cut_behind(f, spill_begin(&f->surface, top));
 }

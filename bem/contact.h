@@ -22,7 +22,7 @@ bool bem_contact_film_is_thin(const struct bem_surface *s, double film);
  * the water there, interpolated by the complex polynomial of neighbouring nodes. */
 enum status bem_contact_cut_film(struct bem_flow *f, double film);
 
-/* Thickness (H) of the film on the right wall where it passes `top`. */
+/* Thickness (H) of the film on the right wall where it would be cut to end below `top`. */
 double bem_contact_thickness(const struct bem_surface *s, double top);
 
 /* Cuts that film below `top`, by somewhat more than the length of the cap, so that it takes a while

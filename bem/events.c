@@ -7,6 +7,8 @@
 /* The film on the right wall, of which thin spikes come loose, is no breaker. */
 static const double FILM = 0.08, HIGH = 1.3; /* H: from the wall, above the bed */
 
+static const double UPRIGHT = 0.02; /* rad */
+
 static double tangent(const struct bem_surface *s, const double *state, size_t k) {
   const double *x = state + k, *y = x + s->n;
   double dx = x[-2] - 8 * x[-1] + 8 * x[1] - x[2], dy = y[-2] - 8 * y[-1] + 8 * y[1] - y[2];
@@ -41,6 +43,19 @@ static double least_tangent(const struct bem_surface *s, const double *state, do
   least = refine(tangent(s, state, at - 1), least, tangent(s, state, at + 1), &offset);
   *where = (double)at + offset;
   return least;
+}
+
+/* The middle of the stretch around node `at` that is within UPRIGHT of the vertical, in nodes: the
+ * steepest point itself wanders along a face that is nearly upright over a third of H. */
+static double upright_middle(const struct bem_surface *s, const double *state, double at) {
+  size_t low = (size_t)(at + 0.5), high = low;
+  double below = 0, above = 0;
+  while (low > 3 && (below = tangent(s, state, low)) < UPRIGHT) low--;
+  while (high + 3 < s->n && (above = tangent(s, state, high)) < UPRIGHT) high++;
+  double from = (double)low, to = (double)high, next;
+  if ((next = tangent(s, state, low + 1)) < UPRIGHT) from += (below - UPRIGHT) / (below - next);
+  if ((next = tangent(s, state, high - 1)) < UPRIGHT) to -= (above - UPRIGHT) / (above - next);
+  return 0.5 * (from + to);
 }
 
 /* Vertical distance of node k from the surface left of the node `cavity`; *below is where the last
@@ -113,7 +128,10 @@ void bem_events_place(const struct bem_events *e, enum bem_event event, const do
                       double *x, double *y) {
   const struct bem_surface *s = e->surface;
   double where = event == BEM_EVENT_OVER_LEFT ? 0 : (double)(s->n - 1);
-  if (event == BEM_EVENT_OVERTURN) least_tangent(s, state, &where);
+  if (event == BEM_EVENT_OVERTURN) {
+    least_tangent(s, state, &where);
+    where = upright_middle(s, state, where);
+  }
   if (event == BEM_EVENT_TOUCHDOWN) least_gap(s, state, &where);
   *x = value_at(state, s->n, where);
   *y = value_at(state + s->n, s->n, where);

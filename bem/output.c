@@ -97,9 +97,19 @@ static double probe_pressure(const struct bem_output *o, const struct case_probe
   return c->density * c->gravity * c->H * sum / parts;
 }
 
+void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double time, double dt) {
+  double start = time - dt,
+         loss = -bem_surface_power(&f->surface, f->level, f->psi, f->u, f->v, f->damping);
+  o->damped.until += o->damped.rate * (start - o->damped.start);
+  o->damped.rate = 0.5 * (o->damped.last + loss);
+  o->damped.last = loss;
+  o->damped.start = start;
+}
+
 static enum status write_energy(struct bem_output *o, double seconds, const struct bem_totals *t) {
   const struct case_file *c = o->c;
-  double energy = t->kinetic + t->potential + o->removed_energy;
+  double damped = o->damped.until + o->damped.rate * (seconds / o->time_scale - o->damped.start);
+  double energy = t->kinetic + t->potential + damped + o->removed_energy;
   if (seconds == 0) o->first_energy = energy;
   o->drift = o->first_energy != 0 ? energy / o->first_energy - 1 : 0;
   double joule = c->density * c->gravity * c->H * c->H * c->H;
@@ -108,6 +118,7 @@ static enum status write_energy(struct bem_output *o, double seconds, const stru
   struct result_energy e = {.time = seconds,
                             .kinetic = joule * t->kinetic,
                             .potential = joule * t->potential + lift * t->volume,
+                            .viscosity = joule * damped,
                             .removed = joule * o->removed_energy + lift * o->removed_volume};
   e.total = e.kinetic + e.potential;
   return result_energy(o->file, &e);

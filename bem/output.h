@@ -16,7 +16,12 @@ struct bem_output {
   size_t next_output, next_sample;
   double removed_volume, removed_energy; /* H^2, rho g H^3 */
   double spilled_volume;                 /* of that, over the top of a wall, H^2 */
-  double drift;                          /* of the energy, relative to the initial one */
+  struct {                               /* energy taken out by filter and smoothing, rho g H^3 */
+    double start;                        /* of the last step, sqrt(H/g) */
+    double until;                        /* what it was until then */
+    double rate, last;                   /* mean during the step; at its end */
+  } damped;
+  double drift; /* of the energy, relative to the initial one */
   double first_energy;
   size_t most_nodes;
   struct bem_flow view; /* an interpolated state and its velocities; the run never sees it */
@@ -35,6 +40,9 @@ void bem_output_destroy(struct bem_output *o);
 enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
                            struct bem_stepper *stepper, const struct bem_events *events,
                            double time, double dt);
+
+/* Counts what filter and smoothing take out of the energy during the step that ended at `time`. */
+void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double time, double dt);
 
 enum status bem_output_event(struct bem_output *o, const char *name, double time, double x,
                              double y);

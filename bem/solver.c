@@ -21,7 +21,7 @@ static const struct param params[] = {
      KEY(tolerance),
      .min = 1e-12,
      .max = 1e-3,
-     .value = "1e-5",
+     .value = "1e-6",
      .help =
          "absolute tolerance of CVODE relative to H; for a wave, to a thousandth of its amplitude"},
     {.key = "gmres",
@@ -30,7 +30,7 @@ static const struct param params[] = {
      KEY(gmres),
      .min = 1e-14,
      .max = 1e-4,
-     .value = "1e-9",
+     .value = "1e-8",
      .help = "residual at which GMRES stops, relative to the right-hand side"},
     {.key = "dense",
      .type = PARAM_INT,
@@ -55,8 +55,7 @@ static const struct param params[] = {
      .max = 100,
      .value = "30",
      .help = "rate, in 1/sqrt(H/g), of the sixth-difference filter against the sawtooth of two "
-             "spacings; "
-             "waves that span the tank go without it"},
+             "spacings; a thirtieth of it for waves, which have no thin sheet"},
     {.key = "smoothing",
      .type = PARAM_REAL,
      .quantity = QTY_NUMBER,
@@ -72,8 +71,10 @@ static const struct param params[] = {
 /* What passes the top of the right wall is cut there and counted while it is a film thinner than
  * SPILL and little: a thicker jet is not free of pressure, and the film is qualitative anyway; more
  * than that ends the run. */
-static const double SPILL = 0.05;      /* H */
+static const double SPILL = 0.05;     /* H */
 static const double SPILLABLE = 0.01; /* of the volume of the water */
+static const double GENTLE = 1. / 30; /* of the filter's rate is enough where no thin sheet is */
+static const double SHOWN = 1e-7;     /* residual that is enough for outputs */
 enum { MOST_STEPS = 1000000 };
 
 enum cut { CUT_AT_WALL, CUT_THIN_FILM, CUT_TOP };
@@ -195,6 +196,7 @@ static enum status advance(struct run *r, struct progress *progress) {
   for (size_t step = 1; r->time < end && !r->ended; step++) {
     TRY(bem_stepper_step(r->stepper, &r->time, &r->dt, found));
     TRY(bem_pace_add(&r->pace, r->time, r->dt));
+    bem_output_damped(&r->output, &r->flow, r->time, r->dt);
     TRY(bem_output_due(&r->output, &r->flow, r->stepper, &r->events, r->time, r->dt));
     work += (double)r->flow.surface.n;
     progress_step(progress, step, r->time * r->output.time_scale, r->dt * r->output.time_scale,
@@ -258,12 +260,11 @@ static enum status begin(struct run *r, const struct case_run *cr) {
   double tolerance = o->tolerance * (wave ? 1e-3 * fabs(c->wave.amplitude) / c->H : 1);
   if (!(tolerance > 1e-14)) tolerance = 1e-14; /* rounding; still water has amplitude 0 */
   TRY(bem_solve_create(&solve, &r->flow.solve));
+  solve.tolerance = fmax(solve.tolerance, SHOWN);
   TRY(bem_output_create(&r->output, &solve));
   TRY(bem_start_surface(c, cr, &r->flow));
-  if (r->flow.surface.tip > 0) {
-    r->flow.filter = o->filter;
-    r->flow.smoothing = o->smoothing;
-  }
+  r->flow.filter = o->filter * (r->flow.surface.tip > 0 ? 1 : GENTLE);
+  r->flow.smoothing = o->smoothing;
   TRY(bem_stepper_create(&r->flow, tolerance, bem_events_roots, &r->events, &r->stepper));
   TRY(restart(r));
   return bem_output_due(&r->output, &r->flow, NULL, &r->events, 0, 0);

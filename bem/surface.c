@@ -80,15 +80,16 @@ static void panel_basis(size_t at, double s, double value[FOUR], double slope[FO
   }
 }
 
+static const double gauss_point[FOUR] = {0.06943184420297371, 0.33000947820757187,
+                                         0.66999052179242813, 0.93056815579702629};
+static const double gauss_weight[FOUR] = {0.17392742256872693, 0.32607257743127307,
+                                          0.32607257743127307, 0.17392742256872693};
+
 struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *psi) {
-  static const double point[FOUR] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                     0.93056815579702629};
-  static const double weight[FOUR] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                                      0.17392742256872693};
   const double *x = s->state, *y = x + s->n, *phi = y + s->n;
   double value[3][FOUR][FOUR], slope[3][FOUR][FOUR];
   for (size_t at = 0; at < 3; at++)
-    for (int g = 0; g < FOUR; g++) panel_basis(at, point[g], value[at][g], slope[at][g]);
+    for (int g = 0; g < FOUR; g++) panel_basis(at, gauss_point[g], value[at][g], slope[at][g]);
   struct bem_totals t = {0};
   for (size_t j = 0; j + 1 < s->n; j++) {
     size_t w = window(s->n, s->corner, j, 1, FOUR, true), at = j - w;
@@ -100,10 +101,40 @@ struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *
         dx += slope[at][g][m] * x[w + m];
         dpsi += slope[at][g][m] * psi[w + m];
       }
-      t.volume += weight[g] * yg * dx;
-      t.potential += weight[g] * 0.5 * yg * yg * dx;
-      t.kinetic -= weight[g] * 0.5 * phig * dpsi;
+      t.volume += gauss_weight[g] * yg * dx;
+      t.potential += gauss_weight[g] * 0.5 * yg * yg * dx;
+      t.kinetic -= gauss_weight[g] * 0.5 * phig * dpsi;
     }
   }
   return t;
+}
+
+/* At the surface phi_n (dphi - u dx - v dy) + (q^2/2 + y - level) times the normal displacement,
+ * with phi_n ds = -dpsi and the outward normal times ds = (-dy, dx). */
+double bem_surface_power(const struct bem_surface *s, double level, const double *psi,
+                         const double *u, const double *v, const double *rate) {
+  const size_t n = s->n;
+  const double *x = s->state, *y = x + n, *rx = rate, *ry = rate + n, *rphi = rate + 2 * n;
+  double value[3][FOUR][FOUR], slope[3][FOUR][FOUR], power = 0;
+  for (size_t at = 0; at < 3; at++)
+    for (int g = 0; g < FOUR; g++) panel_basis(at, gauss_point[g], value[at][g], slope[at][g]);
+  for (size_t j = 0; j + 1 < n; j++) {
+    size_t w = window(n, s->corner, j, 1, FOUR, true), at = j - w;
+    for (int g = 0; g < FOUR; g++) {
+      double own = 0, head = 0, mx = 0, my = 0, dx = 0, dy = 0, dpsi = 0;
+      for (size_t m = 0; m < FOUR; m++) {
+        size_t k = w + m;
+        double a = value[at][g][m], b = slope[at][g][m];
+        own += a * (rphi[k] - u[k] * rx[k] - v[k] * ry[k]);
+        head += a * (0.5 * (u[k] * u[k] + v[k] * v[k]) + y[k] - level);
+        mx += a * rx[k];
+        my += a * ry[k];
+        dx += b * x[k];
+        dy += b * y[k];
+        dpsi += b * psi[k];
+      }
+      power += gauss_weight[g] * (head * (my * dx - mx * dy) - own * dpsi);
+    }
+  }
+  return power;
 }

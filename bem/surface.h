@@ -37,3 +37,9 @@ double bem_surface_importance(const struct bem_surface *s, double x, double y);
 /* Integrals over the water from the surface alone: psi = 0 on the walls, and kinetic energy is
  * -1/2 integral phi d psi. Cubic interpolation in the node number: fourth order. */
 struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *psi);
+
+/* Rate at which a rate of change of the nodes (x[n], y[n], phi[n]) changes the energy of the water,
+ * rho g H^3 per unit of that rate, by the same quadrature, with heights counted from `level`: what
+ * it does to the volume is an error of the volume. psi, u, v: of this surface. */
+double bem_surface_power(const struct bem_surface *s, double level, const double *psi,
+                         const double *u, const double *v, const double *rate);

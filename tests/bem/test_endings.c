@@ -1,0 +1,82 @@
+/* How a run ends before the end of its case: with a sentence that says why, when and where, and
+ * with everything that is known until then. */
+#include "tests/bem/run.h"
+
+static const char text[] = "title: dam break\n"
+                           "fluid: {density: 1, gravity: 1}\n"
+                           "scales: {H: 1}\n"
+                           "tank: {walls: [[[0, %g], [0, 0], [%g, 0], [%g, %g]]]}\n"
+                           "water: {regions: [[[0, 0], [%g, 0], [%g, 1], [0, 1]]], %s}\n"
+                           "time: {end: %g, every: 0.5}\n"
+                           "runs: [{name: bem, solver: bem, resolution: 16, film: %g}]\n";
+
+struct setting {
+  double left, length, right, column, end, film;
+  const char *pressure;
+};
+
+static void write_case(char with[600], const struct setting *s) {
+  snprintf(with, 600, text, s->left, s->length, s->length, s->right, s->column, s->column,
+           s->pressure, s->end, s->film);
+}
+
+static struct result_file *released(double right, double length, double column) {
+  char with[600];
+  write_case(with, &(struct setting){1.5, length, right, column, 7, 0.005, "pressure: released"});
+  return run_bem(with);
+}
+
+static void test_thick_water_above_the_top_of_a_wall_ends_the_run(void) {
+  struct result_file *f = released(1, 3, 1.5);
+  if (!f) return;
+  struct result_event_read over = run_event(f, "overflow");
+  EXPECT(over.time > 1.4 && over.time < 2);
+  EXPECT_NEAR(over.x, 3, 1e-9);
+  EXPECT_NEAR(over.y, 1, 1e-6);
+  EXPECT(strstr(f->ended, "water passed the top of the right wall at t = "));
+  EXPECT(isfinite(run_statistic(f, "steps_cut")));
+  result_file_destroy(f);
+}
+
+/* The film that passes a wall of 3 H in Buchner's tank is a hundredth of H thick. */
+static void test_thin_film_above_the_top_is_counted_as_spilled_until_touchdown(void) {
+  struct result_file *f = released(2.8, 5.366, 2);
+  if (!f) return;
+  EXPECT(run_event(f, "overflow").time < run_event(f, "touchdown").time);
+  double spilled = run_statistic(f, "spilled_volume");
+  EXPECT(spilled > 1e-4 && spilled < 0.02 && spilled < f->steps[f->n_steps - 1].removed_volume);
+  EXPECT(strstr(f->ended, "the jet touched down at t = 6.1"));
+  EXPECT(strstr(f->ended, "potential flow ends here"));
+  for (size_t i = 0; i < f->n_surfaces; i++)
+    EXPECT(geo_lines_box(&f->surface[i]).max[1] < 2.8 + 0.05); /* at most a step's rise */
+  result_file_destroy(f);
+}
+
+static void test_a_run_that_reaches_the_end_of_its_case_ends_without_a_reason(void) {
+  char with[600];
+  write_case(with, &(struct setting){1.5, 3, 3, 1.5, 0.5, 0.005, "pressure: released"});
+  struct result_file *f = run_bem(with);
+  if (!f) return;
+  EXPECT_STR(f->ended, "");
+  EXPECT(run_statistic(f, "spilled_volume") == 0);
+  result_file_destroy(f);
+}
+
+static void test_a_film_as_thick_as_at_the_impact_is_refused(void) {
+  char with[600];
+  struct problems problems = {0};
+  struct case_file *c = NULL;
+  write_case(with, &(struct setting){1.5, 3, 3, 1.5, 0.5, 0.01, "pressure: released"});
+  EXPECT(case_parse("test", with, &run_registry, &problems, &c) == ERR_INPUT);
+  EXPECT(problems.n == 1 && strstr(problems.text[0], "runs.bem.film: found 0.01 m; allowed: less"));
+  problems_destroy(&problems);
+  case_destroy(c);
+}
+
+int main(void) {
+  RUN(test_thick_water_above_the_top_of_a_wall_ends_the_run);
+  RUN(test_thin_film_above_the_top_is_counted_as_spilled_until_touchdown);
+  RUN(test_a_run_that_reaches_the_end_of_its_case_ends_without_a_reason);
+  RUN(test_a_film_as_thick_as_at_the_impact_is_refused);
+  return TEST_RESULT;
+}
