@@ -74,7 +74,7 @@ static const struct param params[] = {
 static const double SPILL = 0.05;     /* H */
 static const double SPILLABLE = 0.01; /* of the volume of the water */
 static const double GENTLE = 1. / 30; /* of the filter's rate is enough where no thin sheet is */
-static const double SHOWN = 1e-7;     /* residual that is enough for outputs */
+static const double SHOWN = 1e-6;     /* residual that is enough for outputs */
 enum { MOST_STEPS = 1000000 };
 
 enum cut { CUT_AT_WALL, CUT_THIN_FILM, CUT_TOP };

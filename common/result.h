@@ -20,7 +20,7 @@ struct result;
   X(potential, "potential energy, y from 0")                                                       \
   X(internal, "elastic energy of the weakly compressible fluid")                                   \
   X(total, "kinetic + potential + internal")                                                       \
-  X(viscosity, "energy taken out so far by artificial viscosity")                                  \
+  X(viscosity, "energy taken out so far by artificial viscosity; by filter and smoothing (bem)")   \
   X(diffusion, "energy taken out so far by density diffusion")                                     \
   X(walls, "energy given to walls so far (zero for fixed walls in exact arithmetic)")              \
   X(removed, "energy of water taken out of the computation so far")
