@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "common/file.h"
+#include "common/result_fd.h"
 #include "common/result_guard.h"
 #include "common/result_hdf.h"
 #include "common/result_layout.h"
@@ -78,12 +79,7 @@ static enum status check_format(hid_t file) {
 }
 
 static enum status open_file(int fd, hid_t *file) {
-  char same[32]; /* whatever happens to the path meanwhile */
-  snprintf(same, sizeof same, "/proc/self/fd/%d", fd);
-  hid_t fapl = H5Pcreate(H5P_FILE_ACCESS);
-  H5Pset_file_locking(fapl, false, true); /* the parent holds it */
-  *file = H5Fopen(same, H5F_ACC_RDONLY, fapl);
-  H5Pclose(fapl);
+  *file = result_fd_open(fd);
   if (*file < 0) return hdf_raise(ERR_INPUT, "is damaged");
   TRY(check_format(*file));
   enum status status = hdf_check_confined(*file);

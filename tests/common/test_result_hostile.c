@@ -194,6 +194,20 @@ static void test_a_fifo_is_not_waited_for(void) {
   unlink(path);
 }
 
+/* The run that wrote it has given it up meanwhile: what was opened is read to the end. */
+static void test_a_file_without_a_name_is_read(void) {
+  char opened[64];
+  write_result();
+  int fd = open(path, O_RDONLY | O_CLOEXEC);
+  struct result_file *f = NULL;
+  unlink(path);
+  snprintf(opened, sizeof opened, "/proc/self/fd/%d", fd);
+  EXPECT_OK(result_read(opened, &f));
+  EXPECT(f && f->n_outputs == 5);
+  result_file_destroy(f);
+  close(fd);
+}
+
 /* ---- links where a run writes ---- */
 
 static void write_text(const char *to, const char *text) {
@@ -270,6 +284,7 @@ int main(void) {
   RUN(test_sealed_nonsense_does_no_harm);
   RUN(test_nothing_outside_the_file_is_read);
   RUN(test_a_fifo_is_not_waited_for);
+  RUN(test_a_file_without_a_name_is_read);
   RUN(test_links_are_not_followed);
   RUN(test_closed_streams_do_not_spoil_a_result);
   sample_folder_remove();

@@ -1,0 +1,336 @@
+/* Result files: a small one of the writer's, edited through HDF5 itself (links, attributes,
+ * lengths, numbers) or in its bytes, with the checksums of HDF5's headers and the seal put right
+ * again, so that the edits reach what lies behind them. It is read as the program reads it, in a
+ * child.
+ *
+ * HDF5 is not ours: that the child dies inside it is what the child is for. Counted as a find is
+ * what happens in this process, an error of our code in the child, and a child of more than 1 GB.
+ */
+#include <hdf5.h>
+#include <math.h>
+#include <sanitizer/common_interface_defs.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/resource.h>
+
+#include "common/result_diff.h"
+#include "fuzz/fuzz.h"
+#include "tests/common/result_bytes.h"
+#include "tests/common/result_sample.h"
+
+enum { GOOD_FILE = 101, MOST_BYTES = 1 << 18 };
+#define GOOD_PATH "/proc/self/fd/101"
+
+static unsigned char *good; /* the writer's file */
+static size_t good_size;
+static pid_t parent;
+static FILE *nowhere;
+
+/* ---- the seed ---- */
+
+static void write_seed(const char *path) {
+  struct case_file *c = sample_case();
+  struct result *w = NULL;
+  if (result_create(path, c, &c->runs[0], &w) != OK) abort();
+  for (size_t k = 0; k < 3; k++)
+    if (sample_output(w, k, 12) != OK) abort();
+  if (result_finish(w) != OK) abort();
+  result_destroy(w);
+  sample_case_destroy(c);
+}
+
+static void load_seed(void) {
+  char path[128];
+  snprintf(path, sizeof path, "%s/seed.h5", sample_folder());
+  write_seed(path);
+  FILE *f = fopen(path, "rb");
+  good = malloc(MOST_BYTES);
+  good_size = f ? fread(good, 1, MOST_BYTES, f) : 0;
+  if (!good_size || good_size == MOST_BYTES) abort();
+  fclose(f);
+  sample_folder_remove();
+}
+
+/* ---- telling our errors from HDF5's ---- */
+
+void __asan_set_error_report_callback(void (*callback)(const char *report));
+
+static bool from_hdf5;
+
+/* The innermost frames decide: HDF5 calls nothing of ours that could fail. */
+static void see_report(const char *report) {
+  const char *end = report;
+  for (int frames = 0; frames < 4 && (end = strstr(end, "\n    #")); frames++) end++;
+  size_t n = end ? (size_t)(end - report) : strlen(report);
+  from_hdf5 = memmem(report, n, "libhdf5", 7) || memmem(report, n, "libz.so", 7);
+  if (from_hdf5) return;
+  FILE *f = fopen("fuzz-result-report.txt", "w");
+  if (f) fputs(report, f);
+  if (f) fclose(f);
+}
+
+static void die(void) {
+  if (getpid() != parent && !from_hdf5) kill(parent, SIGABRT);
+}
+
+const char *__asan_default_options(void);
+const char *__asan_default_options(void) {
+  return "allocator_may_return_null=1:max_allocation_size_mb=300:symbolize=0:detect_leaks=0:"
+         "malloc_context_size=2:quarantine_size_mb=4";
+}
+
+int LLVMFuzzerInitialize(int *argc, char ***argv) {
+  (void)argc, (void)argv;
+  load_seed();
+  parent = getpid();
+  nowhere = fopen("/dev/null", "w");
+  fuzz_file_create(FUZZ_FILE);
+  fuzz_file_fill(fuzz_file_create(GOOD_FILE), good, good_size);
+  __asan_set_error_report_callback(see_report);
+  return 0;
+}
+
+/* ---- edits through HDF5 ---- */
+
+static uint32_t draw(uint32_t *state, uint32_t n) {
+  *state = *state * 1664525u + 1013904223u;
+  return (uint32_t)(((uint64_t)*state * n) >> 32);
+}
+
+static const double numbers[] = {0,     -1,      1,    NAN,          INFINITY, -INFINITY,
+                                 1e300, -1e-300, 1e18, 4294967296.0, 65536,    3e9,
+                                 255,   0.5,     7,    -9e18};
+
+struct pick { /* the object that an edit is made of */
+  uint32_t left;
+  char name[256];
+  H5O_type_t type;
+};
+
+static herr_t pick_object(hid_t root, const char *name, const H5O_info_t *info, void *data) {
+  struct pick *p = data;
+  (void)root;
+  if (p->left--) return 0;
+  snprintf(p->name, sizeof p->name, "%s", name);
+  p->type = info->type;
+  return 1;
+}
+
+static void edit_set(hid_t file, const char *name, uint32_t *state) {
+  hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+  hsize_t dims[2] = {1, 1}, start[2] = {0, 0}, one[2] = {1, 1};
+  int rank = H5Sget_simple_extent_ndims(space);
+  double value = numbers[draw(state, sizeof numbers / sizeof *numbers)];
+  if (rank > 0 && rank <= 2) H5Sget_simple_extent_dims(space, dims, NULL);
+  if (rank > 0 && draw(state, 3) == 0) {
+    hsize_t lengths[] = {0, 1, dims[0] - 1, dims[0] + 1, dims[0] * 2, 1u << 20, (hsize_t)1 << 50};
+    dims[0] = lengths[draw(state, 7)];
+    H5Dset_extent(set, dims);
+  } else if (rank > 0 && dims[0] && H5Tget_class(H5Dget_type(set)) != H5T_STRING) {
+    start[0] = draw(state, (uint32_t)dims[0]);
+    if (rank == 2 && dims[1]) start[1] = draw(state, (uint32_t)dims[1]);
+    hid_t memory = H5Screate_simple(1, one, NULL);
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, one, NULL);
+    H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, &value);
+  } else if (rank == 0 && H5Tget_class(H5Dget_type(set)) != H5T_STRING) {
+    H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value);
+  }
+}
+
+static void edit_attribute(hid_t object, uint32_t *state) {
+  H5O_info_t info;
+  if (H5Oget_info(object, &info) < 0 || !info.num_attrs) return;
+  hid_t attribute = H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_NATIVE,
+                                   draw(state, (uint32_t)info.num_attrs), H5P_DEFAULT, H5P_DEFAULT);
+  char name[64] = "";
+  H5Aget_name(attribute, sizeof name, name);
+  bool text = H5Tget_class(H5Aget_type(attribute)) == H5T_STRING;
+  double value = numbers[draw(state, sizeof numbers / sizeof *numbers)];
+  static const char *const texts[] = {"", "\n", "\x1b[2J", "plunge", "a/b", "%s%n", "<script>"};
+  const char *word = texts[draw(state, 7)];
+  switch (draw(state, 3)) {
+  case 0:
+    H5Aclose(attribute);
+    H5Adelete(object, name);
+    return;
+  case 1: /* of the other kind */
+    text = !text;
+    H5Aclose(attribute);
+    H5Adelete(object, name);
+    hid_t type = H5T_NATIVE_DOUBLE, space = H5Screate(H5S_SCALAR);
+    if (text) {
+      type = H5Tcopy(H5T_C_S1);
+      H5Tset_size(type, H5T_VARIABLE);
+    }
+    attribute = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    break;
+  }
+  if (text)
+    H5Awrite(attribute, H5Aget_type(attribute), &word);
+  else
+    H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
+}
+
+static void edit_links(hid_t file, const char *name, uint32_t *state) {
+  static const char *const others[] = {"/",         "case",   "walls/points", "surface",
+                                       "/nowhere",  "VTKHDF", "events",       "series/energy/time",
+                                       "statistics"};
+  const char *other = others[draw(state, 9)];
+  uint32_t way = draw(state, 4);
+  H5Ldelete(file, name, H5P_DEFAULT);
+  if (way == 1) H5Lcreate_soft(other, file, name, H5P_DEFAULT, H5P_DEFAULT);
+  if (way == 2) H5Lcreate_hard(file, other, file, name, H5P_DEFAULT, H5P_DEFAULT);
+  if (way == 3) H5Lcreate_external("/etc/passwd", other, file, name, H5P_DEFAULT, H5P_DEFAULT);
+}
+
+static void edit_once(hid_t file, uint32_t *state) {
+  struct pick pick = {.left = draw(state, 60)};
+  if (H5Ovisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, pick_object, &pick) < 1) return;
+  uint32_t way = draw(state, 8);
+  if (way == 0 && strcmp(pick.name, ".")) {
+    edit_links(file, pick.name, state);
+  } else if (way < 4 || pick.type != H5O_TYPE_DATASET) {
+    hid_t object = H5Oopen(file, pick.name, H5P_DEFAULT);
+    edit_attribute(object, state);
+  } else {
+    edit_set(file, pick.name, state);
+  }
+}
+
+/* A file with one to four edits of the writer's, in memory from first to last; 0: it has none. */
+static size_t edit_through_hdf5(uint8_t *data, size_t most, uint32_t *state) {
+  H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+  hid_t fapl = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_fapl_core(fapl, 1 << 16, false);
+  H5Pset_fclose_degree(fapl, H5F_CLOSE_STRONG); /* closes what the edits left open */
+  H5Pset_file_image(fapl, good, good_size - sizeof(struct result_seal));
+  hid_t file = H5Fopen("fuzz", H5F_ACC_RDWR, fapl);
+  for (uint32_t k = 1 + draw(state, 4); file >= 0 && k > 0; k--) edit_once(file, state);
+  H5Fflush(file, H5F_SCOPE_GLOBAL);
+  ssize_t n = H5Fget_file_image(file, data, most - sizeof(struct result_seal));
+  H5Fclose(file);
+  H5Pclose(fapl);
+  return n > 0 ? (size_t)n + sizeof(struct result_seal) : 0;
+}
+
+/* ---- edits of bytes ---- */
+
+static uint32_t rotate(uint32_t x, int k) {
+  return x << k | x >> (32 - k);
+}
+
+/* The checksum of HDF5's headers: Bob Jenkins' lookup3 (public domain, 2006), byte by byte. */
+static uint32_t lookup3(const unsigned char *key, size_t n) {
+  uint32_t a = 0xdeadbeef + (uint32_t)n, b = a, c = a;
+  while (n > 0) {
+    uint32_t word[3] = {0};
+    size_t part = n < 12 ? n : 12;
+    memcpy(word, key, part);
+    a += word[0], b += word[1], c += word[2];
+    if (n > 12) {
+      a -= c, a ^= rotate(c, 4), c += b, b -= a, b ^= rotate(a, 6), a += c;
+      c -= b, c ^= rotate(b, 8), b += a, a -= c, a ^= rotate(c, 16), c += b;
+      b -= a, b ^= rotate(a, 19), a += c, c -= b, c ^= rotate(b, 4), b += a;
+    } else {
+      c ^= b, c -= rotate(b, 14), a ^= c, a -= rotate(c, 11), b ^= a, b -= rotate(a, 25);
+      c ^= b, c -= rotate(b, 16), a ^= c, a -= rotate(c, 4), b ^= a, b -= rotate(a, 14);
+      c ^= b, c -= rotate(b, 24);
+    }
+    key += part;
+    n -= part;
+  }
+  return c;
+}
+
+/* Where a header's checksum stands: it was right before the edit. 0: not found. */
+static size_t find_checksum(const unsigned char *data, size_t size, size_t header) {
+  for (size_t n = 8; n < 1024 && header + n + 4 <= size; n++) {
+    uint32_t sum;
+    memcpy(&sum, data + header + n, sizeof sum);
+    if (sum == lookup3(data + header, n)) return header + n;
+  }
+  return 0;
+}
+
+static void change_byte(uint8_t *byte, uint32_t *state) {
+  static const uint8_t odd[] = {0, 1, 0x7f, 0x80, 0xff, 3, 8};
+  *byte = draw(state, 2) ? (uint8_t)(*byte ^ 1u << draw(state, 8)) : odd[draw(state, 7)];
+}
+
+/* Changes a byte or two of a header that begins with a signature, and its checksum. */
+static void edit_header(uint8_t *data, size_t size, uint32_t *state) {
+  static const char *const signatures[] = {"OHDR", "OCHK", "FRHP", "BTHD", "BTLF", "FHDB", "BTIN"};
+  const char *signature = signatures[draw(state, 7)];
+  uint8_t *at = data, *chosen = NULL;
+  for (uint32_t left = draw(state, 40); (at = memmem(at, size - (size_t)(at - data), signature, 4));
+       at++) {
+    chosen = at;
+    if (!left--) break;
+  }
+  if (!chosen) return;
+  size_t header = (size_t)(chosen - data), sum_at = find_checksum(data, size, header);
+  if (!sum_at) return;
+  for (uint32_t k = 1 + draw(state, 2); k > 0; k--)
+    change_byte(data + header + 4 + draw(state, (uint32_t)(sum_at - header - 4)), state);
+  uint32_t sum = lookup3(data + header, sum_at - header);
+  memcpy(data + sum_at, &sum, sizeof sum);
+}
+
+static void edit_bytes(uint8_t *data, size_t size, uint32_t *state) {
+  for (uint32_t k = 1 + draw(state, 3); k > 0; k--) {
+    if (draw(state, 3))
+      edit_header(data, size, state);
+    else
+      change_byte(data + draw(state, (uint32_t)size), state);
+  }
+}
+
+size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned int seed);
+size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned int seed) {
+  uint32_t state = seed;
+  if (most < 2 * good_size) return size;
+  uint32_t way = draw(&state, 8);
+  if (size < good_size / 2 || way < 7) { /* afresh: what nobody sees to be new is not kept */
+    memcpy(data, good, good_size);
+    size = good_size;
+  }
+  if (way < 4) size = edit_through_hdf5(data, most, &state);
+  if (way >= 3) edit_bytes(data, size - sizeof(struct result_seal), &state);
+  bytes_seal(data, size);
+  return size;
+}
+
+/* ---- a try ---- */
+
+static void use(struct result_file *f) {
+  size_t n = 0;
+  double(*p)[2] = NULL, *value = NULL;
+  for (size_t k = 0; k < f->n_surfaces; k++)
+    if (f->surface[k].pieces && f->surface[k].first[f->surface[k].pieces] != f->surface[k].points)
+      abort();
+  if (f->n_outputs &&
+      result_read_points(FUZZ_PATH, f->n_outputs - 1, "pressure", &n, &p, &value) == OK && n)
+    if (!p || !value) abort();
+  free(p);
+  free(value);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  static const struct tolerance rule = {"*", false, 0, 0};
+  static const struct result_tolerances exact = {1, 1, (struct tolerance *)&rule};
+  __sanitizer_set_death_callback(die); /* after libFuzzer has set its own */
+  struct result_file *f = NULL;
+  bool same;
+  fuzz_file_fill(FUZZ_FILE, data, size);
+  if (result_read(FUZZ_PATH, &f) == OK)
+    use(f);
+  else if (!*status_message())
+    abort(); /* refused without a word */
+  if (f) (void)result_info(FUZZ_PATH, nowhere);
+  if (f) (void)result_diff(GOOD_PATH, FUZZ_PATH, &exact, false, nowhere, &same);
+  result_file_destroy(f);
+  struct rusage children;
+  getrusage(RUSAGE_CHILDREN, &children);
+  if (children.ru_maxrss > 1 << 20) abort(); /* KB */
+  return 0;
+}
