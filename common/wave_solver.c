@@ -50,7 +50,7 @@ static void wave_check(const struct case_file *c, const struct case_run *r,
     return;
   }
   struct wave_standing w = theory(c, r);
-  double error = wave_standing_error(&w, tank_width(c), c->end);
+  double error = wave_standing_error(&w, c->end);
   if (error > MOST_ERROR)
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'exact' where what theory leaves out is %.2g of the wave; "
@@ -142,7 +142,7 @@ static enum status write_output(const struct case_file *c, const struct wave_sta
 
 static enum status write_error(const struct case_file *c, const struct wave_standing *w,
                                struct result *out, struct progress *progress) {
-  double error = wave_standing_error(w, tank_width(c), c->end);
+  double error = wave_standing_error(w, c->end);
   if (error > CLEAR_ERROR)
     progress_say(progress,
                  "exact: this wave is steep for a theory of order %d: what it leaves out is about "

@@ -171,7 +171,9 @@ static double ratio_of_orders(const struct wave_standing *w) {
   return (fabs(second.bound_mean) + fabs(second.bound) + fabs(free)) / w->amplitude;
 }
 
-static double energy_above_rest(const struct wave_standing *w, double width, double t) {
+/* Of half a wavelength, which is like every other; over density. */
+static double energy_above_rest(const struct wave_standing *w, double t) {
+  double width = w->wavelength / 2;
   struct wave_standing from_bed = *w; /* without the digits that the level of the bed takes */
   from_bed.bed = 0;
   return wave_standing_kinetic(&from_bed, width, t) +
@@ -179,12 +181,12 @@ static double energy_above_rest(const struct wave_standing *w, double width, dou
          w->gravity * width * w->depth * w->depth / 2;
 }
 
-double wave_standing_error(const struct wave_standing *w, double width, double end) {
+double wave_standing_error(const struct wave_standing *w, double end) {
   enum { PER_PERIOD = 32, PERIODS = 64 }; /* in which bound and free waves meet in every phase */
   double step = 2 * M_PI / w->omega / PER_PERIOD, worst = 0;
-  double first = energy_above_rest(w, width, 0);
+  double first = energy_above_rest(w, 0);
   for (int i = 1; i <= PER_PERIOD * PERIODS && i * step <= end; i++)
-    worst = fmax(worst, fabs(energy_above_rest(w, width, i * step) / first - 1));
+    worst = fmax(worst, fabs(energy_above_rest(w, i * step) / first - 1));
   double ratio = ratio_of_orders(w);
   return fmax(worst, w->order < 2 ? ratio : ratio * ratio);
 }

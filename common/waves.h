@@ -58,4 +58,4 @@ double wave_standing_potential_energy(const struct wave_standing *w, double widt
  * - The next term of a series that falls by the ratio of the second order's elevation to the first:
  *   its square at order 2, the ratio itself at order 1. In shallow water the ratio grows like the
  *   Ursell number, a/(k^2 d^3), and the series fails before the energy tells. */
-double wave_standing_error(const struct wave_standing *w, double width, double end);
+double wave_standing_error(const struct wave_standing *w, double end);

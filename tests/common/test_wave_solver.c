@@ -65,7 +65,7 @@ static void test_run_writes_the_theory_at_the_multiples_of_the_output_times(void
     EXPECT_NEAR(f->energy[i].total, f->energy[0].total, 0.02 * above);
   EXPECT(f->n_statistics == 1);
   EXPECT_STR(f->statistics[0].name, "theory_error");
-  EXPECT_NEAR(f->statistics[0].value, wave_standing_error(&w, 2.5, 1.03), 1e-15);
+  EXPECT_NEAR(f->statistics[0].value, wave_standing_error(&w, 1.03), 1e-15);
   result_file_destroy(f);
   case_destroy(c);
   progress_destroy(progress);
