@@ -290,14 +290,23 @@ static GEOSGeometry *grown(struct geos *g, const GEOSGeometry *from, double by) 
                                        mitre));
 }
 
-/* What an opening takes away from one body; NULL when it fails. */
-static GEOSGeometry *lost_by_opening(struct geos *g, const GEOSGeometry *body, double width) {
+/* Shrunk and grown again: without what is thinner than `width`. NULL when it fails. */
+static GEOSGeometry *opened(struct geos *g, const GEOSGeometry *body, double width) {
   GEOSGeometry *shrunk = grown(g, body, -width / 2);
-  GEOSGeometry *opened = grown(g, shrunk, width / 2);
-  GEOSGeometry *lost = keep(g, opened ? GEOSDifference_r(g->h, body, opened) : NULL);
+  GEOSGeometry *back = grown(g, shrunk, width / 2);
   drop(g, shrunk);
-  drop(g, opened);
-  return lost;
+  return back;
+}
+
+/* What an opening takes away from one body, without the slivers that rounding leaves along the rest
+ * of its rim; NULL when it fails. */
+static GEOSGeometry *lost_by_opening(struct geos *g, const GEOSGeometry *body, double width) {
+  GEOSGeometry *rest = opened(g, body, width);
+  GEOSGeometry *lost = keep(g, rest ? GEOSDifference_r(g->h, body, rest) : NULL);
+  GEOSGeometry *clean = opened(g, lost, 1e-6 * width);
+  drop(g, rest);
+  drop(g, lost);
+  return clean;
 }
 
 /* The shorter side of the rectangle with this area and rim. */
