@@ -13,6 +13,7 @@
 #include "cli/command.h"
 #include "cli/room.h"
 #include "cli/traps.h"
+#include "common/health.h"
 
 struct run_arguments {
   const char *case_path, *out;
@@ -97,33 +98,54 @@ static enum status result_path(const char *folder, const struct case_run *r, cha
   return OK;
 }
 
+/* Keeps in the file how it ended, the message of a failure included, and whether it can be
+ * believed. A file that cannot take it keeps what was flushed. */
+static enum status end_result(struct result *out, enum status status, struct health *health) {
+  char why[1024];
+  snprintf(why, sizeof why, "%s", status_message());
+  if (status == OK) {
+    TRY(result_health(out, "", health));
+    return result_finish(out);
+  }
+  (void)result_ended(out, why);
+  (void)result_health(out, status == INTERRUPTED ? "" : why, health);
+  return status_raise(status, "%s", why);
+}
+
+/* One line below a run's own: that it is sound, or why not. A run that ended well and still failed
+ * is a failure. */
+static enum status tell_health(const struct case_run *r, const struct health *h,
+                               struct progress *progress) {
+  if (h->verdict == HEALTH_SOUND)
+    progress_say(progress, "           sound: %s", *h->facts ? h->facts : "nothing to judge by");
+  if (h->verdict == HEALTH_DOUBTFUL)
+    command_warn("run %s is doubtful: %s", r->name, h->reasons);
+  CHECK(h->verdict != HEALTH_FAILED, ERR_DIVERGED, "its result is not to be believed: %s",
+        h->reasons);
+  return OK;
+}
+
 static enum status run_one(const struct case_file *c, const struct case_run *r, const char *path,
                            struct progress *progress) {
   struct result *out = NULL;
+  struct health health = {0};
   enum status status;
   progress_begin(progress, r->name, c->end, sqrt(c->H / c->gravity));
   ATTEMPT(result_create(path, c, r, &out));
   traps_enable();
   status = r->solver->run(c, r, out, progress);
   traps_disable();
-  if (status == OK)
-    status = result_finish(out);
-  else { /* the message is also the file's; a file that cannot take it keeps what was flushed */
-    char why[1024];
-    snprintf(why, sizeof why, "%s", status_message());
-    (void)result_ended(out, why);
-    (void)status_raise(status, "%s", why);
-  }
+  status = end_result(out, status, &health);
 done:
   result_destroy(out);
-  if (status == OK)
+  if (status == OK) {
     progress_end(progress, "done");
-  else if (status == INTERRUPTED)
+    status = tell_health(r, &health, progress);
+  } else if (status == INTERRUPTED)
     progress_end(progress, "stopped; its file holds every output so far");
-  else {
+  else
     progress_end(progress, "FAILED");
-    status_context(status, "run %s: ", r->name);
-  }
+  if (status != OK && status != INTERRUPTED) status_context(status, "run %s: ", r->name);
   return status;
 }
 
@@ -162,6 +184,13 @@ static enum status read_current(const struct case_file *c, const struct case_run
   return OK;
 }
 
+/* A finished run that failed is one also when it is found there already. */
+static int judge(const struct result_file *f) {
+  struct health h;
+  health_of_file(f, &h);
+  return f->complete && h.verdict == HEALTH_FAILED ? EXIT_RUN_FAILED : EXIT_FINE;
+}
+
 /* Reads back the runs that have a file, and compares them. */
 static int report(const struct case_file *c, const char *out, struct progress *progress) {
   int exit_code = EXIT_FINE;
@@ -171,9 +200,9 @@ static int report(const struct case_file *c, const char *out, struct progress *p
   for (size_t i = 0; i < c->n_runs; i++) {
     struct result_file *file = NULL;
     enum status status = read_current(c, &c->runs[i], out, progress, &file);
-    if (status != OK)
-      exit_code = command_fail(status);
-    else if (i == c->compare.reference)
+    int judged = status != OK ? command_fail(status) : file ? judge(file) : EXIT_FINE;
+    if (judged != EXIT_FINE) exit_code = judged;
+    if (status == OK && i == c->compare.reference)
       ref = file;
     else if (file)
       runs[n++] = file;

@@ -75,6 +75,11 @@ enum status result_rest(struct result *w, double potential);
  * beyond which the solver cannot go (the touchdown of a jet). Kept with the next flush. */
 enum status result_ended(struct result *w, const char *why);
 
+/* Judges the run by what was written so far (common/health.h) and keeps that with the next flush.
+ * `broke_off`: why the run failed, "" when it did not. */
+struct health;
+enum status result_health(struct result *w, const char *broke_off, struct health *h);
+
 enum status result_finish(struct result *w); /* marks the file complete */
 void result_destroy(struct result *w);       /* closes it, complete or not; NULL is fine */
 
@@ -104,6 +109,7 @@ struct result_file {
   char *water_fingerprint; /* case_water_fingerprint of its case; "" in files of before it */
   char *created;           /* UTC, 2026-11-22T19:24:21Z */
   char *ended; /* why it ended before the end of its case, one sentence; "" when it did not */
+  char *health;  /* verdict when it ended: sound, doubtful or failed; "" before that, or older */
   bool complete;
   double H, g, density, spacing; /* m, m s^-2, kg m^-3, m */
   double rest_potential;         /* J/m */

@@ -70,7 +70,7 @@ static enum status carry_field(struct carrier *c, void *element) {
 static enum status carry_header(struct carrier *c, struct result_file *f) {
   char **text[] = {&f->solver,   &f->run,       &f->title,       &f->version,
                    &f->revision, &f->case_text, &f->fingerprint, &f->water_fingerprint,
-                   &f->created,  &f->ended};
+                   &f->created,  &f->ended,     &f->health};
   for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
     TRY(carry_text(c, text[i]));
     CHECK(*text[i], ERR_INPUT, "a text is missing");

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/health.h"
 #include "common/result.h"
 #include "common/result_diff.h"
 #include "common/result_store.h"
@@ -115,6 +116,16 @@ static void say_statistics(struct screen *s, const struct result_file *f) {
   if (*text) say(s, label, "%s", text);
 }
 
+/* The verdict with its facts, a line for each of its reasons, and what it could not look at. */
+static void say_health(struct screen *s, const struct result_file *f) {
+  struct health h;
+  health_of_file(f, &h);
+  say(s, "health", "%s%s%s", health_verdicts[h.verdict], *h.facts ? ": " : "", h.facts);
+  for (char *rest = h.reasons, *reason; *h.reasons && (reason = strsep(&rest, ";"));)
+    say(s, "", "%s", reason + strspn(reason, " "));
+  if (*h.missing) say(s, "", "the file does not tell: %s", h.missing);
+}
+
 enum status result_info(const char *path, FILE *out) {
   struct result_file *f;
   TRY(result_read(path, &f));
@@ -127,6 +138,7 @@ enum status result_info(const char *path, FILE *out) {
       : result_store_is_written(path) ? "under way"
                                       : "stopped before its end");
   if (*f->ended) say(&s, "ended", "%s", f->ended);
+  say_health(&s, f);
   say(&s, "program", "plunge %s, revision %s, run at %s", f->version, f->revision, f->created);
   say(&s, "scales", "H = %.6g m, g = %.6g m/s^2, density %.6g kg/m^3, spacing %.5g m (H/%.5g)",
       f->H, f->g, f->density, f->spacing, f->H / f->spacing);

@@ -247,6 +247,14 @@ static enum status read_optional(hid_t file, const char *name, char **value) {
   return OK;
 }
 
+static enum status read_health(hid_t file, char **verdict) {
+  hid_t group = file; /* the root has no attribute of that name */
+  if (hdf_has(file, "health")) TRY(hdf_open_group(file, "health", &group));
+  enum status status = read_optional(group, "verdict", verdict);
+  if (group != file) H5Gclose(group);
+  return status;
+}
+
 static enum status read_header(hid_t file, struct result_file *f) {
   int64_t complete = 0;
   TRY(hdf_get_string(file, "solver", &f->solver));
@@ -254,6 +262,7 @@ static enum status read_header(hid_t file, struct result_file *f) {
   TRY(hdf_get_string(file, "title", &f->title));
   TRY(read_optional(file, "ended", &f->ended));
   TRY(read_optional(file, "water", &f->water_fingerprint));
+  TRY(read_health(file, &f->health));
   TRY(hdf_get_string(file, "version", &f->version));
   TRY(hdf_get_string(file, "revision", &f->revision));
   TRY(hdf_get_string(file, "fingerprint", &f->fingerprint));
@@ -357,6 +366,7 @@ void result_file_destroy(struct result_file *f) {
   free(f->created);
   free(f->water_fingerprint);
   free(f->ended);
+  free(f->health);
   geo_lines_destroy(&f->walls);
   for (size_t i = 0; i < f->n_surfaces; i++) geo_lines_destroy(&f->surface[i]);
   free(f->surface);

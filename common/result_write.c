@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "common/case.h"
+#include "common/health.h"
 #include "common/result.h"
 #include "common/result_hdf.h"
 #include "common/result_layout.h"
@@ -35,6 +36,7 @@ struct result {
   struct series energy, steps;
   size_t n_probes, n_gauges;
   struct series *probes, *gauges; /* [n_probes], [n_gauges], owned */
+  struct health_watch watch;      /* over what is written */
   struct vtkhdf *points;          /* from the first output on */
   bool broken;                    /* a write into memory failed: what is there is not committed */
   bool finished;
@@ -324,6 +326,8 @@ enum status result_create(const char *path, const struct case_file *c, const str
   }
   w->n_probes = c->n_probes;
   w->n_gauges = c->n_gauges;
+  health_watch_begin(&w->watch, case_rest_potential(c),
+                     c->density * c->gravity * c->H * c->H * c->H);
   ATTEMPT(result_store_create(path, &w->store));
   ATTEMPT(result_store_open(w->store, &w->file));
   ATTEMPT(create_content(w, c, r));
@@ -382,10 +386,12 @@ enum status result_surface(struct result *w, double time, const struct geo_lines
 }
 
 enum status result_energy(struct result *w, const struct result_energy *row) {
+  health_watch_energy(&w->watch, row);
   return guard(w, series_add(&w->energy, &row->time));
 }
 
 enum status result_step(struct result *w, const struct result_step *row) {
+  health_watch_step(&w->watch, row);
   return guard(w, series_add(&w->steps, &row->time));
 }
 
@@ -414,16 +420,45 @@ enum status result_event(struct result *w, const char *name, double time, double
 }
 
 enum status result_statistic(struct result *w, const char *name, double value, const char *help) {
+  health_watch_statistic(&w->watch, name, value);
   if (hdf_has(w->statistics, name)) H5Ldelete(w->statistics, name, H5P_DEFAULT);
   return guard(w, hdf_put_scalar(w->statistics, name, H5T_NATIVE_DOUBLE, &value, "1", help));
 }
 
 enum status result_rest(struct result *w, double potential) {
+  w->watch.rest = potential;
   return guard(w, hdf_set_number(w->file, "rest_potential", potential));
 }
 
 enum status result_ended(struct result *w, const char *why) {
   return guard(w, hdf_set_string(w->file, "ended", why));
+}
+
+/* ---- health ---- */
+
+static enum status write_measure(hid_t group, const struct health_measure *m, double value) {
+  char help[256];
+  snprintf(help, sizeof help, "%s; doubtful above %g, failed above %g", m->help, m->doubtful,
+           m->failed);
+  return hdf_put_scalar(group, m->name, H5T_NATIVE_DOUBLE, &value, "1", help);
+}
+
+static enum status write_health(struct result *w, const struct health *h) {
+  hid_t group = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_group_create(w->file, "health", &group));
+  ATTEMPT(hdf_set_string(group, "verdict", health_verdicts[h->verdict]));
+  ATTEMPT(hdf_set_string(group, "reasons", h->reasons));
+  for (size_t k = 0; k < HEALTH_N; k++)
+    if (isfinite(h->value[k])) ATTEMPT(write_measure(group, &health_measures[k], h->value[k]));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+enum status result_health(struct result *w, const char *broke_off, struct health *h) {
+  health_judge(&w->watch, broke_off, h);
+  return guard(w, write_health(w, h));
 }
 
 /* ---- flushing ---- */

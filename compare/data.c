@@ -5,11 +5,8 @@
 #include <string.h>
 
 #include "common/gauge.h"
+#include "common/health.h"
 #include "compare/text.h"
-
-/* Of the potential energy: what is less above rest is not told from the rounding of the sums, nor
- * from the layers of particles in which water at rest is set up, (g H/c0^2) (dx/H)^2/6 of it. */
-static const double AT_REST = 1e-6;
 
 enum status cmp_scales_set(const struct result_file *reference, struct cmp_scales *s) {
   const struct result_file *f = reference;
@@ -18,11 +15,8 @@ enum status cmp_scales_set(const struct result_file *reference, struct cmp_scale
         f->density);
   *s = (struct cmp_scales){.H = f->H, .T = sqrt(f->H / f->g), .p = f->density * f->g * f->H};
   s->rest = f->rest_potential;
-  const struct result_energy none = {0}, *e = f->n_energy ? &f->energy[0] : &none;
-  s->E = e->kinetic + e->potential - s->rest;
-  double scale = s->p * s->H * s->H;
-  s->at_rest = !(s->E > AT_REST * fmax(scale, fabs(e->potential)));
-  if (s->at_rest) s->E = scale;
+  s->E = health_energy_scale(f->n_energy ? &f->energy[0] : NULL, f->rest_potential,
+                             s->p * s->H * s->H, &s->at_rest);
   return OK;
 }
 

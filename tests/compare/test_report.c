@@ -39,6 +39,9 @@ static struct result_file *made_up(const char *name, const char *title, struct f
   r->revision = text("<b>none</b>");
   r->case_text = text("title: <script>alert('case')</script>\n");
   r->fingerprint = text("0123");
+  r->water_fingerprint = text("4567");
+  r->ended = text("");
+  r->health = text("");
   r->complete = true;
   r->H = H;
   r->g = g;
