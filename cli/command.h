@@ -51,4 +51,5 @@ enum status command_lock_folder(const char *folder, bool wait, struct progress *
 /* Compares `n` runs with `ref` by the settings of `c`, writes the report into `out` and prints the
  * verdict. Returns the exit code. */
 int command_report(const struct case_file *c, const struct result_file *ref, size_t n,
-                   struct result_file *const *runs, const char *out, struct progress *progress);
+                   struct result_file *const *runs, bool anyway, const char *out,
+                   struct progress *progress);

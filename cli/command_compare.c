@@ -10,10 +10,11 @@
 #include "compare/report.h"
 
 int command_report(const struct case_file *c, const struct result_file *ref, size_t n,
-                   struct result_file *const *runs, const char *out, struct progress *progress) {
+                   struct result_file *const *runs, bool anyway, const char *out,
+                   struct progress *progress) {
   struct cmp_verdict verdict;
   progress_say(progress, "comparing %zu run%s with %s", n, n == 1 ? "" : "s", ref->run);
-  enum status status = cmp_report(c, ref, n, runs, out, &verdict);
+  enum status status = cmp_report(c, ref, n, runs, anyway, out, &verdict);
   if (*verdict.sentence) {
     text_show(stdout, verdict.sentence, "\n");
     putchar('\n');
@@ -31,6 +32,7 @@ struct compare_arguments {
   const char *out, *settings;
   char **files; /* [n], in argv */
   size_t n;
+  bool anyway;
 };
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
@@ -41,6 +43,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case 's':
     a->settings = arg;
+    return 0;
+  case 'a':
+    a->anyway = true;
     return 0;
   case ARGP_KEY_ARGS:
     a->files = state->argv + state->next;
@@ -97,6 +102,8 @@ int command_compare(int argc, char **argv) {
       {"out", 'o', "DIR", 0, "folder of the report (default: comparison)", 0},
       {"settings", 's', "FILE", 0,
        "times, window and tolerances from the section `compare` of this file", 0},
+      {"anyway", 'a', NULL, 0,
+       "compare also results of another tank, water or scale, each in its own scales", 0},
       {0}};
   static const struct argp argp = {
       .options = options,
@@ -129,7 +136,7 @@ int command_compare(int argc, char **argv) {
   if (status != OK)
     exit_code = command_fail(status);
   else
-    exit_code = command_report(c, files[0], a.n - 1, files + 1, a.out, progress);
+    exit_code = command_report(c, files[0], a.n - 1, files + 1, a.anyway, a.out, progress);
 done:
   if (lock >= 0) close(lock);
   for (size_t i = 0; files && i < a.n; i++) result_file_destroy(files[i]);

@@ -208,7 +208,7 @@ static int report(const struct case_file *c, const char *out, struct progress *p
       runs[n++] = file;
   }
   if (ref && n) {
-    int verdict = command_report(c, ref, n, runs, out, progress);
+    int verdict = command_report(c, ref, n, runs, false, out, progress);
     if (exit_code == EXIT_FINE) exit_code = verdict;
   } else
     progress_say(progress, "nothing to compare: the reference and one more run are needed");

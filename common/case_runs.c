@@ -129,13 +129,14 @@ static size_t find_run(struct case_draft *d, int node, const char *path) {
   return c->n_runs;
 }
 
-/* Three evenly spaced output times, the last one the end. */
+/* The output times nearest to the thirds of the run; fewer where there are not three. */
 static enum status default_times(struct case_file *c) {
   double outputs = floor(c->end / c->every * (1 + 1e-12));
   TRY(case_allocate((void **)&c->compare.times, 3, sizeof *c->compare.times));
   for (int i = 1; i <= 3; i++) {
-    double time = floor(outputs * i / 3) * c->every;
-    if (time > 0) c->compare.times[c->compare.n_times++] = time;
+    double time = round(outputs * i / 3) * c->every;
+    size_t n = c->compare.n_times;
+    if (time > (n ? c->compare.times[n - 1] : 0)) c->compare.times[c->compare.n_times++] = time;
   }
   return OK;
 }

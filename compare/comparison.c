@@ -29,8 +29,9 @@ static enum status times_set(struct comparison *c) {
     if (isfinite(s->compare.tolerances[i].at))
       c->times[n++] = s->compare.tolerances[i].at / c->scales.T;
   const struct cmp_data *ref = &c->ref.data;
-  if (!n && ref->n) /* nothing asked: thirds of the reference's time */
-    for (size_t k = 1; k <= 3; k++) c->times[n++] = ref->t[(ref->n - 1) * k / 3];
+  if (!n && ref->n) /* nothing asked: the outputs nearest to the thirds of the reference's time */
+    for (size_t k = 1; k <= 3; k++)
+      c->times[n++] = ref->t[cmp_data_output(ref, ref->t[ref->n - 1] * (double)k / 3, INFINITY)];
   qsort(c->times, n, sizeof *c->times, ascending);
   c->n_times = 0;
   for (size_t i = 0; i < n; i++)
@@ -186,6 +187,45 @@ static enum status evolution_measure(const struct comparison *c, struct cmp_run 
   return OK;
 }
 
+/* How far the reference's surface moves, from a few of its outputs: what differences are small
+ * against. Motion below a tenth of its spacing is none that it is known to. */
+static enum status motion_measure(struct comparison *c, struct cmp_geos *g) {
+  enum { LOOKS = 32 };
+  const struct cmp_data *d = &c->ref.data;
+  enum status status = OK;
+  struct cmp_outline *first = NULL, *now = NULL;
+  double step = fmax(d->dx / 2, 1e-3), motion = NAN;
+  c->motion = cmp_unknown("%.60s has no two surfaces", d->label);
+  if (d->n < 2) return OK;
+  ATTEMPT(cmp_outline_create(g, &d->surface[0], &d->walls, &c->window, step, c->depth, &first));
+  for (size_t k = 1; k <= LOOKS; k++) {
+    struct cmp_distance distance;
+    struct cmp_value mean, largest;
+    const struct geo_lines *surface = &d->surface[(d->n - 1) * k / LOOKS];
+    ATTEMPT(cmp_outline_create(g, surface, &d->walls, &c->window, step, c->depth, &now));
+    ATTEMPT(cmp_outline_distance(first, now, &distance, &mean, &largest));
+    motion = fmax(motion, mean.value);
+    cmp_outline_destroy(now);
+    now = NULL;
+  }
+  c->motion = motion > 0.1 * d->dx ? cmp_number(motion)
+                                   : cmp_unknown("the surface of %.60s does not move", d->label);
+done:
+  cmp_outline_destroy(first);
+  cmp_outline_destroy(now);
+  if (status == ERR_MEMORY) return status;
+  if (status != OK) c->motion = cmp_unknown("%.100s", status_message());
+  return OK;
+}
+
+static void off_measure(const struct comparison *c, struct cmp_run *run) {
+  double worst = NAN;
+  for (size_t i = 0; i < run->evolution.n; i++) worst = fmax(worst, run->evolution.mean[i]);
+  run->off = !cmp_known(&c->motion) ? c->motion
+             : isfinite(worst)      ? cmp_number(worst / c->motion.value)
+                                    : cmp_unknown("no surfaces at common times");
+}
+
 /* Until when the mean distance stays within one particle spacing, linear between outputs. */
 static void agreement_measure(struct cmp_run *run) {
   const struct cmp_evolution *e = &run->evolution;
@@ -208,11 +248,22 @@ static void agreement_measure(struct cmp_run *run) {
 
 /* ---- front, energy, volume ---- */
 
+/* When the reference reaches its wall: the event, or else the last output before its front stands
+ * there. */
+static double front_until(const struct comparison *c) {
+  const struct cmp_data *ref = &c->ref.data;
+  struct geo_box box = geo_lines_box(&ref->walls);
+  double wall = c->side == CMP_LEFT ? box.min[0] : box.max[0];
+  size_t n = 0;
+  if (cmp_known(&ref->impact.time)) return ref->impact.time.value;
+  while (n < ref->front.n && fabs(ref->front.value[n] - wall) > c->depth) n++;
+  return n ? ref->front.t[n - 1] : INFINITY;
+}
+
 static void front_measure(const struct comparison *c, struct cmp_run *run) {
   struct cmp_signal ref = cmp_series_signal(&c->ref.data.front);
   const struct cmp_series *a = &run->data.front;
-  const struct cmp_value *impact = &c->ref.data.impact.time;
-  double until = cmp_known(impact) ? impact->value : INFINITY, worst = -1, when = NAN;
+  double until = front_until(c), worst = -1, when = NAN;
   for (size_t i = 0; i < a->n && a->t[i] <= until; i++) {
     double d = fabs(a->value[i] - cmp_signal_at(&ref, a->t[i]));
     if (d > worst) {
@@ -220,8 +271,10 @@ static void front_measure(const struct comparison *c, struct cmp_run *run) {
       when = a->t[i];
     }
   }
-  run->front = worst >= 0 ? cmp_number(worst) : cmp_unknown("no front at common times");
-  run->front_time = worst >= 0 ? cmp_number(when) : run->front;
+  run->front = c->side == CMP_NO_SIDE ? cmp_unknown("no front runs to a wall in the reference")
+               : worst >= 0           ? cmp_number(worst)
+                                      : cmp_unknown("no front at common times");
+  run->front_time = cmp_known(&run->front) ? cmp_number(when) : run->front;
 }
 
 static struct cmp_value largest_magnitude(const struct cmp_series *s, double until) {
@@ -236,8 +289,8 @@ static struct cmp_value largest_magnitude(const struct cmp_series *s, double unt
 static void budget_measure(const struct comparison *c, struct cmp_run *run) {
   const struct cmp_value *impact = &c->ref.data.impact.time;
   run->closure = largest_magnitude(&run->data.closure, INFINITY);
-  run->closure_before = cmp_known(impact) ? largest_magnitude(&run->data.closure, impact->value)
-                                          : cmp_unknown("the reference has no event wall_impact");
+  run->closure_before =
+      cmp_known(impact) ? largest_magnitude(&run->data.closure, impact->value) : *impact;
   const struct cmp_series *v = &run->data.volume;
   double worst = 0;
   for (size_t i = 0; i < v->n; i++) worst = fmax(worst, fabs(v->value[i] / v->value[0] - 1));
@@ -293,23 +346,78 @@ static enum status run_measure(struct comparison *c, struct cmp_geos *g, struct 
   }
   TRY(evolution_measure(c, run));
   agreement_measure(run);
+  off_measure(c, run);
   front_measure(c, run);
   budget_measure(c, run);
   return pairs_measure(c, run);
 }
 
-static enum status same_scales(const struct result_file *ref, const struct result_file *run) {
-  CHECK(fabs(run->H / ref->H - 1) < 1e-9 && fabs(run->g / ref->g - 1) < 1e-9 &&
-            fabs(run->density / ref->density - 1) < 1e-9,
-        ERR_INPUT,
-        "%s has H = %g m, g = %g m/s^2, density = %g kg/m^3, but the reference %s has %g, %g and "
-        "%g: they are not of the same case",
-        run->path, run->H, run->g, run->density, ref->path, ref->H, ref->g, ref->density);
+static bool near(double a, double b) {
+  return fabs(a / b - 1) < 1e-9;
+}
+
+static bool same_walls(const struct result_file *a, const struct result_file *b) {
+  if (a->walls.points != b->walls.points || a->walls.pieces != b->walls.pieces) return false;
+  for (size_t i = 0; i < a->walls.points; i++)
+    for (int k = 0; k < 2; k++)
+      if (fabs(a->walls.p[i][k] - b->walls.p[i][k]) > 1e-9 * a->H) return false;
+  return true;
+}
+
+/* What the run does not share with the reference, or NULL. Files of before the fingerprint are
+ * known by their scales and walls only. */
+static const char *strange(const struct result_file *ref, const struct result_file *run) {
+  if (!near(run->H, ref->H) || !near(run->g, ref->g) || !near(run->density, ref->density))
+    return "H, g or density (plunge info shows them)";
+  if (!same_walls(ref, run)) return "tank";
+  bool told = *ref->water_fingerprint && *run->water_fingerprint;
+  return told && strcmp(ref->water_fingerprint, run->water_fingerprint) ? "water at t = 0" : NULL;
+}
+
+static enum status run_admit(const struct result_file *ref, const struct result_file *run,
+                             bool anyway, bool *foreign) {
+  const char *what = strange(ref, run);
+  *foreign = what != NULL;
+  CHECK(
+      !what || anyway, ERR_INPUT,
+      "%s has another %s than the reference %s (H = %g m, g = %g m/s^2, density %g kg/m^3 against "
+      "%g, %g and %g): they are not of the same case; --anyway compares them all the same",
+      run->path, what, ref->path, run->H, run->g, run->density, ref->H, ref->g, ref->density);
+  return OK;
+}
+
+/* The scales, the depth of fronts, the reference as far as it can be believed. */
+static enum status reference_take(struct comparison *c, const struct result_file *ref, size_t n,
+                                  struct result_file *const *runs) {
+  double coarsest = n ? 0 : ref->spacing / ref->H;
+  TRY(cmp_scales_set(ref, &c->scales));
+  for (size_t r = 0; r < n; r++) coarsest = fmax(coarsest, runs[r]->spacing / runs[r]->H);
+  c->depth = 2 * coarsest;
+  for (int k = 0; k < 2; k++) {
+    c->window.min[k] = c->settings->compare.window.min[k] / c->scales.H;
+    c->window.max[k] = c->settings->compare.window.max[k] / c->scales.H;
+  }
+  TRY(cmp_data_create(ref, &c->scales, c->depth, &c->window, &c->ref.data));
+  health_of_file(ref, &c->ref.health);
+  c->until = health_since(ref, HEALTH_FAILED) / c->scales.T;
+  cmp_data_cut(&c->ref.data, c->until);
+  c->side = cmp_data_side(&c->ref.data, c->depth);
+  cmp_data_face(&c->ref.data, &c->scales, c->side);
+  return OK;
+}
+
+static enum status run_take(struct comparison *c, const struct result_file *file, bool anyway,
+                            struct cmp_run *run) {
+  TRY(run_admit(c->ref.data.file, file, anyway, &run->foreign));
+  struct cmp_scales own = cmp_scales_of(&c->scales, file);
+  TRY(cmp_data_create(file, &own, c->depth, &c->window, &run->data));
+  cmp_data_face(&run->data, &own, c->side);
+  health_of_file(file, &run->health);
   return OK;
 }
 
 enum status cmp_comparison_create(const struct case_file *settings, const struct result_file *ref,
-                                  size_t n, struct result_file *const *runs,
+                                  size_t n, struct result_file *const *runs, bool anyway,
                                   struct comparison **out) {
   enum status status = OK;
   struct cmp_geos *g = NULL;
@@ -323,25 +431,15 @@ enum status cmp_comparison_create(const struct case_file *settings, const struct
     status = status_raise(ERR_MEMORY, "no memory for a comparison of %zu runs", n);
     goto done;
   }
-  ATTEMPT(cmp_scales_set(ref, &c->scales));
-  double coarsest = 0;
-  for (size_t r = 0; r < n; r++) {
-    ATTEMPT(same_scales(ref, runs[r]));
-    coarsest = fmax(coarsest, runs[r]->spacing / c->scales.H);
-  }
-  c->depth = 2 * (n ? coarsest : ref->spacing / c->scales.H);
-  for (int k = 0; k < 2; k++) {
-    c->window.min[k] = settings->compare.window.min[k] / c->scales.H;
-    c->window.max[k] = settings->compare.window.max[k] / c->scales.H;
-  }
-  ATTEMPT(cmp_data_create(ref, &c->scales, c->depth, &c->window, &c->ref.data));
+  ATTEMPT(reference_take(c, ref, n, runs));
   for (size_t r = 0; r < n; r++) {
     c->n_runs = r + 1;
-    ATTEMPT(cmp_data_create(runs[r], &c->scales, c->depth, &c->window, &c->run[r].data));
+    ATTEMPT(run_take(c, runs[r], anyway, &c->run[r]));
   }
   labels_make_unique(c);
   ATTEMPT(times_set(c));
   window_set(c);
+  ATTEMPT(motion_measure(c, g));
   c->ref.noise = c->ref.data.dx / 2;
   budget_measure(c, &c->ref);
   ATTEMPT(pairs_measure(c, &c->ref));
@@ -382,11 +480,5 @@ bool cmp_comparison_has_output(const struct comparison *c, size_t time) {
 }
 
 bool cmp_comparison_has_front(const struct comparison *c) {
-  const struct cmp_series *front = &c->ref.data.front;
-  double low = INFINITY, high = -INFINITY;
-  for (size_t i = 0; i < front->n; i++) {
-    low = fmin(low, front->value[i]);
-    high = fmax(high, front->value[i]);
-  }
-  return high - low > c->depth;
+  return c->side != CMP_NO_SIDE;
 }

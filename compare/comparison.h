@@ -2,6 +2,7 @@
  */
 #pragma once
 #include "common/case.h"
+#include "common/health.h"
 #include "compare/data.h"
 
 /* A pressure of this many rho g H marks the arrival of the water at a probe, an elevation of this
@@ -31,10 +32,13 @@ struct cmp_pair { /* a signal of a run against the same of the reference or of a
 
 struct cmp_run {
   struct cmp_data data;
+  struct health health;
+  bool foreign;      /* of another tank, water or scale than the reference */
   struct cmp_at *at; /* [comparison.n_times] */
   struct cmp_evolution evolution;
   double noise;                       /* of lengths, H: half a particle spacing */
   struct cmp_value front, front_time; /* largest difference until the impact, and when */
+  struct cmp_value off;               /* largest mean distance, as a part of comparison.motion */
   struct cmp_value agreement;         /* t* until which the mean distance stays within one dx */
   struct cmp_value closure, closure_before; /* of the energy budget: whole run, until impact */
   struct cmp_value volume;                  /* largest change, relative */
@@ -50,19 +54,24 @@ struct comparison {
   bool window_whole;     /* the window leaves nothing out */
   double depth;          /* at which fronts are taken; films on walls are thinner */
   struct cmp_run ref;    /* at, evolution unused; pairs: against experiments */
+  double until;          /* t* at which the reference fails: nothing is compared beyond; INFINITY */
+  struct cmp_value motion; /* the largest mean distance of its surface from its first */
+  enum cmp_side side;      /* to which its front runs */
   size_t n_runs;
   struct cmp_run *run;
   size_t n_times;
   double *times; /* t*, ascending */
 };
 
+/* `anyway`: also what is of another tank, water or scale; each is then measured by its own scales.
+ */
 enum status cmp_comparison_create(const struct case_file *settings, const struct result_file *ref,
-                                  size_t n, struct result_file *const *runs,
+                                  size_t n, struct result_file *const *runs, bool anyway,
                                   struct comparison **out);
 void cmp_comparison_destroy(struct comparison *c);
 
 /* Whether any run has an output at the comparison time. */
 bool cmp_comparison_has_output(const struct comparison *c, size_t time);
 
-/* Whether a front runs in the reference: it moves by more than what it is known to. */
+/* Whether a front runs to a wall in the reference. */
 bool cmp_comparison_has_front(const struct comparison *c);

@@ -20,6 +20,16 @@ enum status cmp_scales_set(const struct result_file *reference, struct cmp_scale
   return OK;
 }
 
+struct cmp_scales cmp_scales_of(const struct cmp_scales *reference, const struct result_file *run) {
+  struct cmp_scales s = *reference;
+  if (run->H == s.H && run->density * run->g * run->H == s.p) return s;
+  s.H = run->H;
+  s.T = sqrt(run->H / run->g);
+  s.p = run->density * run->g * run->H;
+  s.E = reference->E * (s.p * s.H * s.H) / (reference->p * reference->H * reference->H);
+  return s;
+}
+
 /* ---- series ---- */
 
 static enum status series_room(struct cmp_series *s, const char *name, size_t n) {
@@ -110,15 +120,43 @@ static enum status lines_scaled(const struct geo_lines *from, double H, struct g
   return OK;
 }
 
+/* The mirror image, its pieces walked backwards: the water stays on the right. */
+static enum status mirror(const struct geo_lines *from, struct geo_lines *to) {
+  for (size_t k = 0; k < from->pieces; k++) {
+    TRY(geo_lines_begin(to, from->closed[k]));
+    for (size_t i = from->first[k + 1]; i-- > from->first[k];)
+      TRY(geo_lines_add(to, -from->p[i][0], from->p[i][1]));
+  }
+  return OK;
+}
+
+static enum status front_find(const struct geo_lines *surface, enum cmp_side side, double bed,
+                              double depth, double *front) {
+  struct geo_lines mirrored = {0};
+  if (side == CMP_RIGHT) {
+    *front = gauge_front(surface, bed, depth);
+    return OK;
+  }
+  enum status status = mirror(surface, &mirrored);
+  *front = status == OK ? -gauge_front(&mirrored, bed, depth) : NAN;
+  geo_lines_destroy(&mirrored);
+  return status;
+}
+
+static struct cmp_jet_place jet_place(const struct cmp_data *d, double depth,
+                                      const struct geo_box *window) {
+  return (struct cmp_jet_place){&d->walls, *window, 1, CMP_JET_LEAST * depth, depth};
+}
+
 static enum status surfaces(const struct result_file *f, const struct cmp_scales *s, double depth,
                             const struct geo_box *window, struct cmp_data *d) {
-  struct cmp_jet_place place = {&d->walls, *window, 1, CMP_JET_LEAST * depth, depth};
+  struct cmp_jet_place place = jet_place(d, depth, window);
   size_t n = f->n_surfaces;
   d->t = calloc(n + 1, sizeof *d->t);
   d->surface = calloc(n + 1, sizeof *d->surface);
   d->jet = calloc(n + 1, sizeof *d->jet);
   CHECK(d->t && d->surface && d->jet, ERR_MEMORY, "no memory for %zu surfaces", n);
-  TRY(series_room(&d->front, "front", n));
+  for (int k = 0; k < 2; k++) TRY(series_room(&d->fronts[k], "front", n));
   for (size_t i = 0; i < n; i++) {
     double t = f->surface_time[i] / s->T;
     if (d->n && !(t > d->t[d->n - 1])) continue;
@@ -126,8 +164,11 @@ static enum status surfaces(const struct result_file *f, const struct cmp_scales
     TRY(lines_scaled(&f->surface[i], s->H, &d->surface[d->n++]));
     const struct geo_lines *surface = &d->surface[d->n - 1];
     cmp_jet_find(surface, &place, &d->jet[d->n - 1]);
-    double front = gauge_front(surface, d->bed, depth);
-    if (isfinite(front)) series_add(&d->front, t, front);
+    for (int side = 0; side < 2; side++) {
+      double front;
+      TRY(front_find(surface, side, d->bed, depth, &front));
+      if (isfinite(front)) series_add(&d->fronts[side], t, front);
+    }
   }
   return OK;
 }
@@ -143,14 +184,14 @@ static bool event_take(const struct result_file *f, const struct cmp_scales *s, 
   return false;
 }
 
-static void instants(const struct result_file *f, const struct cmp_scales *s, struct cmp_data *d) {
-  if (!event_take(f, s, "wall_impact", &d->impact))
-    d->impact =
-        (struct cmp_instant){cmp_unknown("the file has no event wall_impact"), NAN, {NAN, NAN}};
+static void instants(const struct result_file *f, const struct cmp_scales *s, double depth,
+                     const struct geo_box *window, struct cmp_data *d) {
+  struct cmp_jet_sequence seen = {
+      .n = d->n, .t = d->t, .jet = d->jet, .surface = d->surface, .spacing = d->dx};
+  seen.place = jet_place(d, depth, window);
   if (!event_take(f, s, "overturning", &d->overturning))
-    cmp_jet_overturning(d->jet, d->t, d->n, &d->overturning);
-  if (!event_take(f, s, "touchdown", &d->touchdown))
-    cmp_jet_touchdown(d->jet, d->t, d->n, &d->touchdown);
+    cmp_jet_overturning(&seen, &d->overturning);
+  if (!event_take(f, s, "touchdown", &d->touchdown)) cmp_jet_touchdown(&seen, &d->touchdown);
 }
 
 static enum status experiments(const struct result_file *f, const struct cmp_scales *s,
@@ -181,7 +222,7 @@ enum status cmp_data_create(const struct result_file *f, const struct cmp_scales
   d->n_gauges = f->n_gauges;
   TRY(series_list(f->gauges, f->n_gauges, s, s->H, &d->gauges));
   TRY(experiments(f, s, d));
-  instants(f, s, d);
+  instants(f, s, depth, window, d);
   return OK;
 }
 
@@ -192,9 +233,9 @@ void cmp_data_destroy(struct cmp_data *d) {
   free(d->surface);
   free(d->jet);
   geo_lines_destroy(&d->walls);
-  struct cmp_series *single[] = {&d->kinetic,  &d->potential, &d->mechanical,
-                                 &d->internal, &d->viscosity, &d->diffusion,
-                                 &d->closure,  &d->volume,    &d->front};
+  struct cmp_series *single[] = {&d->kinetic,   &d->potential, &d->mechanical, &d->internal,
+                                 &d->viscosity, &d->diffusion, &d->closure,    &d->volume,
+                                 &d->fronts[0], &d->fronts[1]};
   for (size_t k = 0; k < sizeof single / sizeof *single; k++) series_free(single[k]);
   struct {
     struct cmp_series *s;
@@ -205,6 +246,67 @@ void cmp_data_destroy(struct cmp_data *d) {
     for (size_t i = 0; list[k].s && i < list[k].n; i++) series_free(&list[k].s[i]);
     free(list[k].s);
   }
+}
+
+/* ---- the side and the time that are compared ---- */
+
+/* How far the front on this side moves until it stands at its wall; -1 when the bed before it is
+ * not dry at first. */
+static double run_length(const struct cmp_data *d, enum cmp_side side, double depth) {
+  const struct cmp_series *front = &d->fronts[side];
+  struct geo_box box = geo_lines_box(&d->walls);
+  double wall = side == CMP_RIGHT ? box.max[0] : box.min[0], furthest = 0;
+  if (!front->n || !d->n || front->t[0] > d->t[0] || fabs(wall - front->value[0]) <= depth)
+    return -1;
+  double sign = side == CMP_RIGHT ? 1 : -1;
+  for (size_t i = 0; i < front->n; i++)
+    furthest = fmax(furthest, sign * (front->value[i] - front->value[0]));
+  return furthest;
+}
+
+enum cmp_side cmp_data_side(const struct cmp_data *d, double depth) {
+  double left = run_length(d, CMP_LEFT, depth), right = run_length(d, CMP_RIGHT, depth);
+  if (fmax(left, right) <= depth) return CMP_NO_SIDE; /* known to no better than this */
+  return right >= left ? CMP_RIGHT : CMP_LEFT;
+}
+
+void cmp_data_face(struct cmp_data *d, const struct cmp_scales *s, enum cmp_side side) {
+  struct geo_box box = geo_lines_box(&d->walls);
+  double wall = side == CMP_RIGHT ? box.max[0] : box.min[0],
+         near = 1e-6 * (box.max[0] - box.min[0]);
+  d->impact =
+      (struct cmp_instant){cmp_unknown("the file has no event wall_impact"), NAN, {NAN, NAN}};
+  if (side == CMP_NO_SIDE) {
+    d->impact.time = cmp_unknown("no front runs to a wall");
+    return;
+  }
+  d->front = d->fronts[side];
+  for (size_t k = 0; k < d->file->n_events; k++) {
+    const struct result_event_read *e = &d->file->events[k];
+    if (strcmp(e->name, "wall_impact") || fabs(e->x / s->H - wall) > near) continue;
+    d->impact = (struct cmp_instant){cmp_number(e->time / s->T), 0, {e->x / s->H, e->y / s->H}};
+    return;
+  }
+}
+
+static void series_cut(struct cmp_series *s, double until) {
+  while (s->n && s->t[s->n - 1] > until) s->n--;
+}
+
+static void instant_cut(struct cmp_instant *i, double until) {
+  if (cmp_known(&i->time) && i->time.value > until)
+    *i = (struct cmp_instant){cmp_unknown("the run had failed by then"), NAN, {NAN, NAN}};
+}
+
+void cmp_data_cut(struct cmp_data *d, double until) {
+  struct cmp_series *single[] = {&d->kinetic, &d->potential, &d->mechanical, &d->fronts[0],
+                                 &d->fronts[1]};
+  while (d->n && d->t[d->n - 1] > until) geo_lines_destroy(&d->surface[--d->n]);
+  for (size_t k = 0; k < sizeof single / sizeof *single; k++) series_cut(single[k], until);
+  for (size_t k = 0; k < d->n_probes; k++) series_cut(&d->probes[k], until);
+  for (size_t k = 0; k < d->n_gauges; k++) series_cut(&d->gauges[k], until);
+  instant_cut(&d->overturning, until);
+  instant_cut(&d->touchdown, until);
 }
 
 size_t cmp_data_output(const struct cmp_data *d, double t, double slack) {

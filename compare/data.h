@@ -17,6 +17,13 @@ struct cmp_scales {
 /* ERR_INPUT when the file lacks what scales need. */
 enum status cmp_scales_set(const struct result_file *reference, struct cmp_scales *s);
 
+/* The scales of a run whose water is not the reference's (compared all the same): its own, and E0
+ * in proportion. Of the same water they are the reference's. */
+struct cmp_scales cmp_scales_of(const struct cmp_scales *reference, const struct result_file *run);
+
+/* The wall that a front runs to: the bed before it is dry at first. */
+enum cmp_side { CMP_LEFT, CMP_RIGHT, CMP_NO_SIDE };
+
 struct cmp_series {
   const char *name; /* borrowed from the file */
   double x, y;
@@ -44,8 +51,9 @@ struct cmp_data {
   struct cmp_series *probes, *gauges;
   struct cmp_series *experiments; /* name: the label; see file->experiments for the rest */
 
-  struct cmp_series front; /* at every output that has one */
-  struct cmp_jet *jet;     /* [n] */
+  struct cmp_series fronts[2]; /* the ends of the standing water, by side */
+  struct cmp_series front;     /* the one of cmp_data_face (borrowed from it); n = 0: none */
+  struct cmp_jet *jet;         /* [n] */
   struct cmp_instant impact, overturning, touchdown;
 };
 
@@ -57,6 +65,16 @@ struct cmp_data {
 enum status cmp_data_create(const struct result_file *file, const struct cmp_scales *s,
                             double depth, const struct geo_box *window, struct cmp_data *d);
 void cmp_data_destroy(struct cmp_data *d);
+
+/* To which wall the water runs: where the bed is dry at first to more than `depth`. When it is on
+ * both sides, to the one where the front moves furthest before it arrives. */
+enum cmp_side cmp_data_side(const struct cmp_data *d, double depth);
+
+/* Takes the front and the impact on this side. */
+void cmp_data_face(struct cmp_data *d, const struct cmp_scales *s, enum cmp_side side);
+
+/* Forgets what is compared with other runs after t = `until`; budget and volume stay. */
+void cmp_data_cut(struct cmp_data *d, double until);
 
 static inline struct cmp_signal cmp_series_signal(const struct cmp_series *s) {
   return (struct cmp_signal){s->n, s->t, s->value};

@@ -43,6 +43,7 @@ static bool has_gauges(const struct comparison *c) {
 
 /* X(name, title, has): the report's sections, in order. */
 #define SECTIONS(X)                                                                                \
+  X(health, "Health", has_always)                                                                  \
   X(summary, "Summary", has_always)                                                                \
   X(checks, "Checks", has_always)                                                                  \
   X(distance, "Distance against time", has_always)                                                 \
@@ -233,6 +234,11 @@ struct content { /* what sections are written from */
   const struct cmp_figures *figures;
 };
 
+static enum status write_health(struct page *p, const struct content *w) {
+  cmp_html_health(p, w->c);
+  return OK;
+}
+
 static enum status write_summary(struct page *p, const struct content *w) {
   return summary(p, w->c, w->rows);
 }
@@ -245,8 +251,8 @@ static enum status write_checks(struct page *p, const struct content *w) {
 static enum status write_distance(struct page *p, const struct content *w) {
   TRY(cmp_html_figures(p, w->figures, CMP_SECTION_DISTANCE));
   cmp_html_measures(p, w->c, w->rows,
-                    (const char *const[]){"mean_distance", "largest_distance", "hausdorff",
-                                          "frechet", "area", NULL});
+                    (const char *const[]){"mean_distance", "relative_distance", "largest_distance",
+                                          "hausdorff", "frechet", "area", NULL});
   return OK;
 }
 
@@ -323,6 +329,13 @@ static void figures_missing(struct page *p, const struct cmp_figures *figures) {
                      figures->n);
 }
 
+/* Whether the health of anybody has failed. */
+static bool any_failed(const struct comparison *c) {
+  bool any = c->ref.health.verdict == HEALTH_FAILED;
+  for (size_t r = 0; r < c->n_runs; r++) any = any || c->run[r].health.verdict == HEALTH_FAILED;
+  return any;
+}
+
 static enum status page_write(struct page *p, const struct comparison *c,
                               const struct cmp_rows *rows, const struct cmp_figures *figures,
                               const char *sentence) {
@@ -333,9 +346,9 @@ static enum status page_write(struct page *p, const struct comparison *c,
   cmp_page_open(p, "main", NULL);
   cmp_page_element(p, "h1", NULL, "%s", title && *title ? title : "plunge report");
   cmp_page_element(p, "p",
-                   rows->failed   ? "lead fail"
-                   : rows->passed ? "lead pass"
-                                  : "lead",
+                   rows->failed || any_failed(c) ? "lead fail"
+                   : rows->passed                ? "lead pass"
+                                                 : "lead",
                    "%s", sentence);
   figures_missing(p, figures);
   TRY(body(p, &(struct content){c, rows, figures}));

@@ -149,8 +149,11 @@ void cmp_html_jets(struct page *p, const struct comparison *c) {
   cmp_html_reasons_list(p, &why);
   cmp_page_element(
       p, "p", "soft",
-      "A time with ± was read off the sequence of surfaces, and ± is the half width of the "
-      "interval between outputs that holds it; one without was located by the solver.");
+      "A time with ± was read off the sequence of surfaces; ± holds the interval between outputs "
+      "and "
+      "how far the instant moves when the surface does by half a particle spacing: a face that "
+      "stands near the vertical for long has no sharp instant. One without was located by the "
+      "solver.");
   cmp_page_element(p, "h3", NULL, "Shape");
   jets_table(p, c);
 }
@@ -207,6 +210,32 @@ void cmp_html_signals(struct page *p, const struct comparison *c, enum cmp_quant
                    "In brackets: the same of what it is compared with, over the same common time. "
                    "Best shift: positive when the run is late; it is not applied.");
   cmp_html_reasons_list(p, &why);
+}
+
+/* ---- health ---- */
+
+static void health_row(struct page *p, const struct comparison *c, size_t r) {
+  static const char *const class[] = {"PASS", "doubt", "FAIL"};
+  const struct cmp_run *run = cmp_run_or_ref(c, r);
+  const struct health *h = &run->health;
+  const struct result_file *f = run->data.file;
+  bool told = *f->ended && strstr(h->reasons, f->ended) != NULL;
+  cmp_page_open(p, "tr", NULL);
+  cmp_html_run(p, c, r);
+  cmp_html_cell(p, class[h->verdict], "%s", health_verdicts[h->verdict]);
+  bool ended = *f->ended && !told;
+  cmp_html_cell(p, "w", "%s%s%s%s%s%s", h->reasons, *h->reasons && ended ? "; " : "",
+                ended ? f->ended : "", *h->missing && (*h->reasons || ended) ? ". " : "",
+                *h->missing ? "Not told: " : "", h->missing);
+  cmp_html_cell(p, "w", "%s", h->facts);
+  cmp_page_close(p);
+}
+
+void cmp_html_health(struct page *p, const struct comparison *c) {
+  cmp_html_table_open(p);
+  cmp_html_headings(p, (const char *const[]){"run", "health", "why", "measured", NULL});
+  for (size_t i = 0; i <= c->n_runs; i++) health_row(p, c, i == 0 ? SIZE_MAX : i - 1);
+  cmp_html_table_close(p);
 }
 
 /* ---- provenance ---- */
@@ -316,10 +345,22 @@ void cmp_html_method(struct page *p, const struct comparison *c) {
       "encloses less or more than the run's volume by a fifth.");
   cmp_page_element(
       p, "li", NULL,
-      "Front: the largest x at which the water standing on the bed is deeper than %.4g H "
-      "(two spacings of the coarsest run), the same depth in every run, until the reference "
-      "reaches the wall.",
-      c->depth);
+      "Front: the furthest x, towards the wall that the reference's water runs to (%s), at which "
+      "the water standing on the bed is deeper than %.4g H (two spacings of the coarsest run), the "
+      "same depth in every run, until the reference reaches that wall. None runs where the bed is "
+      "wet from wall to wall at first.",
+      (const char *[]){"the left", "the right", "here none"}[c->side], c->depth);
+  cmp_page_open(p, "li", NULL);
+  cmp_page_text(p, "Health: what a run says of itself, against limits. ");
+  for (size_t k = 0; k < HEALTH_N; k++) {
+    const struct health_measure *m = &health_measures[k];
+    cmp_page_text(p, "%s%s (doubtful above %g", k ? ", " : "", m->help, m->doubtful);
+    if (isfinite(m->failed)) cmp_page_text(p, ", failed above %g", m->failed);
+    cmp_page_text(p, ")");
+  }
+  cmp_page_text(p, ". Nothing is compared with a reference after the instant at which its energies "
+                   "or volumes have failed.");
+  cmp_page_close(p);
   cmp_page_element(
       p, "li", NULL,
       "Jet: where the longest piece turns back by more than %.4g H "

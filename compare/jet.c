@@ -217,28 +217,43 @@ static bool same_jet(const struct cmp_jet *a, const struct cmp_jet *b, double dt
          distance(a->tip, b->tip) <= 4 * dt + 0.1;
 }
 
+/* The last of the outputs from the first on that show one jet: a shape that overhangs to begin
+ * with. SIZE_MAX: none does. */
+static size_t initial_last(const struct cmp_jet_sequence *s) {
+  if (!s->n || !s->jet[0].found) return SIZE_MAX;
+  size_t k = 0;
+  while (k + 1 < s->n && same_jet(&s->jet[k], &s->jet[k + 1], s->t[k + 1] - s->t[k])) k++;
+  return k;
+}
+
 /* The stretch [*first, *last] of outputs that show the main breaker: the jet that has the largest
- * overhang of all, followed from there both ways. False: there is none. */
-static bool breaker_follow(const struct cmp_jet *jet, const double *t, size_t n, size_t *first,
-                           size_t *last) {
-  size_t peak = SIZE_MAX;
-  for (size_t i = 0; i < n; i++)
+ * overhang of all, followed from there both ways. Otherwise says why there is none. */
+static bool breaker_follow(const struct cmp_jet_sequence *s, size_t *first, size_t *last,
+                           struct cmp_instant *why) {
+  const struct cmp_jet *jet = s->jet;
+  const double *t = s->t;
+  size_t peak = SIZE_MAX, initial = initial_last(s);
+  for (size_t i = initial == SIZE_MAX ? 0 : initial + 1; i < s->n; i++)
     if (jet[i].found && (peak == SIZE_MAX || jet[i].overhang > jet[peak].overhang)) peak = i;
+  *why = (struct cmp_instant){initial == SIZE_MAX
+                                  ? cmp_unknown("the surface never overhangs")
+                                  : cmp_unknown("the surface overhangs from the start"),
+                              NAN,
+                              {NAN, NAN}};
   if (peak == SIZE_MAX) return false;
   *first = *last = peak;
   while (*first > 0 && same_jet(&jet[*first - 1], &jet[*first], t[*first] - t[*first - 1]))
     (*first)--;
-  while (*last + 1 < n && same_jet(&jet[*last], &jet[*last + 1], t[*last + 1] - t[*last]))
+  while (*last + 1 < s->n && same_jet(&jet[*last], &jet[*last + 1], t[*last + 1] - t[*last]))
     (*last)++;
   return true;
 }
 
-void cmp_jet_overturning(const struct cmp_jet *jet, const double *t, size_t n,
-                         struct cmp_instant *instant) {
-  *instant = (struct cmp_instant){cmp_unknown("the surface never overhangs"), NAN, {NAN, NAN}};
-  size_t first, last;
-  if (!breaker_follow(jet, t, n, &first, &last)) return;
-  /* overhang^(2/3) is linear in time at first: a line through its growth up to half the largest */
+/* overhang^(2/3) is linear in time at first: where a line through its growth up to half the largest
+ * begins. */
+static double overhang_begins(const struct cmp_jet_sequence *s, size_t first, size_t last) {
+  const struct cmp_jet *jet = s->jet;
+  const double *t = s->t;
   double largest = 0, sum[4] = {0};
   size_t points = 0;
   for (size_t i = first; i <= last; i++) largest = fmax(largest, jet[i].overhang);
@@ -252,40 +267,96 @@ void cmp_jet_overturning(const struct cmp_jet *jet, const double *t, size_t n,
   }
   double m = (double)points,
          slope = (m * sum[3] - sum[0] * sum[1]) / (m * sum[2] - sum[0] * sum[0]);
-  double estimate = t[first];
-  if (points > 1 && slope > 0) {
-    double zero = t[first] + (sum[0] - sum[1] / slope) / m;
-    estimate = fmax(t[0], fmin(t[first], zero));
-  }
-  double interval = first > 0 ? t[first] - t[first - 1] : 0;
-  instant->time = cmp_number(estimate);
-  instant->error = fmax(interval / 2, t[first] - estimate);
-  for (int k = 0; k < 2; k++) instant->at[k] = (jet[first].tip[k] + jet[first].root[k]) / 2;
+  if (!(points > 1 && slope > 0)) return t[first];
+  return fmax(t[0], fmin(t[first], t[first] + (sum[0] - sum[1] / slope) / m));
 }
 
-void cmp_jet_touchdown(const struct cmp_jet *jet, const double *t, size_t n,
-                       struct cmp_instant *instant) {
-  *instant = (struct cmp_instant){cmp_unknown("the surface never overhangs"), NAN, {NAN, NAN}};
+/* Whether a section of the surface within `reach` of `at`, on the jet's side, could be vertical:
+ * six spacings high, and no longer than one. Moves `at` there. */
+static bool steep_near(const struct cmp_jet_sequence *s, size_t k, bool forward, double reach,
+                       double *at) {
+  const struct geo_lines *l = &s->surface[k];
+  size_t piece = cmp_piece_longest(l);
+  if (piece == SIZE_MAX) return false;
+  const double(*p)[2] = (const double(*)[2])(l->p + l->first[piece]);
+  size_t n = l->first[piece + 1] - l->first[piece];
+  double rise = 6 * s->spacing, nearest = reach, found[2] = {NAN, NAN};
+  for (size_t i = 0; i < n; i++) {
+    if (distance(p[i], at) > reach + rise) continue;
+    for (size_t j = i + 1; j < n && p[j][0] - p[i][0] <= s->spacing; j++) {
+      double middle[2] = {(p[i][0] + p[j][0]) / 2, (p[i][1] + p[j][1]) / 2};
+      if (distance(p[j], p[i]) > 2 * rise) break;
+      if ((forward ? p[i][1] - p[j][1] : p[j][1] - p[i][1]) < rise) continue;
+      if (distance(middle, at) < nearest && fold_counts(p, i, j, &s->place)) {
+        nearest = distance(middle, at);
+        memcpy(found, middle, sizeof found);
+      }
+      break;
+    }
+  }
+  if (!isfinite(found[0])) return false;
+  memcpy(at, found, sizeof found);
+  return true;
+}
+
+/* The earliest time at which the surface may have been vertical, from the output that shows its
+ * jet backwards. */
+static double vertical_since(const struct cmp_jet_sequence *s, size_t first) {
+  const struct cmp_jet *jet = &s->jet[first];
+  double at[2] = {(jet->tip[0] + jet->root[0]) / 2, (jet->tip[1] + jet->root[1]) / 2};
+  size_t k = first;
+  while (s->surface && k > 0 &&
+         steep_near(s, k - 1, jet->forward, 4 * (s->t[k] - s->t[k - 1]) + 0.1, at))
+    k--;
+  return k > 0 ? (s->t[k - 1] + s->t[k]) / 2 : s->t[0];
+}
+
+void cmp_jet_overturning(const struct cmp_jet_sequence *s, struct cmp_instant *instant) {
   size_t first, last;
-  if (!breaker_follow(jet, t, n, &first, &last)) return;
-  /* the cavity has closed when the breaker is seen no more, or all but its mouth has gone */
+  if (!breaker_follow(s, &first, &last, instant)) return;
+  double estimate = overhang_begins(s, first, last), since = vertical_since(s, first);
+  double interval = first > 0 ? s->t[first] - s->t[first - 1] : 0;
+  instant->time = cmp_number(estimate);
+  instant->error = fmax(fmax(interval / 2, s->t[first] - estimate), estimate - since);
+  for (int k = 0; k < 2; k++) instant->at[k] = (s->jet[first].tip[k] + s->jet[first].root[k]) / 2;
+}
+
+/* The last output before the cavity closed: the breaker is seen no more, or all but its mouth has
+ * gone. */
+static size_t cavity_closes(const struct cmp_jet_sequence *s, size_t first, size_t last) {
   double widest = 0;
   for (size_t i = first; i < last; i++) {
-    if (cmp_known(&jet[i].cavity)) widest = fmax(widest, jet[i].cavity.value);
-    const struct cmp_value *next = &jet[i + 1].cavity;
-    if (widest > 0 && cmp_known(next) && next->value < 0.4 * widest) last = i;
+    if (cmp_known(&s->jet[i].cavity)) widest = fmax(widest, s->jet[i].cavity.value);
+    const struct cmp_value *next = &s->jet[i + 1].cavity;
+    if (widest > 0 && cmp_known(next) && next->value < 0.4 * widest) return i;
   }
-  if (last + 1 >= n) {
+  return last;
+}
+
+void cmp_jet_touchdown(const struct cmp_jet_sequence *s, struct cmp_instant *instant) {
+  const struct cmp_jet *jet = s->jet;
+  const double *t = s->t;
+  size_t first, last;
+  if (!breaker_follow(s, &first, &last, instant)) return;
+  last = cavity_closes(s, first, last);
+  if (last + 1 >= s->n) {
     instant->time = cmp_unknown("the jet has not touched down when the surfaces end");
     return;
   }
-  double estimate = (t[last] + t[last + 1]) / 2;
-  if (last > first && jet[last - 1].gap > jet[last].gap) {
-    double speed = (jet[last - 1].gap - jet[last].gap) / (t[last] - t[last - 1]);
+  double interval = t[last + 1] - t[last], speed = NAN, estimate = t[last] + interval / 2;
+  if (last > first && jet[last - 1].gap > jet[last].gap)
+    speed = (jet[last - 1].gap - jet[last].gap) / (t[last] - t[last - 1]);
+  if (isfinite(speed)) {
+    if (jet[last].gap > 2 * (speed * interval + s->spacing)) {
+      instant->time = cmp_unknown("the jet is lost %.2g H above the water at t* = %.4g",
+                                  jet[last].gap, t[last]);
+      return;
+    }
     estimate = fmin(t[last + 1], t[last] + jet[last].gap / speed);
   }
   instant->time = cmp_number(estimate);
-  instant->error = (t[last + 1] - t[last]) / 2;
+  /* tip and water may each be half a spacing off */
+  instant->error = fmax(interval / 2, isfinite(speed) ? s->spacing / speed : interval);
   memcpy(instant->at, isfinite(jet[last].foot[0]) ? jet[last].foot : jet[last].tip,
          sizeof instant->at);
 }

@@ -38,15 +38,26 @@ void cmp_jet_find(const struct geo_lines *surface, const struct cmp_jet_place *p
 
 /* The instants seen in a sequence of jets, [n] at times t in sqrt(H/g), lengths in H. Between
  * outputs the overhang is taken to grow as (t - t0)^(3/2), as it does at a generic vertical
- * tangent, and the gap below the tip to close linearly. `error`: half the interval that brackets
- * the instant, and no less than the time from the estimated instant to the first output that shows
- * it. */
+ * tangent, and the gap below the tip to close linearly. What overhangs at the first output already
+ * is no breaker.
+ *
+ * `error` holds what is not known: the interval between outputs, the time from the estimated
+ * instant to the first output that shows it, and how far the instant moves when the surface does by
+ * half a particle spacing. A face of water falling back from a wall may stand within a few degrees
+ * of the vertical for long; a surface half a spacing off at either end of a section six spacings
+ * high then turns at any time of that, so the bar reaches back to when such a section came up. */
 struct cmp_instant {
   struct cmp_value time;
   double error; /* 0 when a solver located it */
   double at[2]; /* NaN when unknown */
 };
-void cmp_jet_overturning(const struct cmp_jet *jet, const double *t, size_t n,
-                         struct cmp_instant *instant);
-void cmp_jet_touchdown(const struct cmp_jet *jet, const double *t, size_t n,
-                       struct cmp_instant *instant);
+struct cmp_jet_sequence {
+  size_t n;
+  const double *t;                 /* [n] */
+  const struct cmp_jet *jet;       /* [n] */
+  const struct geo_lines *surface; /* [n]; NULL: only jets are known */
+  struct cmp_jet_place place;
+  double spacing; /* of the particles */
+};
+void cmp_jet_overturning(const struct cmp_jet_sequence *s, struct cmp_instant *instant);
+void cmp_jet_touchdown(const struct cmp_jet_sequence *s, struct cmp_instant *instant);

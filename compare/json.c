@@ -114,6 +114,17 @@ static json_t *pairs(struct maker *m, const struct comparison *c, const struct c
   return array;
 }
 
+static json_t *health(struct maker *m, const struct health *h) {
+  json_t *object = json_object(), *measures = json_object();
+  set(m, object, "verdict", text(health_verdicts[h->verdict]));
+  set(m, object, "reasons", text(h->reasons));
+  set(m, object, "not_told", text(h->missing));
+  for (size_t k = 0; k < HEALTH_N; k++)
+    set(m, measures, health_measures[k].name, number(h->value[k]));
+  set(m, object, "measures", measures);
+  return object;
+}
+
 static json_t *provenance(struct maker *m, const struct cmp_data *d) {
   const struct result_file *f = d->file;
   json_t *object = json_object(), *statistics = json_object();
@@ -122,9 +133,11 @@ static json_t *provenance(struct maker *m, const struct cmp_data *d) {
   set(m, object, "solver", text(f->solver));
   set(m, object, "file", text(f->path));
   set(m, object, "complete", json_boolean(f->complete));
+  set(m, object, "ended", text(f->ended));
   set(m, object, "program_version", text(f->version));
   set(m, object, "program_revision", text(f->revision));
   set(m, object, "fingerprint", text(f->fingerprint));
+  set(m, object, "water", text(f->water_fingerprint));
   set(m, object, "spacing", number(d->dx));
   set(m, object, "outputs", json_integer((json_int_t)d->n));
   if (d->n) set(m, object, "last_output", number(d->t[d->n - 1]));
@@ -151,9 +164,12 @@ static json_t *provenance(struct maker *m, const struct cmp_data *d) {
 static json_t *run_object(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
   json_t *object = provenance(m, &run->data), *evolution = json_object(), *jets = json_array();
   const struct cmp_evolution *e = &run->evolution;
+  set(m, object, "health", health(m, &run->health));
   set(m, object, "noise_floor", number(run->noise));
   if (run != &c->ref) {
+    set(m, object, "of_other_water", json_boolean(run->foreign));
     set_value(m, object, "within_one_spacing_until", &run->agreement);
+    set_value(m, object, "largest_relative_distance", &run->off);
     set(m, evolution, "t_star", numbers(m, e->t, e->n));
     set(m, evolution, "mean_distance", numbers(m, e->mean, e->n));
     set(m, evolution, "largest_distance", numbers(m, e->largest, e->n));
@@ -227,6 +243,9 @@ enum status cmp_json_write(const struct comparison *c, const struct cmp_rows *ro
   add(m, window, point(m, c->window.max));
   set(m, root, "window", window);
   set(m, root, "front_depth", number(c->depth));
+  set(m, root, "front_runs_to", text((const char *[]){"left", "right", "none"}[c->side]));
+  set_value(m, root, "reference_surface_moves_by", &c->motion);
+  set(m, root, "reference_believed_until", number(c->until));
   set(m, root, "times", numbers(m, c->times, c->n_times));
   set(m, root, "reference", run_object(m, c, &c->ref));
   for (size_t r = 0; r < c->n_runs; r++) add(m, runs, run_object(m, c, &c->run[r]));

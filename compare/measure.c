@@ -26,6 +26,12 @@ static struct cmp_value mean_distance(struct look *l) {
   return l->at->mean;
 }
 
+static struct cmp_value relative_distance(struct look *l) {
+  if (!cmp_known(&l->at->mean)) return l->at->mean;
+  if (!cmp_known(&l->c->motion)) return l->c->motion;
+  return cmp_number(l->at->mean.value / l->c->motion.value);
+}
+
 static struct cmp_value largest_distance(struct look *l) {
   if (cmp_known(&l->at->largest))
     snprintf(l->detail, l->detail_room, "at x = %.3g, y = %.3g", l->at->where[0], l->at->where[1]);
@@ -267,7 +273,7 @@ static struct cmp_value experiment_gauge_rms(struct look *l) {
 /* ---- the table and the verdict ---- */
 
 enum when { ONCE, AT };
-enum noise { NONE, LENGTH, AREA };
+enum noise { NONE, LENGTH, AREA, OVERTURNING, TOUCHDOWN };
 
 static const struct {
   struct cmp_value (*value)(struct look *);
@@ -285,7 +291,10 @@ static struct cmp_row row_make(const struct comparison *c, size_t m, size_t r, s
   const struct cmp_at *at = time == SIZE_MAX ? NULL : &run->at[time];
   struct look look = {c, run, at, at ? c->times[time] : NAN, row.detail, sizeof row.detail};
   row.value = evaluators[m].value(&look);
-  row.noise = evaluators[m].noise == LENGTH               ? run->noise
+  const struct cmp_data *d = &run->data, *ref = &c->ref.data;
+  row.noise = evaluators[m].noise == OVERTURNING ? d->overturning.error + ref->overturning.error
+              : evaluators[m].noise == TOUCHDOWN ? d->touchdown.error + ref->touchdown.error
+              : evaluators[m].noise == LENGTH    ? run->noise
               : evaluators[m].noise == AREA && at != NULL ? at->noise_area
                                                           : NAN;
   return row;

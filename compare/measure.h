@@ -4,26 +4,29 @@
 #include "compare/comparison.h"
 
 /* X(name, units, when, noise, help): `when` AT is measured at every comparison time, ONCE over the
- * whole run; `noise` names what its particle-spacing noise floor is (NONE, LENGTH, AREA). */
+ * whole run; `noise` names what its noise floor is: of half a particle spacing (LENGTH, AREA), or
+ * the error bars of both instants. */
 #define CMP_MEASURES(X)                                                                            \
   X(mean_distance, "H", AT, LENGTH,                                                                \
     "mean distance between the main surfaces away from walls, average of both directions")         \
   X(largest_distance, "H", AT, LENGTH,                                                             \
     "largest distance between the main surfaces away from walls, either direction")                \
+  X(relative_distance, "1", AT, NONE,                                                              \
+    "mean distance over the largest that the reference's surface moves by, on average")            \
   X(hausdorff, "H", AT, LENGTH, "Hausdorff distance of all pieces, spray and bubbles included")    \
   X(frechet, "H", AT, LENGTH,                                                                      \
     "discrete Frechet distance of the longest pieces: respects the order along the surface")       \
   X(area, "H^2", AT, AREA, "area that is water in one and air in the other")                       \
   X(front, "H", ONCE, LENGTH,                                                                      \
-    "largest difference of front position until the reference reaches the wall")                   \
+    "largest difference of front position until the reference reaches the wall it runs to")        \
   X(jet_tip, "H", AT, LENGTH, "distance between the tips of the plunging jets")                    \
   X(jet_direction, "degrees", AT, NONE, "angle between the directions of the plunging jets")       \
   X(jet_thickness, "H", AT, LENGTH,                                                                \
     "largest difference of jet thickness at 0.05, 0.1 and 0.2 H behind the tip")                   \
   X(jet_cavity, "H^2", AT, NONE, "difference of the area of air under the jet")                    \
-  X(overturning_time, "sqrt(H/g)", ONCE, NONE,                                                     \
+  X(overturning_time, "sqrt(H/g)", ONCE, OVERTURNING,                                              \
     "difference of the instant of the first vertical tangent")                                     \
-  X(touchdown_time, "sqrt(H/g)", ONCE, NONE,                                                       \
+  X(touchdown_time, "sqrt(H/g)", ONCE, TOUCHDOWN,                                                  \
     "difference of the instant at which the jet reaches the water below")                          \
   X(kinetic, "E0", AT, NONE, "difference of kinetic energy")                                       \
   X(potential, "E0", AT, NONE, "difference of potential energy")                                   \
@@ -36,7 +39,7 @@
   X(probe_peak, "rho g H", ONCE, NONE, "difference of peak pressure, worst probe")                 \
   X(probe_peak_time, "sqrt(H/g)", ONCE, NONE, "difference of the time of the peak, worst probe")   \
   X(probe_onset, "sqrt(H/g)", ONCE, NONE,                                                          \
-    "difference of the time at which pressure first reaches 0.1 rho g H, worst probe")             \
+    "difference of the time at which pressure first reaches 0.05 rho g H, worst probe")            \
   X(probe_impulse, "rho g H sqrt(H/g)", ONCE, NONE,                                                \
     "difference of the time integral of pressure, worst probe")                                    \
   X(probe_shift, "sqrt(H/g)", ONCE, NONE,                                                          \

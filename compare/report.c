@@ -12,7 +12,7 @@
 #include "compare/summary.h"
 
 enum status cmp_report(const struct case_file *settings, const struct result_file *reference,
-                       size_t n, struct result_file *const *runs, const char *out_dir,
+                       size_t n, struct result_file *const *runs, bool anyway, const char *out_dir,
                        struct cmp_verdict *verdict) {
   enum status status = OK;
   struct comparison *c = NULL;
@@ -24,7 +24,7 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   TRY(cmp_path_join(out_dir, "report.json", json));
   TRY(cmp_directory_make(out_dir));
 
-  ATTEMPT(cmp_comparison_create(settings, reference, n, runs, &c));
+  ATTEMPT(cmp_comparison_create(settings, reference, n, runs, anyway, &c));
   ATTEMPT(cmp_runs_rank(c));
   ATTEMPT(cmp_rows_create(c, &rows));
   ATTEMPT(cmp_summary_sentence(c, &rows, verdict->sentence, sizeof verdict->sentence));

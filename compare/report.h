@@ -6,13 +6,14 @@
 
 struct cmp_verdict {
   size_t passed, failed; /* checks against tolerances; a run passes when failed is 0 */
-  char sentence[1024];   /* what the report says first */
+  char sentence[2048];   /* what the report says first */
 };
 
 /* `settings`: the `compare` section and names of runs (case_load's, or case_parse of the text in
- * the reference file); experiments are taken from the reference file. Runs have the reference's H,
- * g and density, or it is ERR_INPUT. `out_dir` is made when missing; its files are replaced whole.
+ * the reference file); experiments are taken from the reference file. Runs are of the reference's
+ * tank, water and scales, or it is ERR_INPUT unless `anyway`. `out_dir` is made when missing; its
+ * files are replaced whole.
  */
 enum status cmp_report(const struct case_file *settings, const struct result_file *reference,
-                       size_t n, struct result_file *const *runs, const char *out_dir,
+                       size_t n, struct result_file *const *runs, bool anyway, const char *out_dir,
                        struct cmp_verdict *verdict);

@@ -36,6 +36,7 @@ static const char report_style[] =
     "th.t{text-align:left}td.w{white-space:normal;overflow-wrap:anywhere;min-width:9rem;text-align:"
     "left}\n"
     ".PASS{color:var(--pass);font-weight:700}.FAIL{color:var(--fail);font-weight:700}"
+    ".doubt{color:#b45309;font-weight:700}"
     ".na{color:var(--soft);font-style:italic}\n"
     ".below{color:var(--soft)}"
     ".dot{display:inline-block;width:.75em;height:.75em;border-radius:50%;margin-right:.45em;"

@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 
 double cmp_summary_shared(const struct cmp_run *run) {
   double last = NAN;
@@ -17,12 +18,25 @@ static double agrees_until(const struct cmp_run *run) {
   return isfinite(shared) ? shared + 1e6 : -1;
 }
 
+/* A wave so low that a particle spacing is much of it: then what counts is the part of the wave
+ * that a run is off by. */
+static bool low_wave(const struct comparison *c) {
+  double coarsest = 0;
+  for (size_t r = 0; r < c->n_runs; r++) coarsest = fmax(coarsest, c->run[r].data.dx);
+  return cmp_known(&c->motion) && c->motion.value < 4 * coarsest;
+}
+
+static double rank(const struct comparison *c, const struct cmp_run *run) {
+  if (low_wave(c)) return cmp_known(&run->off) ? -run->off.value : -INFINITY;
+  return agrees_until(run);
+}
+
 enum status cmp_summary_order(const struct comparison *c, size_t **order) {
   size_t *o = malloc((c->n_runs + 1) * sizeof *o);
   CHECK(o, ERR_MEMORY, "no memory for %zu runs", c->n_runs);
   for (size_t r = 0; r < c->n_runs; r++) { /* insertion: stable, and there are few */
     size_t at = r;
-    while (at > 0 && agrees_until(&c->run[o[at - 1]]) < agrees_until(&c->run[r])) {
+    while (at > 0 && rank(c, &c->run[o[at - 1]]) < rank(c, &c->run[r])) {
       o[at] = o[at - 1];
       at--;
     }
@@ -47,6 +61,95 @@ __attribute__((format(printf, 2, 3))) static void append(struct text *t, const c
   t->room -= used;
 }
 
+/* At most so many runs are named, of each kind; the others are counted. */
+enum { NAMED = 6 };
+
+static void append_name(struct text *t, const struct cmp_run *run) {
+  append(t, "%.60s", run->data.label);
+  if (run->health.verdict != HEALTH_SOUND) append(t, " (%s)", health_verdicts[run->health.verdict]);
+}
+
+/* "x, y and z" of order[0] to order[n - 1]. */
+static void append_names(struct text *t, const struct comparison *c, const size_t *order,
+                         size_t n) {
+  size_t shown = n > NAMED + 1 ? NAMED : n;
+  for (size_t k = 0; k < shown; k++) {
+    append(t, "%s", !k ? "" : k + 1 < n ? ", " : " and ");
+    append_name(t, &c->run[order[k]]);
+  }
+  if (shown < n) append(t, " and %zu more", n - shown);
+}
+
+/* What is wrong with a run, but for why it ended, which is said already; long lists are cut. */
+static void append_reasons(struct text *t, const struct cmp_run *run, bool ended_said) {
+  enum { MOST = 260 };
+  const char *why = run->health.reasons, *ended = strstr(why, run->data.file->ended);
+  if (ended_said && *run->data.file->ended && ended) {
+    why = ended + strlen(run->data.file->ended);
+    why += strspn(why, "; ");
+  }
+  append(t, strlen(why) > MOST ? "%.260s ..." : "%s", why);
+}
+
+static const char *verdict_words(const struct cmp_run *run) {
+  return run->health.verdict == HEALTH_FAILED ? "has failed" : "is doubtful";
+}
+
+/* ---- the reference: where it ends and why, before anything is compared with it ---- */
+
+static double last_of(const struct result_file *f) {
+  return f->n_energy     ? f->energy[f->n_energy - 1].time
+         : f->n_surfaces ? f->surface_time[f->n_surfaces - 1]
+                         : 0;
+}
+
+static void append_end(struct text *t, const struct comparison *c) {
+  const struct result_file *f = c->ref.data.file;
+  append(t, "ends at t* = %.3g", last_of(f) / c->scales.T);
+  if (c->settings->end > last_of(f)) append(t, " of %.3g", c->settings->end / c->scales.T);
+  append(t, *f->ended ? " (%.300s)" : " (unfinished)", f->ended);
+}
+
+/* An older file that is complete, and has no surface for the last two outputs of its case or more.
+ */
+static bool stops_silently(const struct comparison *c) {
+  const struct cmp_data *d = &c->ref.data;
+  size_t n = d->file->n_surfaces;
+  double end = c->settings->end / c->scales.T;
+  return n && d->file->surface_time[n - 1] / c->scales.T < end - 2 * cmp_data_interval(d) - 1e-9;
+}
+
+static void append_reference(struct text *t, const struct comparison *c) {
+  const struct cmp_run *ref = &c->ref;
+  const struct result_file *f = ref->data.file;
+  bool early = !f->complete || *f->ended, silent = !early && stops_silently(c);
+  bool sound = ref->health.verdict == HEALTH_SOUND;
+  if (!early && !silent && sound) return;
+  append(t, "The reference %.60s ", ref->data.label);
+  if (early) append_end(t, c);
+  if (silent)
+    append(t, "has no surface after t* = %.3g of %.3g, and does not say why",
+           f->surface_time[f->n_surfaces - 1] / c->scales.T, c->settings->end / c->scales.T);
+  if (!sound) {
+    append(t, early || silent ? " and %s: " : "%s: ", verdict_words(ref));
+    append_reasons(t, ref, early);
+  }
+  if (isfinite(c->until)) append(t, "; nothing is compared beyond t* = %.3g", c->until);
+  append(t, ". ");
+}
+
+static void append_foreign(struct text *t, const struct comparison *c, size_t *chosen) {
+  size_t n = 0;
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (c->run[r].foreign) chosen[n++] = r;
+  if (!n) return;
+  append_names(t, c, chosen, n);
+  append(t, " %s not of the tank, water and scales of %.60s, and compared all the same. ",
+         n > 1 ? "are" : "is", c->ref.data.label);
+}
+
+/* ---- how near the runs are ---- */
+
 /* How many runs from the k-th on agree until the same end: they are named together. */
 static size_t alike(const struct comparison *c, const size_t *order, size_t k) {
   const struct cmp_run *first = &c->run[order[k]];
@@ -65,45 +168,110 @@ static bool one_spacing(const struct comparison *c) {
   return true;
 }
 
+static void append_until(struct text *t, const struct comparison *c, const struct cmp_run *run,
+                         bool first, size_t n) {
+  double shared = cmp_summary_shared(run);
+  if (!isfinite(shared)) {
+    append(t, " cannot be compared (%s)", run->agreement.why);
+    return;
+  }
+  if (first) {
+    append(t, " %s within one particle spacing (", n > 1 ? "stay" : "stays");
+    if (one_spacing(c)) append(t, "%.3g H, ", run->data.dx);
+    append(t, "on average along the surface) of %.60s", c->ref.data.label);
+  }
+  bool leaves = cmp_known(&run->agreement);
+  append(t, leaves ? " until t* = %.3g" : " to the end of what they share, t* = %.3g",
+         leaves ? run->agreement.value : shared);
+  if (!leaves && !run->data.file->complete) append(t, " (unfinished)");
+}
+
+static void append_agreement(struct text *t, const struct comparison *c, const size_t *order) {
+  size_t k = 0, clauses = 0;
+  for (size_t n; k < c->n_runs && clauses < NAMED; k += n, clauses++) {
+    n = alike(c, order, k);
+    if (k) append(t, "; ");
+    append_names(t, c, order + k, n);
+    append_until(t, c, &c->run[order[k]], k == 0, n);
+  }
+  if (k < c->n_runs) {
+    append(t, "; and %zu more", c->n_runs - k);
+    if (cmp_known(&c->run[order[k]].agreement))
+      append(t, ", none longer than t* = %.3g", c->run[order[k]].agreement.value);
+  }
+  append(t, ". ");
+}
+
+/* "..., of which bem is off by 0.3 %, viscous by 22 %" */
+static void append_parts(struct text *t, const struct comparison *c, const size_t *order) {
+  append(t,
+         "The surface of %.60s moves by %.3g H on average, %.2g of the coarsest particle "
+         "spacing; of that ",
+         c->ref.data.label, c->motion.value, c->motion.value / (c->depth / 2));
+  size_t shown = c->n_runs > NAMED + 1 ? NAMED : c->n_runs;
+  for (size_t k = 0; k < shown; k++) {
+    const struct cmp_run *run = &c->run[order[k]];
+    append(t, "%s", !k ? "" : k + 1 < c->n_runs ? ", " : " and ");
+    append_name(t, run);
+    if (!cmp_known(&run->off))
+      append(t, " cannot be compared (%s)", run->off.why);
+    else
+      append(t, "%s at most %.2g %%", k ? "" : " is off by", 100 * run->off.value);
+  }
+  if (shown < c->n_runs)
+    append(t, " and %zu more up to %.2g %%", c->n_runs - shown,
+           100 * c->run[order[c->n_runs - 1]].off.value);
+  append(t, ". ");
+}
+
+/* Why those named as doubtful or failed are. */
+static void append_unsound(struct text *t, const struct comparison *c, const size_t *order) {
+  enum { EXPLAINED = 3 };
+  size_t n = 0;
+  for (size_t k = 0; k < c->n_runs; k++) {
+    const struct cmp_run *run = &c->run[order[k]];
+    if (run->health.verdict == HEALTH_SOUND || n++ >= EXPLAINED) continue;
+    append(t, "%.60s %s %s: ", run->data.label, run->health.verdict == HEALTH_FAILED ? "has" : "is",
+           health_verdicts[run->health.verdict]);
+    append_reasons(t, run, false);
+    append(t, ". ");
+  }
+  if (n > EXPLAINED) append(t, "%zu more are not sound either. ", n - EXPLAINED);
+}
+
+static void append_checks(struct text *t, const struct cmp_rows *rows) {
+  size_t n = rows->passed + rows->failed;
+  if (rows->failed)
+    append(t, "%zu of %zu checks against the case's tolerances %s.", rows->failed, n,
+           rows->failed == 1 ? "fails" : "fail");
+  else if (n)
+    append(t, "All %zu checks against the case's tolerances pass.", n);
+}
+
 enum status cmp_summary_sentence(const struct comparison *c, const struct cmp_rows *rows,
                                  char *sentence, size_t room) {
   struct text t = {sentence, room};
   size_t *order;
   sentence[0] = 0;
   TRY(cmp_summary_order(c, &order));
-  for (size_t k = 0, n; k < c->n_runs; k += n) {
-    const struct cmp_run *run = &c->run[order[k]];
-    double shared = cmp_summary_shared(run);
-    n = alike(c, order, k);
-    for (size_t m = 0; m < n; m++)
-      append(&t, "%s%.60s",
-             m   ? (m + 1 < n ? ", " : " and ")
-             : k ? "; "
-                 : "",
-             c->run[order[k + m]].data.label);
-    append(&t, " ");
-    if (!isfinite(shared))
-      append(&t, "cannot be compared (%s)", run->agreement.why);
-    else {
-      bool leaves = cmp_known(&run->agreement);
-      double until = leaves ? run->agreement.value : shared;
-      if (k == 0) {
-        append(&t, "%s within one particle spacing (", n > 1 ? "stay" : "stays");
-        if (one_spacing(c)) append(&t, "%.3g H, ", run->data.dx);
-        append(&t, "on average along the surface) of %.60s ", c->ref.data.label);
-      }
-      append(&t, leaves ? "until t* = %.3g" : "to the end of what they share, t* = %.3g", until);
-      if (!leaves && !run->data.file->complete) append(&t, " (unfinished)");
-    }
+  size_t *chosen = malloc((c->n_runs + 1) * sizeof *chosen);
+  if (!chosen) {
+    free(order);
+    return status_raise(ERR_MEMORY, "no memory for %zu runs", c->n_runs);
   }
-  if (!c->n_runs) append(&t, "There is no run to compare with %.60s", c->ref.data.label);
-  append(&t, ".");
-  size_t n = rows->passed + rows->failed;
-  if (rows->failed)
-    append(&t, " %zu of %zu checks against the case's tolerances %s.", rows->failed, n,
-           rows->failed == 1 ? "fails" : "fail");
-  else if (n)
-    append(&t, " All %zu checks against the case's tolerances pass.", n);
+  append_reference(&t, c);
+  append_foreign(&t, c, chosen);
+  if (!c->n_runs)
+    append(&t, "There is no run to compare with %.60s. ", c->ref.data.label);
+  else if (low_wave(c))
+    append_parts(&t, c, order);
+  else
+    append_agreement(&t, c, order);
+  append_unsound(&t, c, order);
+  append_checks(&t, rows);
+  size_t n = strlen(sentence);
+  if (n && sentence[n - 1] == ' ') sentence[n - 1] = 0;
   free(order);
+  free(chosen);
   return OK;
 }

@@ -19,7 +19,7 @@ struct sph_output {
   double started;                    /* wall clock, s */
   size_t n_every, n_sample;          /* multiples written so far */
   double budget0, available, budget; /* J/m */
-  bool right_wall_dry;               /* wall_impact is still to come */
+  bool dry[2];                       /* left and right wall: its wall_impact is still to come */
   size_t room;
   double *x, *y, *u, *v, *rho, *p, *m, *V; /* [room], in the order of the particles' ids */
   uint32_t *place;                         /* [room] */
@@ -29,14 +29,19 @@ static double budget_of(const struct result_energy *e) {
   return e->total + e->viscosity + e->diffusion + e->walls + e->removed;
 }
 
-static double front(const struct sph *s, size_t *at) {
-  double x = -INFINITY;
-  for (size_t i = 0; i < s->f.n; i++)
-    if (s->f.w.x[i] > x) {
-      x = s->f.w.x[i];
+enum { LEFT, RIGHT };
+
+/* How far the foremost particle, a disc of diameter dx, is from the wall on one side. */
+static double gap(const struct sph *s, int side, size_t *at) {
+  double nearest = INFINITY;
+  for (size_t i = 0; i < s->f.n; i++) {
+    double x = s->f.w.x[i], d = side == LEFT ? x - s->tank.min[0] : s->tank.max[0] - x;
+    if (d < nearest) {
+      nearest = d;
       *at = i;
     }
-  return x;
+  }
+  return nearest - s->dx / 2;
 }
 
 enum status sph_output_create(const struct case_file *c, const struct sph *s, struct result *result,
@@ -50,7 +55,7 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   o->started = progress_wall_clock();
   o->room = s->f.n;
   size_t at = 0;
-  o->right_wall_dry = front(s, &at) < s->tank.max[0] - 2 * s->dx;
+  for (int side = LEFT; side <= RIGHT; side++) o->dry[side] = gap(s, side, &at) > 1.5 * s->dx;
   struct result_energy e = sph_energy(s);
   o->budget = o->budget0 = budget_of(&e);
   double rest = sph_rest_potential(s);
@@ -161,22 +166,23 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
   return OK;
 }
 
-/* The instant at which the foremost particle, a disc of diameter dx, touches the right wall, from
- * its velocity now. */
-static enum status write_impact(struct sph_output *o, const struct sph *s) {
+/* The instant at which the foremost particle touches the wall, from its velocity now. */
+static enum status write_impact(struct sph_output *o, const struct sph *s, int side) {
   size_t i = 0;
-  double gap = s->tank.max[0] - s->dx / 2 - front(s, &i);
-  if (gap > 0) return OK;
-  o->right_wall_dry = false;
-  double speed = s->f.w.u[i];
-  double ago = speed > 0 ? -gap / speed : 0;
-  return result_event(o->result, "wall_impact", s->t - ago, s->tank.max[0], s->f.w.y[i]);
+  double open = gap(s, side, &i);
+  if (open > 0) return OK;
+  o->dry[side] = false;
+  double speed = side == LEFT ? -s->f.w.u[i] : s->f.w.u[i];
+  double ago = speed > 0 ? -open / speed : 0;
+  return result_event(o->result, "wall_impact", s->t - ago,
+                      side == LEFT ? s->tank.min[0] : s->tank.max[0], s->f.w.y[i]);
 }
 
 enum status sph_output_step(struct sph_output *o, struct sph *s, double dt) {
   const struct case_file *c = o->c;
   const double late = 1e-9 * c->every;
-  if (o->right_wall_dry) TRY(write_impact(o, s));
+  for (int side = LEFT; side <= RIGHT; side++)
+    if (o->dry[side]) TRY(write_impact(o, s, side));
   if (s->t >= (double)o->n_sample * c->sample - late) {
     TRY(write_series(o, s, dt));
     o->n_sample = (size_t)floor((s->t + late) / c->sample) + 1;

@@ -130,6 +130,30 @@ static void test_fingerprint_ignores_what_a_result_does_not_depend_on(void) {
   case_destroy(d);
 }
 
+static void test_default_times_are_the_outputs_nearest_to_thirds(void) {
+  static const struct {
+    const char *time;
+    size_t n;
+    double at[3];
+  } cases[] = {{"time: {end: 5, every: 0.1}\n", 3, {1.7, 3.3, 5}},
+               {"time: {end: 2, every: 0.1}\n", 3, {0.7, 1.3, 2}},
+               {"time: {end: 2, every: 1}\n", 2, {1, 2}},
+               {"time: {end: 1, every: 1}\n", 1, {1}}};
+  for (size_t k = 0; k < 4; k++) {
+    char text[512];
+    snprintf(text, sizeof text,
+             TANK WATER "%sruns: [{solver: sph, resolution: 10}, {name: b, solver: sph, "
+                        "resolution: 20}]\n",
+             cases[k].time);
+    struct case_file *c = parse(text);
+    if (!c) continue;
+    EXPECT(c->compare.n_times == cases[k].n);
+    for (size_t i = 0; i < cases[k].n && i < c->compare.n_times; i++)
+      EXPECT_NEAR(c->compare.times[i], cases[k].at[i], 1e-12);
+    case_destroy(c);
+  }
+}
+
 /* Comparable: other resolution, scheme, probes, duration, and lengths written in another unit. */
 static void test_water_fingerprint_tells_what_can_be_compared(void) {
 #define FLUID(g, H) "fluid: {gravity: " g "}\nscales: {H: " H "}\n"
@@ -171,6 +195,7 @@ int main(void) {
   RUN(test_rectangular_tanks_are_recognised);
   RUN(test_rest_potential_of_box_and_polygon_agree);
   RUN(test_fingerprint_ignores_what_a_result_does_not_depend_on);
+  RUN(test_default_times_are_the_outputs_nearest_to_thirds);
   RUN(test_water_fingerprint_tells_what_can_be_compared);
   return TEST_RESULT;
 }

@@ -136,16 +136,83 @@ static void test_instants_come_out_of_the_sequence(void) {
     jet[i].cavity = cmp_number(0.1 * overhang + 0.01);
   }
   struct cmp_instant instant;
-  cmp_jet_overturning(jet, t, N, &instant);
+  struct cmp_jet_sequence seen = {.n = N, .t = t, .jet = jet, .spacing = 0.01};
+  cmp_jet_overturning(&seen, &instant);
   EXPECT_NEAR(instant.time.value, 4, 1e-9); /* the law is exact here */
   EXPECT(instant.error >= 0.025);
-  cmp_jet_touchdown(jet, t, N, &instant);
+  cmp_jet_touchdown(&seen, &instant);
   EXPECT_NEAR(instant.time.value, 6.03, 1e-9);
-  EXPECT_NEAR(instant.error, 0.025, 1e-9);
-  cmp_jet_touchdown(jet, t, 45, &instant); /* ends at t = 5.7 */
+  EXPECT_NEAR(instant.error, 0.025, 1e-9); /* half an interval; a spacing at speed 0.5 is 0.02 */
+  seen.spacing = 0.02;
+  cmp_jet_touchdown(&seen, &instant);
+  EXPECT_NEAR(instant.error, 0.04, 1e-9);
+  seen.n = 45; /* ends at t = 5.7 */
+  cmp_jet_touchdown(&seen, &instant);
   EXPECT(!cmp_known(&instant.time) && instant.time.why[0]);
-  cmp_jet_overturning(jet, t, 5, &instant);
+  for (int i = 30; i < N; i++) jet[i].found = false; /* vanishes at t = 5 half a length up */
+  seen.n = N;
+  cmp_jet_touchdown(&seen, &instant);
+  EXPECT(!cmp_known(&instant.time) && strstr(instant.time.why, "lost"));
+  seen.n = 5;
+  cmp_jet_overturning(&seen, &instant);
   EXPECT(!cmp_known(&instant.time) && instant.time.why[0]);
+}
+
+/* A shape that overhangs to begin with is no breaker, whatever becomes of it; one that comes later
+ * is. */
+static void test_what_overhangs_at_first_is_no_breaker(void) {
+  enum { N = 40 };
+  static struct cmp_jet jet[N];
+  double t[N];
+  for (int i = 0; i < N; i++) {
+    t[i] = 0.1 * i;
+    jet[i].found = i < 10;
+    jet[i].overhang = 0.6;
+    jet[i].cavity = cmp_number(0.2);
+  }
+  struct cmp_instant instant;
+  struct cmp_jet_sequence seen = {.n = N, .t = t, .jet = jet, .spacing = 0.01};
+  cmp_jet_overturning(&seen, &instant);
+  EXPECT(!cmp_known(&instant.time) && strstr(instant.time.why, "from the start"));
+  cmp_jet_touchdown(&seen, &instant);
+  EXPECT(!cmp_known(&instant.time) && strstr(instant.time.why, "from the start"));
+  for (int i = 20; i < 30; i++) {
+    jet[i].found = true;
+    jet[i].overhang = 0.05 * (i - 19);
+  }
+  cmp_jet_overturning(&seen, &instant);
+  EXPECT(cmp_known(&instant.time) && instant.time.value > 1.5 && instant.time.value <= 2);
+}
+
+/* A face that leans by 0.05 per unit of height and unit of time, tan(angle) = 0.05 (5 - t), until
+ * it turns at t = 5. Over six spacings of 0.02 it is vertical to within a spacing when that is
+ * below 1/6: from t = 5 - (1/6)/0.05 = 1.67 on, so that is how far the bar must reach. */
+static void test_bar_holds_the_time_for_which_a_face_is_nearly_vertical(void) {
+  enum { N = 90 };
+  static struct cmp_jet jet[N];
+  static struct geo_lines surface[N];
+  static const struct geo_lines no_walls = {0};
+  double t[N], dx = 0.02;
+  struct cmp_jet_sequence seen = {.n = N, .t = t, .jet = jet, .surface = surface, .spacing = dx};
+  seen.place = (struct cmp_jet_place){&no_walls, {{-9, -9}, {9, 9}}, 1, 3 * dx, 2 * dx};
+  for (int i = 0; i < N; i++) {
+    t[i] = 0.1 * i;
+    double lean = t[i] < 5 ? 0.05 * (5 - t[i]) : -pow(t[i] - 5, 1.5);
+    shape_open(&surface[i]);
+    for (int k = 0; k <= 40; k++) shape_point(&surface[i], 0.025 * k, 0.2);
+    for (int k = 1; k <= 50; k++) shape_point(&surface[i], 1 + lean * 0.01 * k, 0.2 + 0.01 * k);
+    for (int k = 1; k <= 40; k++) shape_point(&surface[i], 1 + 0.5 * lean + 0.025 * k, 0.7);
+    cmp_jet_find(&surface[i], &seen.place, &jet[i]);
+  }
+  struct cmp_instant instant;
+  cmp_jet_overturning(&seen, &instant);
+  EXPECT(cmp_known(&instant.time));
+  EXPECT_NEAR(instant.time.value - instant.error, 5 - 1 / 6.0 / 0.05, 0.1); /* an interval */
+  EXPECT(instant.time.value + instant.error >= 5 && instant.time.value - instant.error <= 5);
+  seen.surface = NULL;
+  cmp_jet_overturning(&seen, &instant);
+  EXPECT(instant.time.value - instant.error > 4); /* what the outputs alone would say */
+  for (int i = 0; i < N; i++) geo_lines_destroy(&surface[i]);
 }
 
 int main(void) {
@@ -155,5 +222,7 @@ int main(void) {
   RUN(test_noise_is_not_a_jet);
   RUN(test_wall_films_and_what_is_outside_do_not_count);
   RUN(test_instants_come_out_of_the_sequence);
+  RUN(test_what_overhangs_at_first_is_no_breaker);
+  RUN(test_bar_holds_the_time_for_which_a_face_is_nearly_vertical);
   return TEST_RESULT;
 }
