@@ -140,9 +140,17 @@ struct result_file {
 enum status result_read(const char *path, struct result_file **out);
 void result_file_destroy(struct result_file *f);
 
-/* The points of one output and one scalar field; arrays are the caller's to free. */
-enum status result_read_points(const char *path, size_t output, const char *field, size_t *n,
-                               double (**p)[2], double **value);
+struct result_cloud {
+  size_t n;
+  double (*p)[2]; /* m, [n] */
+  double *value;  /* [n] */
+};
+
+/* The points of some outputs and one scalar field of theirs, for which the file is opened and
+ * checked once. `cloud` [n] is the caller's to free, and empty after a failure. */
+enum status result_read_points(const char *path, const char *field, size_t n, const size_t *output,
+                               struct result_cloud *cloud);
+void result_cloud_free(struct result_cloud *cloud);
 
 /* Whether `path` is a finished result with this fingerprint (never raises). */
 bool result_is_current(const char *path, const char *fingerprint);

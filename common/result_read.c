@@ -398,19 +398,21 @@ void result_file_destroy(struct result_file *f) {
 
 struct points_request {
   const char *path, *field;
-  size_t output, n;
-  double (*p)[2], *value; /* [n] */
+  size_t n;
+  const size_t *output;       /* [n] */
+  struct result_cloud *cloud; /* [n] */
 };
 
-static enum status read_points(hid_t file, struct points_request *q) {
+static enum status read_points(hid_t file, const char *field, size_t output,
+                               struct result_cloud *q) {
   int64_t *first = NULL, *count = NULL;
   double(*xyz)[3] = NULL;
   hid_t data = -1;
   enum status status = OK;
-  ATTEMPT(hdf_get_rows(file, "VTKHDF/Steps/PointOffsets", H5T_NATIVE_INT64, 0, q->output, 1,
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/Steps/PointOffsets", H5T_NATIVE_INT64, 0, output, 1,
                        (void **)&first));
-  ATTEMPT(hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, q->output, 1,
-                       (void **)&count));
+  ATTEMPT(
+      hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, output, 1, (void **)&count));
   if (*first < 0 || *count < 0) {
     status = status_raise(ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
     goto done;
@@ -419,8 +421,8 @@ static enum status read_points(hid_t file, struct points_request *q) {
   ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first, q->n,
                        (void **)&xyz));
   ATTEMPT(hdf_open_group(file, "VTKHDF/PointData", &data));
-  ATTEMPT(hdf_get_rows(data, q->field, H5T_NATIVE_DOUBLE, 0, (hsize_t)*first, q->n,
-                       (void **)&q->value));
+  ATTEMPT(
+      hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, 0, (hsize_t)*first, q->n, (void **)&q->value));
   q->p = malloc((q->n + 1) * sizeof *q->p);
   if (!q->p) {
     status = status_raise(ERR_MEMORY, "no memory for %zu points", q->n);
@@ -440,32 +442,38 @@ done:
 
 static enum status read_points_file(const hid_t *file, void *data) {
   struct points_request *q = data;
-  enum status status = read_points(*file, q);
-  return status == OK ? OK : status_context(status, "%s, output %zu: ", q->path, q->output);
+  for (size_t k = 0; k < q->n; k++) {
+    enum status status = read_points(*file, q->field, q->output[k], &q->cloud[k]);
+    if (status != OK) return status_context(status, "%s, output %zu: ", q->path, q->output[k]);
+  }
+  return OK;
 }
 
 static enum status carry_points(struct carrier *c, void *data) {
   struct points_request *q = data;
-  size_t n = q->n;
-  TRY(carry_array(c, &q->n, (void **)&q->p, sizeof *q->p));
-  TRY(carry_array(c, &n, (void **)&q->value, sizeof *q->value));
-  CHECK(n == q->n, ERR_INPUT, "%s, output %zu, is inconsistent", q->path, q->output);
+  for (size_t k = 0; k < q->n; k++) {
+    struct result_cloud *cloud = &q->cloud[k];
+    size_t n = cloud->n;
+    TRY(carry_array(c, &cloud->n, (void **)&cloud->p, sizeof *cloud->p));
+    TRY(carry_array(c, &n, (void **)&cloud->value, sizeof *cloud->value));
+    CHECK(n == cloud->n, ERR_INPUT, "%s, output %zu, is inconsistent", q->path, q->output[k]);
+  }
   return OK;
 }
 
-enum status result_read_points(const char *path, size_t output, const char *field, size_t *n,
-                               double (**p)[2], double **value) {
-  struct points_request q = {.path = path, .field = field, .output = output};
+void result_cloud_free(struct result_cloud *cloud) {
+  free(cloud->p);
+  free(cloud->value);
+  *cloud = (struct result_cloud){0};
+}
+
+enum status result_read_points(const char *path, const char *field, size_t n, const size_t *output,
+                               struct result_cloud *cloud) {
+  struct points_request q = {path, field, n, output, cloud};
+  for (size_t k = 0; k < n; k++) cloud[k] = (struct result_cloud){0};
   enum status status = result_read_safely(&(struct result_request){
       1, {path}, .data = &q, .read = read_points_file, .carry = carry_points});
-  if (status != OK) {
-    free(q.p);
-    free(q.value);
-    q = (struct points_request){0};
-  }
-  *n = q.n;
-  *p = q.p;
-  *value = q.value;
+  for (size_t k = 0; k < n && status != OK; k++) result_cloud_free(&cloud[k]);
   return status;
 }
 

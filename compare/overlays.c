@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "compare/chart.h"
+#include "compare/cloud.h"
 #include "compare/outline.h"
 #include "compare/polyline.h"
 #include "compare/text.h"
@@ -17,68 +18,18 @@ static const char palette[] =
     "set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', "
     "5 '#27ad81', 6 '#5cc863', 7 '#aadc32', 8 '#fde725')\n";
 
-/* ---- particles ---- */
-
-struct cloud { /* the particles of one run at one time, dimensionless */
-  size_t n;
-  double (*p)[2];
-  double *pressure;
-};
-
-static void cloud_free(struct cloud *cloud) {
-  free(cloud->p);
-  free(cloud->pressure);
-  *cloud = (struct cloud){0};
-}
-
-/* Empty when the file has no particles then, or none that fill the water (boundary nodes do not).
- */
-static void cloud_read(const struct comparison *c, const struct cmp_run *run, double t,
-                       struct cloud *cloud) {
-  const struct result_file *f = run->data.file;
-  *cloud = (struct cloud){0};
-  size_t output = SIZE_MAX;
-  for (size_t i = 0; i < f->n_outputs; i++)
-    if (fabs(f->output_time[i] / c->scales.T - t) < 1e-6) output = i;
-  if (output == SIZE_MAX ||
-      result_read_points(f->path, output, "pressure", &cloud->n, &cloud->p, &cloud->pressure) != OK)
-    return;
-  double area = (double)cloud->n * run->data.dx * run->data.dx;
-  if (run->data.volume.n && fabs(area / run->data.volume.value[0] - 1) > 0.5) {
-    cloud_free(cloud);
-    return;
-  }
-  for (size_t i = 0; i < cloud->n; i++) {
-    cloud->p[i][0] /= c->scales.H;
-    cloud->p[i][1] /= c->scales.H;
-    cloud->pressure[i] /= c->scales.p;
-  }
-}
-
 static int ascending(const void *a, const void *b) {
   double x = *(const double *)a, y = *(const double *)b;
   return (x > y) - (x < y);
 }
 
-/* The pressure that all but one particle in a hundred stay below. */
-static double cloud_top(const struct cloud *cloud) {
-  double *v = malloc((cloud->n + 1) * sizeof *v), top = 0;
-  if (v && cloud->n) {
-    memcpy(v, cloud->pressure, cloud->n * sizeof *v);
-    qsort(v, cloud->n, sizeof *v, ascending);
-    top = v[cloud->n - 1 - cloud->n / 100];
-  }
-  free(v);
-  return top;
-}
-
 /* The top of the colours, common to all runs: the (lower) median of theirs, so that a run full of
  * noise does not take the contrast from the others. */
-static double colour_top(const struct comparison *c, const struct cloud *cloud) {
+static double colour_top(const struct comparison *c, const struct cmp_cloud *cloud) {
   double *top = malloc((c->n_runs + 1) * sizeof *top), median = 0;
   size_t n = 0;
   for (size_t r = 0; top && r < c->n_runs; r++)
-    if (cloud[r].n) top[n++] = cloud_top(&cloud[r]);
+    if (cloud[r].n) top[n++] = cloud[r].top;
   if (n) {
     qsort(top, n, sizeof *top, ascending);
     median = top[(n - 1) / 2];
@@ -88,18 +39,6 @@ static double colour_top(const struct comparison *c, const struct cloud *cloud) 
 }
 
 /* ---- data files ---- */
-
-static enum status cloud_write(const struct cloud *cloud, struct cmp_figures *f,
-                               const struct cmp_figure *fig, size_t r) {
-  FILE *data;
-  char suffix[48];
-  snprintf(suffix, sizeof suffix, "-particles-%zu.csv", r + 1);
-  TRY(cmp_figure_data(f, fig, suffix, &data));
-  fputs("x [H],y [H],pressure [rho g H]\n", data);
-  for (size_t i = 0; i < cloud->n; i++)
-    fprintf(data, "%.6g,%.6g,%.5g\n", cloud->p[i][0], cloud->p[i][1], cloud->pressure[i]);
-  return cmp_figure_data_end(fig, data);
-}
 
 /* Pieces are kept apart by an empty line, which CSV readers skip and gnuplot needs. */
 static void lines_write(FILE *data, size_t id, const char *name, const struct geo_lines *l) {
@@ -205,7 +144,7 @@ static void panel_place(const struct cmp_figure *fig, const struct layout *l, si
  * then share: as vectors twenty thousand discs a panel would make files of a hundred megabytes. */
 static void layers_draw(const struct cmp_figure *fig, const struct layout *l,
                         const struct geo_box *view, const struct comparison *c,
-                        const struct cloud *cloud, double top) {
+                        const struct cmp_cloud *cloud, double top) {
   int w = (int)lround(2 * l->width), h = (int)lround(2 * l->height);
   fprintf(fig->script,
           "%sset cbrange [0:%g]\nset style fill solid 1 noborder\n"
@@ -246,7 +185,7 @@ static void panel_title(const struct comparison *c, const struct cmp_run *run, s
 
 static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
                        const struct layout *l, const struct geo_box *view,
-                       const struct cloud *cloud, size_t time, size_t k, size_t r) {
+                       const struct cmp_cloud *cloud, size_t time, size_t k, size_t r) {
   const struct cmp_run *run = &c->run[r];
   const struct cmp_at *at = &run->at[time];
   FILE *s = fig->script;
@@ -287,14 +226,22 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
   fputc('\n', s);
 }
 
-static enum status overlay_draw(const struct comparison *c, struct cmp_figures *f, size_t time,
-                                const struct cloud *cloud) {
-  double top = colour_top(c, cloud);
-  struct geo_box view = view_choose(c, time);
-  struct layout l = layout_choose(&view, cmp_runs_picked(c, CMP_PANELS));
+struct overlay { /* at one comparison time */
+  size_t figure; /* index of; SIZE_MAX: none */
+  struct geo_box view;
+  struct layout layout;
+};
+
+static enum status overlay_begin(const struct comparison *c, struct cmp_figures *f, size_t time,
+                                 struct overlay *o) {
   struct cmp_figure *fig;
-  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, WIDTH, l.total, &fig, "overlay-t%.4g",
+  o->figure = SIZE_MAX;
+  if (!cmp_comparison_has_output(c, time)) return OK;
+  o->view = view_choose(c, time);
+  o->layout = layout_choose(&o->view, cmp_runs_picked(c, CMP_PANELS));
+  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, WIDTH, o->layout.total, &fig, "overlay-t%.4g",
                        c->times[time]));
+  o->figure = f->n - 1;
   snprintf(
       fig->caption, sizeof fig->caption,
       "t* = %.4g. Particles coloured by pressure (the same colours for every run), the run's own "
@@ -303,20 +250,45 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
       c->times[time], c->ref.data.label);
   size_t used = strlen(fig->caption);
   cmp_picked_say(c, CMP_PANELS, "have no panel", fig->caption + used, sizeof fig->caption - used);
-  TRY(surfaces_write(c, f, fig, time, CMP_PANELS));
-  for (size_t r = 0; r < c->n_runs; r++)
-    if (cloud[r].n) TRY(cloud_write(&cloud[r], f, fig, r));
-  layers_draw(fig, &l, &view, c, cloud, top);
+  return surfaces_write(c, f, fig, time, CMP_PANELS);
+}
+
+static enum status overlay_draw(const struct comparison *c, struct cmp_figures *f, size_t time,
+                                const struct overlay *o, const struct cmp_cloud *cloud) {
+  struct cmp_figure *fig = &f->figure[o->figure];
+  const struct geo_box *view = &o->view;
+  double top = colour_top(c, cloud);
+  layers_draw(fig, &o->layout, view, c, cloud, top);
   cmp_figure_formats(fig);
   fprintf(fig->script,
           "%sset cbrange [0:%g]\nset cbtics %g\nset cblabel 'p / (ρ g H)'\n"
           "unset key\nunset grid\nset tics front\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset ytics 0.5\nset multiplot\n",
-          palette, top, top / 4, view.min[0], view.max[0], view.min[1], view.max[1]);
+          palette, top, top / 4, view->min[0], view->max[0], view->min[1], view->max[1]);
   for (size_t r = 0, k = 0; r < c->n_runs; r++)
-    if (cmp_run_is_picked(c, r, CMP_PANELS)) panel_draw(c, fig, &l, &view, &cloud[r], time, k++, r);
+    if (cmp_run_is_picked(c, r, CMP_PANELS))
+      panel_draw(c, fig, &o->layout, view, &cloud[r], time, k++, r);
   fputs("unset multiplot\n", fig->script);
   return cmp_figure_end(fig);
+}
+
+/* Run by run, for each file is read once, and one run's particles at a time are in memory. `cloud`
+ * [n_times][n_runs]. */
+static enum status clouds_take(const struct comparison *c, struct cmp_figures *f,
+                               const struct overlay *o, struct cmp_cloud *cloud) {
+  enum status status = OK;
+  size_t *figure = calloc(c->n_times + 1, sizeof *figure);
+  struct cmp_cloud *own = calloc(c->n_times + 1, sizeof *own);
+  if (!figure || !own) status = status_raise(ERR_MEMORY, "no memory for the pictures");
+  for (size_t k = 0; status == OK && k < c->n_times; k++) figure[k] = o[k].figure;
+  for (size_t r = 0; r < c->n_runs && status == OK; r++) {
+    if (!cmp_run_is_picked(c, r, CMP_PANELS)) continue;
+    status = cmp_clouds_write(c, r, f, figure, own);
+    for (size_t k = 0; k < c->n_times; k++) cloud[k * c->n_runs + r] = own[k];
+  }
+  free(figure);
+  free(own);
+  return status;
 }
 
 /* ---- the jet, close up ---- */
@@ -421,19 +393,21 @@ static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, s
 
 enum status cmp_overlays_write(const struct comparison *c, struct cmp_figures *f) {
   enum status status = OK;
-  struct cloud *cloud = calloc(c->n_runs + 1, sizeof *cloud);
-  CHECK(cloud, ERR_MEMORY, "no memory for the pictures");
+  struct overlay *o = calloc(c->n_times + 1, sizeof *o);
+  struct cmp_cloud *cloud = calloc(c->n_times * c->n_runs + 1, sizeof *cloud);
+  if (!o || !cloud) {
+    status = status_raise(ERR_MEMORY, "no memory for the pictures");
+    goto done;
+  }
+  for (size_t k = 0; k < c->n_times; k++) ATTEMPT(overlay_begin(c, f, k, &o[k]));
+  ATTEMPT(clouds_take(c, f, o, cloud));
   for (size_t k = 0; k < c->n_times; k++) {
-    if (!cmp_comparison_has_output(c, k)) continue;
-    for (size_t r = 0; r < c->n_runs; r++)
-      if (cmp_run_is_picked(c, r, CMP_PANELS))
-        cloud_read(c, &c->run[r], c->run[r].at[k].t, &cloud[r]);
-    ATTEMPT(overlay_draw(c, f, k, cloud));
-    for (size_t r = 0; r < c->n_runs; r++) cloud_free(&cloud[r]);
+    if (o[k].figure == SIZE_MAX) continue;
+    ATTEMPT(overlay_draw(c, f, k, &o[k], &cloud[k * c->n_runs]));
     ATTEMPT(jet_draw(c, f, k));
   }
 done:
-  for (size_t r = 0; r < c->n_runs; r++) cloud_free(&cloud[r]);
+  free(o);
   free(cloud);
   return status;
 }

@@ -303,16 +303,15 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned
 /* ---- a try ---- */
 
 static void use(struct result_file *f) {
-  size_t n = 0;
-  double(*p)[2] = NULL, *value = NULL;
+  struct result_cloud cloud = {0};
   for (size_t k = 0; k < f->n_surfaces; k++)
     if (f->surface[k].pieces && f->surface[k].first[f->surface[k].pieces] != f->surface[k].points)
       abort();
   if (f->n_outputs &&
-      result_read_points(FUZZ_PATH, f->n_outputs - 1, "pressure", &n, &p, &value) == OK && n)
-    if (!p || !value) abort();
-  free(p);
-  free(value);
+      result_read_points(FUZZ_PATH, "pressure", 1, &(size_t){f->n_outputs - 1}, &cloud) == OK &&
+      cloud.n)
+    if (!cloud.p || !cloud.value) abort();
+  result_cloud_free(&cloud);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

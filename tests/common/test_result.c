@@ -118,35 +118,36 @@ static void test_events_and_statistics_come_back(void) {
   result_file_destroy(f);
 }
 
-/* Chunks hold 4096 points: 5000 of them cross chunks at every output. */
+/* Chunks hold 4096 points: 5000 of them cross chunks at every output. In any order, at once. */
 static void test_points_come_back(void) {
   enum { MANY = 5000 };
   struct result_file *f = round_trip(OUTPUTS, MANY, true);
   if (!f) return;
+  size_t output[OUTPUTS];
+  struct result_cloud cloud[OUTPUTS];
   EXPECT(f->n_outputs == OUTPUTS);
+  for (size_t k = 0; k < OUTPUTS; k++) output[k] = OUTPUTS - 1 - k;
+  EXPECT_OK(result_read_points(path, "pressure", OUTPUTS, output, cloud));
   for (size_t k = 0; k < OUTPUTS; k++) {
-    size_t n = 0;
-    double(*p)[2] = NULL, *value = NULL;
     EXPECT_SAME(f->output_time[k], sample_time(k));
-    EXPECT_OK(result_read_points(path, k, "pressure", &n, &p, &value));
-    EXPECT(n == sample_n(k, MANY));
-    for (size_t i = 0; i < n; i++) {
-      EXPECT_SAME(p[i][0], sample_x(k, i));
-      EXPECT_SAME(value[i], 1000 * p[i][1] / 7);
+    EXPECT(cloud[k].n == sample_n(output[k], MANY));
+    for (size_t i = 0; i < cloud[k].n; i++) {
+      EXPECT_SAME(cloud[k].p[i][0], sample_x(output[k], i));
+      EXPECT_SAME(cloud[k].value[i], 1000 * cloud[k].p[i][1] / 7);
     }
-    free(p);
-    free(value);
+    result_cloud_free(&cloud[k]);
   }
   result_file_destroy(f);
 }
 
 static void test_wrong_points_are_refused(void) {
-  size_t n;
-  double(*p)[2], *value;
+  const size_t output[] = {0, 2};
+  struct result_cloud cloud[2];
   struct result_file *f = round_trip(2, SCALE, true);
-  EXPECT(result_read_points(path, 2, "pressure", &n, &p, &value) == ERR_INPUT);
-  EXPECT(result_read_points(path, 0, "vorticity", &n, &p, &value) == ERR_INPUT);
-  EXPECT(result_read_points(path, 0, "velocity", &n, &p, &value) == ERR_INPUT); /* not a scalar */
+  EXPECT(result_read_points(path, "pressure", 2, output, cloud) == ERR_INPUT);
+  EXPECT(!cloud[0].n && !cloud[0].p && !cloud[1].value); /* nor the one that is there */
+  EXPECT(result_read_points(path, "vorticity", 1, output, cloud) == ERR_INPUT);
+  EXPECT(result_read_points(path, "velocity", 1, output, cloud) == ERR_INPUT); /* not a scalar */
   result_file_destroy(f);
 }
 

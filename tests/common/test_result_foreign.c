@@ -179,12 +179,11 @@ static void test_wrong_points_are_refused(void) {
                {REPLACE_DOUBLE, "VTKHDF/Points", 0, 0},
                {DELETE, "VTKHDF/PointData", 0, 0}};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-    size_t n;
-    double(*p)[2], *value;
+    struct result_cloud cloud;
     write_result();
     spoil(wrong[i].way, wrong[i].name, wrong[i].row, wrong[i].value);
-    EXPECT(result_read_points(path, 1, "pressure", &n, &p, &value) == ERR_INPUT);
-    EXPECT(n == 0 && !p && !value && strstr(status_message(), ", output 1: "));
+    EXPECT(result_read_points(path, "pressure", 1, &(size_t){1}, &cloud) == ERR_INPUT);
+    EXPECT(cloud.n == 0 && !cloud.p && !cloud.value && strstr(status_message(), ", output 1: "));
   }
 }
 

@@ -67,12 +67,11 @@ static void test_every_flushed_output_survives_a_kill(void) {
     EXPECT(f->n_surfaces == n && f->n_energy == 10 * n && f->n_events == n &&
            f->probes[0].n == 10 * n);
     for (size_t k = n < 3 ? 0 : n - 3; k < n; k++) {
-      size_t points = 0;
-      double(*p)[2] = NULL, *value = NULL;
-      EXPECT_OK(result_read_points(path, k, "pressure", &points, &p, &value));
-      EXPECT(points == sample_n(k, 600) && p && p[points - 1][0] == sample_x(k, points - 1));
-      free(p);
-      free(value);
+      struct result_cloud cloud;
+      EXPECT_OK(result_read_points(path, "pressure", 1, &k, &cloud));
+      EXPECT(cloud.n == sample_n(k, 600) && cloud.p &&
+             cloud.p[cloud.n - 1][0] == sample_x(k, cloud.n - 1));
+      result_cloud_free(&cloud);
     }
     result_file_destroy(f);
   }

@@ -67,11 +67,10 @@ static bool text_holds(const char *path, const char *word) {
 }
 
 static double *field_of(const struct result_file *f, size_t output, const char *name) {
-  double *value = NULL, (*p)[2] = NULL;
-  size_t n = 0;
-  EXPECT_OK(result_read_points(f->path, output, name, &n, &p, &value));
-  free(p);
-  return value;
+  struct result_cloud cloud;
+  EXPECT_OK(result_read_points(f->path, name, 1, &output, &cloud));
+  free(cloud.p);
+  return cloud.value;
 }
 
 /* Every output has the particles' masses, the same ones, and volumes that sum to the series'. */

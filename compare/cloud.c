@@ -1,0 +1,65 @@
+#include "compare/cloud.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+/* The output of particles at t, SIZE_MAX for none. */
+static size_t output_at(const struct comparison *c, const struct result_file *f, double t) {
+  for (size_t i = 0; i < f->n_outputs; i++)
+    if (fabs(f->output_time[i] / c->scales.T - t) < 1e-6) return i;
+  return SIZE_MAX;
+}
+
+static int ascending(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static bool fills_the_water(const struct cmp_run *run, size_t n) {
+  double area = (double)n * run->data.dx * run->data.dx;
+  return n && !(run->data.volume.n && fabs(area / run->data.volume.value[0] - 1) > 0.5);
+}
+
+/* Sorts the pressures of `points`, which are done with then. */
+static enum status cloud_write(const struct comparison *c, size_t r, struct cmp_figures *f,
+                               const struct cmp_figure *fig, struct result_cloud *points,
+                               struct cmp_cloud *cloud) {
+  FILE *data;
+  char suffix[48];
+  if (!fills_the_water(&c->run[r], points->n)) return OK;
+  snprintf(suffix, sizeof suffix, "-particles-%zu.csv", r + 1);
+  TRY(cmp_figure_data(f, fig, suffix, &data));
+  fputs("x [H],y [H],pressure [rho g H]\n", data);
+  for (size_t i = 0; i < points->n; i++)
+    fprintf(data, "%.6g,%.6g,%.5g\n", points->p[i][0] / c->scales.H, points->p[i][1] / c->scales.H,
+            points->value[i] / c->scales.p);
+  qsort(points->value, points->n, sizeof *points->value, ascending);
+  *cloud =
+      (struct cmp_cloud){points->n, points->value[points->n - 1 - points->n / 100] / c->scales.p};
+  return cmp_figure_data_end(fig, data);
+}
+
+enum status cmp_clouds_write(const struct comparison *c, size_t r, struct cmp_figures *f,
+                             const size_t *figure, struct cmp_cloud *cloud) {
+  const struct cmp_run *run = &c->run[r];
+  size_t n = 0, *output = calloc(2 * c->n_times + 1, sizeof *output), *time = output + c->n_times;
+  struct result_cloud *points = calloc(c->n_times + 1, sizeof *points);
+  enum status status = OK;
+  for (size_t k = 0; output && k < c->n_times; k++) {
+    cloud[k] = (struct cmp_cloud){0};
+    size_t at = figure[k] == SIZE_MAX ? SIZE_MAX : output_at(c, run->data.file, run->at[k].t);
+    if (at == SIZE_MAX) continue;
+    output[n] = at;
+    time[n++] = k;
+  }
+  if (!output || !points)
+    status = status_raise(ERR_MEMORY, "no memory for the pictures");
+  else if (result_read_points(run->data.file->path, "pressure", n, output, points) != OK)
+    n = 0; /* a solver without particles */
+  for (size_t i = 0; i < n && status == OK; i++)
+    status = cloud_write(c, r, f, &f->figure[figure[time[i]]], &points[i], &cloud[time[i]]);
+  for (size_t i = 0; points && i < n; i++) result_cloud_free(&points[i]);
+  free(points);
+  free(output);
+  return status;
+}

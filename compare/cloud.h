@@ -1,0 +1,14 @@
+/* The particles of a run at the comparison times, as tables that pictures are drawn from. */
+#pragma once
+#include "compare/comparison.h"
+#include "compare/figure.h"
+
+struct cmp_cloud {
+  size_t n;   /* 0: there are none then, or none that fill the water (boundary nodes do not) */
+  double top; /* the pressure that all but one in a hundred stay below */
+};
+
+/* Of run r at every comparison time, read at once; `figure` [n_times] are the indices in `f` of
+ * those that they belong to, SIZE_MAX for none. Fills cloud [n_times]. */
+enum status cmp_clouds_write(const struct comparison *c, size_t r, struct cmp_figures *f,
+                             const size_t *figure, struct cmp_cloud *cloud);
