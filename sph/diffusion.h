@@ -7,27 +7,33 @@
  * differences are taken as pressure differences over c0^2; psi here is c0^2 times that of the
  * paper, and G the renormalised pressure gradient.
  *
- * Columns: name, default delta, strength, help. Strength is the largest decay rate of the term
- * relative to Molteni's with the same delta, from the integral of its kernel:
- * int q W dV = sqrt(pi)/2 in Ferrari's, halved by its 1/2h. It scales the time step bound (27). */
+ * Columns: name, default delta, strength, frozen, help. Strength is the largest decay rate of the
+ * term relative to Molteni's with the same delta, from the integral of its kernel:
+ * int q W dV = sqrt(pi)/2 in Ferrari's, halved by its 1/2h. It scales the time step bound (27).
+ *
+ * Frozen is the factor of (27) in an integrator that evaluates the term once a step. On a lattice
+ * sound and diffusion together are stable up to delta c0 dt/h = 0.698 in classic RK4 and 0.500 when
+ * frozen (Ferrari's: 1.42 and 1.02): 0.72 leaves the same room to disordered particles, for which
+ * P's 0.44 alone is too little (Ferrari's runs broke down). Antuono's needs none: with its usual
+ * delta the acoustic bound is shorter than (27). */
 #pragma once
 #include "sph/vec.h"
 
 #define SPH_DIFFUSIONS(X, ...)                                                                     \
-  X(none, 0, 0, "no diffusion", ##__VA_ARGS__)                                                     \
-  X(molteni, 0.5, 1, "Molteni & Colagrossi 2009, P eq. (7)", ##__VA_ARGS__)                        \
-  X(ferrari, 1, 0.4431, "Ferrari et al. 2009, P eq. (10)", ##__VA_ARGS__)                          \
-  X(antuono, 0.2, 1, "Antuono et al. 2010, P eq. (9)", ##__VA_ARGS__)
+  X(none, 0, 0, 1, "no diffusion", ##__VA_ARGS__)                                                  \
+  X(molteni, 0.5, 1, 0.72, "Molteni & Colagrossi 2009, P eq. (7)", ##__VA_ARGS__)                  \
+  X(ferrari, 1, 0.4431, 0.72, "Ferrari et al. 2009, P eq. (10)", ##__VA_ARGS__)                    \
+  X(antuono, 0.2, 1, 1, "Antuono et al. 2010, P eq. (9)", ##__VA_ARGS__)
 
 enum sph_diffusion {
-#define X(name, delta, strength, help) SPH_DIFFUSION_##name,
+#define X(name, delta, strength, frozen, help) SPH_DIFFUSION_##name,
   SPH_DIFFUSIONS(X)
 #undef X
 };
 
 enum {
   SPH_N_DIFFUSIONS = 0
-#define X(name, delta, strength, help) +1
+#define X(name, delta, strength, frozen, help) +1
   SPH_DIFFUSIONS(X)
 #undef X
 };

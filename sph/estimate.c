@@ -24,6 +24,7 @@ static double length_of(const struct geo_lines *l) {
 static double step_of(const struct sph_options *o, double h) {
   struct sph s = {.o = *o, .h = h, .c0 = o->c0};
   s.o.delta = sph_options_delta(o);
+  s.o.integrator = sph_integrator_chosen(o);
   struct sph_bounds b = sph_timestep_bounds(&s);
   return fmin(fmin(b.diffusive, b.viscous), fmin(b.acceleration, b.acoustic));
 }
@@ -33,7 +34,7 @@ void sph_estimate(const struct case_file *c, const struct case_run *r, struct so
   double dx = c->H / r->resolution, h = o->h_over_dx * dx;
   double wall = length_of(&c->walls) * SPH_KERNEL_SUPPORT * h / (dx * dx);
   double cells = (c->tank.max[0] - c->tank.min[0]) * (c->tank.max[1] - c->tank.min[1]) / (dx * dx);
-  double evaluations = c->end / step_of(o, h) * sph_integrators[o->integrator].stages;
+  double evaluations = c->end / step_of(o, h) * sph_integrators[sph_integrator_chosen(o)].stages;
   e->points = case_water_area(c) / (dx * dx);
   e->unit = "particles";
   e->bytes = BYTES_ALONE + BYTES_OF_PARTICLE * (e->points + wall) + BYTES_OF_CELL * cells;

@@ -1,10 +1,11 @@
 #include "sph/integrator.h"
 
+#include "sph/diffusion.h"
 #include "sph/rates.h"
 #include "sph/vec.h"
 #include "sph/wall.h"
 
-const struct sph_integrator sph_integrators[] = {
+const struct sph_integrator sph_integrators[SPH_N_INTEGRATORS] = {
     {.name = "rk4",
      .stages = 4,
      .order = 4,
@@ -34,8 +35,19 @@ const struct sph_integrator sph_integrators[] = {
 const char *const sph_integrator_helps[] = {
     "classic Runge-Kutta of order 4",
     "classic Runge-Kutta, diffusion evaluated once a step (paper, eq. 25)",
-    "total-variation diminishing Runge-Kutta of order 3 (Gottlieb & Shu 1998)"};
-const char *const sph_integrator_names[] = {"rk4", "rk4-frozen", "tvd-rk3", NULL};
+    "total-variation diminishing Runge-Kutta of order 3 (Gottlieb & Shu 1998)",
+    "rk4 with molteni or ferrari, which frozen need shorter steps, else rk4-frozen"};
+const char *const sph_integrator_names[] = {"rk4", "rk4-frozen", "tvd-rk3", "auto", NULL};
+
+int sph_integrator_chosen(const struct sph_options *o) {
+  static const double frozen[] = {
+#define X(name, delta, strength, frozen, help) frozen,
+      SPH_DIFFUSIONS(X)
+#undef X
+  };
+  if (o->integrator != SPH_INTEGRATOR_AUTO) return o->integrator;
+  return frozen[o->diffusion] < 1 ? 0 : 1;
+}
 
 _Static_assert(SPH_MAX_STAGES == 4, "combine adds four terms at most");
 

@@ -14,13 +14,13 @@ static const char *const kernel_names[] = {
         NULL};
 
 static const char *const diffusion_names[] = {
-#define X(name, delta, strength, help) #name,
+#define X(name, delta, strength, frozen, help) #name,
     SPH_DIFFUSIONS(X)
 #undef X
         NULL};
 
 static const char *const diffusion_helps[] = {
-#define X(name, delta, strength, help) help,
+#define X(name, delta, strength, frozen, help) help,
     SPH_DIFFUSIONS(X)
 #undef X
 };
@@ -40,9 +40,8 @@ const struct param sph_params[SPH_N_PARAMS] = {
     {"c0", PARAM_REAL, QTY_VELOCITY, AT(c0), 1e-6, 1e6, "20 sqrt(gH)", NULL,
      "speed of sound; at least 10 times the largest velocity, about 2 sqrt(gH) in a dam break",
      NULL},
-    {"integrator", PARAM_CHOICE, QTY_NUMBER, AT(integrator), 0, 0, "rk4-frozen",
-     sph_integrator_names, "time integration (paper, IV; rk4-frozen is eq. 25)",
-     sph_integrator_helps},
+    {"integrator", PARAM_CHOICE, QTY_NUMBER, AT(integrator), 0, 0, "auto", sph_integrator_names,
+     "time integration (paper, IV; rk4-frozen is eq. 25)", sph_integrator_helps},
     {"walls", PARAM_CHOICE, QTY_NUMBER, AT(walls), 0, 0, "ghost", sph_wall_names,
      "free-slip walls: fixed ghost particles (paper), or mirror images, which do no work",
      sph_wall_helps},
@@ -50,7 +49,9 @@ const struct param sph_params[SPH_N_PARAMS] = {
      "factor of the bound from sound and convection (paper, eq. 29); of rk4, scaled for others",
      NULL},
     {"cfl_diffusive", PARAM_REAL, QTY_NUMBER, AT(cfl_diffusive), 1e-3, 10, "0.44", NULL,
-     "factor of the bound from diffusion (paper, eq. 27); of rk4, scaled for others", NULL},
+     "factor of the bound from diffusion (paper, eq. 27); of rk4, scaled for others; molteni and "
+     "ferrari take 0.72 of it in rk4-frozen",
+     NULL},
     {"cfl_viscous", PARAM_REAL, QTY_NUMBER, AT(cfl_viscous), 1e-3, 10, "0.125", NULL,
      "factor of the bound from viscosity (paper, eq. 28)", NULL},
     {"cfl_acceleration", PARAM_REAL, QTY_NUMBER, AT(cfl_acceleration), 1e-3, 10, "0.25", NULL,
@@ -59,7 +60,7 @@ const struct param sph_params[SPH_N_PARAMS] = {
 
 double sph_options_delta(const struct sph_options *o) {
   static const double usual[] = {
-#define X(name, delta, strength, help) delta,
+#define X(name, delta, strength, frozen, help) delta,
       SPH_DIFFUSIONS(X)
 #undef X
   };

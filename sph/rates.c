@@ -162,7 +162,7 @@ SPECIALISE void cluster_rates(struct sph *s, enum sph_kernel kernel, enum sph_di
                                                            c < s->water_water.n_clusters; c++)     \
         cluster_rates(s, kernel, diffusion, viscous, bounds, stage, diffuse, c);                   \
   }
-#define X(d, delta, strength, help, k)                                                             \
+#define X(d, delta, strength, frozen, help, k)                                                     \
   LOOP(rates_##k##_##d, SPH_KERNEL_##k, SPH_DIFFUSION_##d, false, false)                           \
   LOOP(rates_##k##_##d##_bounds, SPH_KERNEL_##k, SPH_DIFFUSION_##d, false, true)                   \
   LOOP(rates_##k##_##d##_viscous, SPH_KERNEL_##k, SPH_DIFFUSION_##d, true, false)                  \
@@ -173,7 +173,7 @@ SPH_KERNELS(EACH)
 #undef EACH
 
 static void (*const loops[SPH_N_KERNELS][SPH_N_DIFFUSIONS][2][2])(struct sph *, int, bool) = {
-#define X(d, delta, strength, help, k)                                                             \
+#define X(d, delta, strength, frozen, help, k)                                                     \
   {{rates_##k##_##d, rates_##k##_##d##_bounds},                                                    \
    {rates_##k##_##d##_viscous, rates_##k##_##d##_viscous_bounds}},
 #define EACH(k) {SPH_DIFFUSIONS(X, k)},

@@ -38,11 +38,29 @@ static enum status march(const struct case_file *c, struct sph *s, struct sph_ou
   return OK;
 }
 
+/* About what the water can reach, m/s: the tip of a dam break on a dry bed. */
+static double reachable_speed(const struct case_file *c) {
+  if (!c->water.pieces) return 0;
+  struct geo_box w = geo_lines_box(&c->water);
+  return 2 * sqrt(c->gravity * (w.max[1] - c->tank.min[1])) + hypot(c->velocity[0], c->velocity[1]);
+}
+
+static void warn_of_slow_sound(const struct case_file *c, const struct sph_options *o,
+                               struct progress *progress) {
+  double mach = reachable_speed(c) / o->c0;
+  if (mach > 0.3)
+    progress_say(progress,
+                 "c0 = %.4g m/s: the water may reach a Mach number of %.2f, where about 0.1 is "
+                 "wanted; %.4g m/s would do",
+                 o->c0, mach, 10 * reachable_speed(c));
+}
+
 static enum status run(const struct case_file *c, const struct case_run *r, struct result *result,
                        struct progress *progress) {
   struct sph *s = NULL;
   struct sph_output *output = NULL;
   enum status status;
+  warn_of_slow_sound(c, r->options, progress);
   ATTEMPT(sph_create(c, r->resolution, r->options, &s));
   ATTEMPT(sph_output_create(c, s, result, &output));
   status = march(c, s, output, progress);

@@ -6,6 +6,7 @@
 #include "common/case.h"
 #include "sph/energy.h"
 #include "sph/initial.h"
+#include "sph/integrator.h"
 #include "sph/kernel.h"
 #include "sph/wall.h"
 
@@ -87,6 +88,7 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   TRY(sph_allocate(1, sizeof *s, &s));
   s->o = *o;
   s->o.delta = sph_options_delta(o);
+  s->o.integrator = sph_integrator_chosen(o);
   s->rho0 = c->density;
   s->seen = (struct sph_seen){.lightest = INFINITY};
   s->c0 = o->c0;

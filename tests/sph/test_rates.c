@@ -8,7 +8,7 @@
 #include "tests/sph/pool.h"
 
 static const char *const names[] = {
-#define X(name, delta, strength, help) #name,
+#define X(name, delta, strength, frozen, help) #name,
     SPH_DIFFUSIONS(X)
 #undef X
 };

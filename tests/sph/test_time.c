@@ -4,6 +4,7 @@
 #include <complex.h>
 
 #include "sph/integrator.h"
+#include "sph/kernel.h"
 #include "sph/timestep.h"
 #include "tests/sph/pool.h"
 
@@ -56,7 +57,7 @@ static double difference(double a[16][4], double b[16][4]) {
 /* Steps dt, dt/2, dt/4: the ratio of successive differences is 2^order. Within 0.25: the largest
  * step is a fifth of the stability limit. */
 static void test_integrators_have_the_order_they_declare(void) {
-  for (int k = 0; sph_integrator_names[k]; k++) {
+  for (int k = 0; k < SPH_N_INTEGRATORS; k++) {
     double a[16][4], b[16][4], c[16][4];
     const double time = 0.02;
     march(k, 8, time, a);
@@ -115,10 +116,99 @@ static double stable_up_to(const struct sph_integrator *m, double complex direct
  * factors for classic RK4. Within the steps of the search. */
 static void test_time_step_factors_are_the_limits_of_stability(void) {
   const struct sph_integrator *rk4 = &sph_integrators[0];
-  for (int k = 0; sph_integrator_names[k]; k++) {
+  for (int k = 0; k < SPH_N_INTEGRATORS; k++) {
     const struct sph_integrator *m = &sph_integrators[k];
     EXPECT_NEAR(m->acoustic, stable_up_to(m, I) / stable_up_to(rk4, I), 1e-3);
     EXPECT_NEAR(m->diffusive, stable_up_to(m, -1) / stable_up_to(rk4, -1), 1e-3);
+  }
+}
+
+/* A plane wave of density on a square lattice at rest, dx = 1, h = 4/3: frequency of its sound over
+ * c0, and rate at which a diffusion lets it decay over delta c0 (diffusion.h), along the wave
+ * number (kx, ky). */
+static void lattice_wave(enum sph_diffusion d, double kx, double ky, double *omega, double *rate) {
+  const double h = 4. / 3, F = 2 / (M_PI * h * h * h * h * SPH_GAUSSIAN_C1);
+  double gx = 0, gy = 0, sum = 0;
+  for (int pass = 0; pass < 2; pass++) /* the gradient first, which Antuono's psi needs */
+    for (int i = -3; i <= 3; i++)
+      for (int j = -3; j <= 3; j++) {
+        double r2 = i * i + j * j, e = F * exp(-r2 / (h * h)), phase = kx * i + ky * j;
+        if (r2 == 0 || r2 >= kernel_cutoff2(h)) continue;
+        if (pass == 0) {
+          gx += e * i * sin(phase);
+          gy += e * j * sin(phase);
+          continue;
+        }
+        /* the real part of psi: the gradients at i and j are i (gx, gy) times the wave there */
+        vec zero = {0}, G = zero + -sin(phase);
+        vec psi = diffusion_psi(d, zero + (cos(phase) - 1), zero + i, zero + j, zero + r2, gx * G,
+                                gy * G, h);
+        sum -= 2 * h * e * psi[0];
+      }
+  *omega = hypot(gx, gy);
+  *rate = sum;
+}
+
+/* Largest factor by which a step of dt = 1 lets a wave grow: rho' = i omega u - rate rho, u' = i
+ * omega rho. */
+static double wave_growth(const struct sph_integrator *m, double omega, double rate) {
+  double complex G[2][2], k[SPH_MAX_STAGES][2];
+  for (int c = 0; c < 2; c++) {
+    double complex start[2] = {c == 0, c == 1};
+    for (int q = 0; q < 2; q++) G[q][c] = start[q];
+    for (int r = 0; r < m->stages; r++) {
+      double complex w[2] = {start[0], start[1]};
+      for (int l = 0; l < r; l++)
+        for (int q = 0; q < 2; q++) w[q] += m->a[r][l] * k[l][q];
+      k[r][0] = I * omega * w[1] - rate * (m->frozen ? start[0] : w[0]);
+      k[r][1] = I * omega * w[0];
+      for (int q = 0; q < 2; q++) G[q][c] += m->b[r] * k[r][q];
+    }
+  }
+  double complex half = (G[0][0] + G[1][1]) / 2;
+  double complex root = csqrt(half * half - (G[0][0] * G[1][1] - G[0][1] * G[1][0]));
+  return fmax(cabs(half + root), cabs(half - root));
+}
+
+/* Sound and diffusion together, in every wave that a lattice carries along its rows and diagonals,
+ * with every integrator: steps a ninth longer than the bounds of water at rest are stable.
+ * (Ferrari's frozen ones were not, and broke down where particles are in disorder.) */
+static void test_default_steps_are_stable_with_every_diffusion(void) {
+  for (int d = 1; d < SPH_N_DIFFUSIONS; d++)
+    for (int k = 0; k < SPH_N_INTEGRATORS; k++) {
+      struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, c0: 50");
+      struct sph_options o = *(const struct sph_options *)c->runs[0].options;
+      o.diffusion = d;
+      o.integrator = k;
+      struct sph *s;
+      EXPECT_OK(sph_create(c, 20, &o, &s));
+      EXPECT_OK(sph_rates(s, 0, true, true));
+      struct sph_bounds b = sph_timestep_bounds(s);
+      double dt = 10. / 9 * fmin(b.diffusive, b.acoustic) * s->c0 / s->dx, most = 0;
+      for (int n = 1; n <= 32; n++)
+        for (int diagonal = 0; diagonal < 2; diagonal++) {
+          double omega, rate, wave = M_PI * n / 32;
+          lattice_wave((enum sph_diffusion)d, wave, wave * diagonal, &omega, &rate);
+          most = fmax(most, wave_growth(&sph_integrators[k], omega * dt, rate * s->o.delta * dt));
+        }
+      EXPECT(most <= 1 + 1e-9);
+      sph_destroy(s);
+      case_destroy(c);
+    }
+}
+
+/* Freezing is for free only where it leaves the step as it is. */
+static void test_auto_freezes_only_what_is_stable_frozen(void) {
+  for (int d = 0; d < SPH_N_DIFFUSIONS; d++) {
+    struct case_file *c = pool_case(POOL_DROP, "resolution: 20, c0: 50");
+    struct sph_options o = *(const struct sph_options *)c->runs[0].options;
+    o.diffusion = d;
+    struct sph *s;
+    EXPECT_OK(sph_create(c, 20, &o, &s));
+    bool frozen = sph_integrators[s->o.integrator].frozen;
+    EXPECT(frozen == (d != SPH_DIFFUSION_molteni && d != SPH_DIFFUSION_ferrari));
+    sph_destroy(s);
+    case_destroy(c);
   }
 }
 
@@ -156,7 +246,7 @@ static void test_acoustic_bound_sees_velocity_gradients(void) {
 
 /* A Runge-Kutta table is consistent when its weights sum to one; stages are explicit. */
 static void test_tables_are_explicit_and_consistent(void) {
-  for (int k = 0; sph_integrator_names[k]; k++) {
+  for (int k = 0; k < SPH_N_INTEGRATORS; k++) {
     const struct sph_integrator *m = &sph_integrators[k];
     double sum = 0;
     for (int r = 0; r < m->stages; r++) {
@@ -171,6 +261,8 @@ int main(void) {
   RUN(test_integrators_have_the_order_they_declare);
   RUN(test_time_step_obeys_every_bound);
   RUN(test_time_step_factors_are_the_limits_of_stability);
+  RUN(test_default_steps_are_stable_with_every_diffusion);
+  RUN(test_auto_freezes_only_what_is_stable_frozen);
   RUN(test_time_step_bounds_know_the_integrator_and_the_diffusion);
   RUN(test_acoustic_bound_sees_velocity_gradients);
   RUN(test_tables_are_explicit_and_consistent);
