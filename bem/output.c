@@ -71,8 +71,8 @@ static enum status write_surface(struct bem_output *o, double seconds) {
     v[k] = velocity * f->v[k];
   }
   const struct result_field fields[] = {
-      {"velocity", "m s-1", "velocity of the water", u, v},
-      {"potential", "m2 s-1", "velocity potential", phi, NULL},
+      {"velocity", "m/s", "velocity of the water", u, v},
+      {"potential", "m^2/s", "velocity potential", phi, NULL},
   };
   TRY(result_points(o->file, seconds, n, x, y, RESULT_LINE, sizeof fields / sizeof *fields,
                     fields));

@@ -172,10 +172,17 @@ done:
   return status;
 }
 
-static enum status write_experiment(hid_t parent, size_t number, const struct case_experiment *e) {
+/* Pressure at a probe, else lengths: see the units of experiments in the case file. */
+static const char *experiment_units(const struct case_file *c, const char *target) {
+  for (size_t i = 0; i < c->n_probes; i++)
+    if (!strcmp(c->probes[i].name, target)) return "Pa";
+  return "m";
+}
+
+static enum status write_experiment(hid_t parent, size_t number, const struct case_file *c,
+                                    const struct case_experiment *e) {
   char name[32];
   snprintf(name, sizeof name, "experiment_%zu", number);
-  bool probe = strcmp(e->target, "front") != 0;
   hid_t group = -1;
   enum status status = OK;
   ATTEMPT(hdf_group_create(parent, name, &group));
@@ -183,8 +190,8 @@ static enum status write_experiment(hid_t parent, size_t number, const struct ca
   ATTEMPT(hdf_set_string(group, "source", e->source ? e->source : ""));
   ATTEMPT(hdf_set_string(group, "target", e->target));
   ATTEMPT(hdf_put(group, "time", H5T_NATIVE_DOUBLE, e->n, 0, e->t, "s", "time"));
-  ATTEMPT(hdf_put(group, "value", H5T_NATIVE_DOUBLE, e->n, 0, e->value, probe ? "SI" : "m",
-                  "measured value, in the units of its target"));
+  ATTEMPT(hdf_put(group, "value", H5T_NATIVE_DOUBLE, e->n, 0, e->value,
+                  experiment_units(c, e->target), "measured value, in the units of its target"));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
@@ -194,7 +201,7 @@ static enum status write_experiments(hid_t file, const struct case_file *c) {
   hid_t group = -1;
   enum status status = hdf_group_create(file, "experiments", &group);
   for (size_t i = 0; i < c->compare.n_experiments && status == OK; i++)
-    status = write_experiment(group, i + 1, &c->compare.experiments[i]);
+    status = write_experiment(group, i + 1, c, &c->compare.experiments[i]);
   if (group >= 0) H5Gclose(group);
   return status;
 }

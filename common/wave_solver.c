@@ -132,8 +132,8 @@ static enum status write_output(const struct case_file *c, const struct wave_sta
     TRY(geo_lines_add(&s->line, s->x[i], s->y[i]));
   }
   const struct result_field fields[] = {
-      {"velocity", "m s-1", "velocity of the water", s->u, s->v},
-      {"potential", "m2 s-1", "velocity potential", s->phi, NULL},
+      {"velocity", "m/s", "velocity of the water", s->u, s->v},
+      {"potential", "m^2/s", "velocity potential", s->phi, NULL},
   };
   TRY(result_points(out, t, s->n, s->x, s->y, RESULT_LINE, sizeof fields / sizeof *fields, fields));
   TRY(result_surface(out, t, &s->line));

@@ -130,10 +130,10 @@ static enum status find_surface(struct sph_output *o, const struct sph *s) {
 static enum status write_state(struct sph_output *o, const struct sph *s) {
   size_t n = sort_by_id(o, s);
   const struct result_field fields[] = {{"pressure", "Pa", "c0^2 (rho - rho0)", o->p, NULL},
-                                        {"density", "kg m^-3", "density", o->rho, NULL},
-                                        {"mass", "kg m^-1", "mass, which it keeps", o->m, NULL},
+                                        {"density", "kg/m^3", "density", o->rho, NULL},
+                                        {"mass", "kg/m", "mass, which it keeps", o->m, NULL},
                                         {"volume", "m^2", "mass over density", o->V, NULL},
-                                        {"velocity", "m s^-1", "velocity", o->u, o->v}};
+                                        {"velocity", "m/s", "velocity", o->u, o->v}};
   TRY(result_points(o->result, s->t, n, o->x, o->y, RESULT_VERTICES, sizeof fields / sizeof *fields,
                     fields));
   TRY(find_surface(o, s));
