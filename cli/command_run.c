@@ -118,8 +118,7 @@ static enum status tell_health(const struct case_run *r, const struct health *h,
                                struct progress *progress) {
   if (h->verdict == HEALTH_SOUND)
     progress_say(progress, "           sound: %s", *h->facts ? h->facts : "nothing to judge by");
-  if (h->verdict == HEALTH_DOUBTFUL)
-    command_warn("run %s is doubtful: %s", r->name, h->reasons);
+  if (h->verdict == HEALTH_DOUBTFUL) command_warn("run %s is doubtful: %s", r->name, h->reasons);
   CHECK(h->verdict != HEALTH_FAILED, ERR_DIVERGED, "its result is not to be believed: %s",
         h->reasons);
   return OK;
@@ -191,6 +190,15 @@ static int judge(const struct result_file *f) {
   return f->complete && h.verdict == HEALTH_FAILED ? EXIT_RUN_FAILED : EXIT_FINE;
 }
 
+/* A report that is there already could be taken for one of what was run just now. */
+static void say_no_report(const char *folder, struct progress *progress) {
+  char path[PATH_MAX];
+  int n = snprintf(path, sizeof path, "%s/report.html", folder);
+  progress_say(progress, "nothing to compare: the reference and one more run are needed");
+  if (n < PATH_MAX && !access(path, F_OK))
+    command_warn("%s is of an earlier comparison: there was nothing to compare now", path);
+}
+
 /* Reads back the runs that have a file, and compares them. */
 static int report(const struct case_file *c, const char *out, struct progress *progress) {
   int exit_code = EXIT_FINE;
@@ -211,7 +219,7 @@ static int report(const struct case_file *c, const char *out, struct progress *p
     int verdict = command_report(c, ref, n, runs, false, out, progress);
     if (exit_code == EXIT_FINE) exit_code = verdict;
   } else
-    progress_say(progress, "nothing to compare: the reference and one more run are needed");
+    say_no_report(out, progress);
   result_file_destroy(ref);
   for (size_t i = 0; i < n; i++) result_file_destroy(runs[i]);
   free(runs);

@@ -38,11 +38,12 @@ grep -q "left out" log && fail "something is left out of the first report: $(cat
 [ -s out/report.json ] || fail "no report"
 
 # ---- other water: only b is of it, and there is nothing to compare it with ----
-rm out/report.*
+rm out/report.json
 run 0 --only b --set water.wave.amplitude=0.03
 said "out/a.h5 is of other water, another tank or other scales: left out of the comparison; run a again"
 said "out/c.h5 is of other water, another tank or other scales"
 [ -e out/report.json ] && fail "new water is compared with old"
+said "out/report.html is of an earlier comparison"
 
 # ---- b and its reference of the new water, c of the old ----
 run 0 --only a,b --set water.wave.amplitude=0.03
