@@ -192,26 +192,27 @@ enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f
   const struct {
     const char *name;
     double value;
-    const char *help;
+    const char *units, *help;
   } all[] = {
-      {"spilled_volume", o->c->H * o->c->H * o->spilled_volume,
-       "m^2, cut from the thin film that passed the top of the right wall"},
-      {"steps_cut", steps_cut,
+      {"spilled_volume", o->c->H * o->c->H * o->spilled_volume, "m^2",
+       "cut from the thin film that passed the top of the right wall"},
+      {"steps_cut", steps_cut, "1",
        "time steps more than ten times shorter than the median, those just after a new start of "
        "the integrator left out"},
-      {"cvode_steps", n.steps, "internal steps of CVODE"},
-      {"evaluations", n.evaluations, "of the right-hand side by CVODE"},
-      {"initialisations", n.initialisations,
+      {"cvode_steps", n.steps, "1", "internal steps of CVODE"},
+      {"evaluations", n.evaluations, "1", "of the right-hand side by CVODE"},
+      {"initialisations", n.initialisations, "1",
        "of CVODE: the first and one after every new mesh or cut"},
-      {"matrix_assemblies", s.assemblies, "of the boundary system, without those for outputs"},
-      {"gmres_iterations", s.iterations, "with these matrices, of all linear solves together"},
-      {"dense_factorisations", s.dense_factorisations, "of these matrices, by LAPACK"},
-      {"output_assemblies", view.assemblies, "of the boundary system, for surfaces and series"},
-      {"output_gmres_iterations", view.iterations, "with these, pressure included"},
-      {"nodes_most", (double)o->most_nodes, "of the surface at any output"},
-      {"nodes_last", (double)f->surface.n, "of the surface at the end"},
+      {"matrix_assemblies", s.assemblies, "1", "of the boundary system, without those for outputs"},
+      {"gmres_iterations", s.iterations, "1", "with these matrices, of all linear solves together"},
+      {"dense_factorisations", s.dense_factorisations, "1", "of these matrices, by LAPACK"},
+      {"output_assemblies", view.assemblies, "1",
+       "of the boundary system, for surfaces and series"},
+      {"output_gmres_iterations", view.iterations, "1", "with these, pressure included"},
+      {"nodes_most", (double)o->most_nodes, "1", "of the surface at any output"},
+      {"nodes_last", (double)f->surface.n, "1", "of the surface at the end"},
   };
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    TRY(result_statistic(o->file, all[i].name, all[i].value, all[i].help));
+    TRY(result_statistic(o->file, all[i].name, all[i].value, all[i].units, all[i].help));
   return OK;
 }

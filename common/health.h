@@ -16,8 +16,9 @@ extern const char *const health_verdicts[]; /* "sound", ... */
  * - A weakly compressible fluid stands for water while v << c0. Its density then changes by about
  *   (v/c0)^2/2 in a smooth flow and by v/c0 in an impact: c0 = 10 v for a change of a hundredth
  *   (Monaghan, J. Comput. Phys. 110, 1994) is meant for the flow as a whole. These facts are of the
- *   one worst particle at any step, in spray too: three times that; and no fluid flies faster than
- *   its own sound.
+ *   one worst particle at any step, in spray too: three times that speed; and no fluid flies faster
+ *   than its own sound. A density off by a tenth is what an impact at that v leaves; it is a
+ * pressure of 40 rho g H at the usual c0, which is noise wherever nothing strikes.
  * - Nothing adds energy or volume to water in a tank with fixed walls, and what leaves is booked.
  *   A hundredth is as much as the finest differences that a report speaks of; with a tenth of the
  *   energy or the volume unaccounted for, nothing else is right.
@@ -28,7 +29,7 @@ extern const char *const health_verdicts[]; /* "sound", ... */
 #define HEALTH_MEASURES(X)                                                                         \
   X(mach, 0.3, 1, false, "Mach", "speeds reach", " of the speed of sound",                         \
     "largest speed of a particle over the speed of sound, at any step")                            \
-  X(density_change, 0.2, 0.5, true, "density", "the density changes by", " %",                     \
+  X(density_change, 0.1, 0.5, true, "density", "the density changes by", " %",                     \
     "largest change of density of a particle, at any step")                                        \
   X(energy_gained, 0.01, 0.1, false, "energy gained", "energy rises by", " E0",                    \
     "largest rise of kinetic + potential + elastic + removed energy above its first value")        \

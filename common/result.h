@@ -64,7 +64,8 @@ enum status result_step(struct result *w, const struct result_step *row);
 enum status result_probe(struct result *w, size_t probe, double time, double pressure);  /* Pa */
 enum status result_gauge(struct result *w, size_t gauge, double time, double elevation); /* m */
 enum status result_event(struct result *w, const char *name, double time, double x, double y);
-enum status result_statistic(struct result *w, const char *name, double value, const char *help);
+enum status result_statistic(struct result *w, const char *name, double value, const char *units,
+                             const char *help);
 enum status result_flush(struct result *w);
 
 /* The potential energy (J/m) of the solver's own water at rest, where that is not the

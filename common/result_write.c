@@ -426,10 +426,11 @@ enum status result_event(struct result *w, const char *name, double time, double
   return guard(w, add_event(w, name, time, x, y));
 }
 
-enum status result_statistic(struct result *w, const char *name, double value, const char *help) {
+enum status result_statistic(struct result *w, const char *name, double value, const char *units,
+                             const char *help) {
   health_watch_statistic(&w->watch, name, value);
   if (hdf_has(w->statistics, name)) H5Ldelete(w->statistics, name, H5P_DEFAULT);
-  return guard(w, hdf_put_scalar(w->statistics, name, H5T_NATIVE_DOUBLE, &value, "1", help));
+  return guard(w, hdf_put_scalar(w->statistics, name, H5T_NATIVE_DOUBLE, &value, units, help));
 }
 
 enum status result_rest(struct result *w, double potential) {

@@ -148,7 +148,7 @@ static enum status write_error(const struct case_file *c, const struct wave_stan
                  "exact: this wave is steep for a theory of order %d: what it leaves out is about "
                  "%.2g %% of the wave (of its energy up to time.end, or of its elevation)",
                  w->order, 100 * error);
-  return result_statistic(out, "theory_error", error,
+  return result_statistic(out, "theory_error", error, "1",
                           "estimate of what the theory leaves out, relative to the wave: its error "
                           "of energy up to the end, or the next term of its series");
 }

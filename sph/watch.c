@@ -48,25 +48,27 @@ enum status sph_watch_write(const struct sph *s, struct result *result) {
   const struct {
     const char *name;
     double value;
-    const char *help;
+    const char *units, *help;
   } row[] = {
-      {"steps", (double)s->steps, "time steps"},
-      {"evaluations", (double)s->evaluations, "evaluations of the right-hand side"},
-      {"rebuilds", (double)s->rebuilds, "times the neighbour lists were built"},
-      {"reflections", (double)s->reflections,
+      {"steps", (double)s->steps, "1", "time steps"},
+      {"evaluations", (double)s->evaluations, "1", "evaluations of the right-hand side"},
+      {"rebuilds", (double)s->rebuilds, "1", "times the neighbour lists were built"},
+      {"reflections", (double)s->reflections, "1",
        "times a particle that had crossed a wall was reflected"},
-      {"particles", (double)s->f.n, "particles of water at the end"},
-      {"largest_mach", s->seen.speed / s->c0, "largest speed of a particle over c0, at any step"},
-      {"lowest_density", s->seen.lightest / s->rho0, "lowest density over rho0, at any step"},
-      {"highest_density", s->seen.heaviest / s->rho0, "highest density over rho0, at any step"},
-      {"steps_cut", (double)s->seen.cut,
+      {"particles", (double)s->f.n, "1", "particles of water at the end"},
+      {"largest_mach", s->seen.speed / s->c0, "1",
+       "largest speed of a particle over c0, at any step"},
+      {"lowest_density", s->seen.lightest / s->rho0, "1", "lowest density over rho0, at any step"},
+      {"highest_density", s->seen.heaviest / s->rho0, "1",
+       "highest density over rho0, at any step"},
+      {"steps_cut", (double)s->seen.cut, "1",
        "time steps that speed or acceleration cut to less than a tenth of what water at rest "
        "allows"},
-      {"spilled_volume", s->budget.spilled_volume, "water that left over the top of a wall, m^2"},
-      {"lost_volume", s->budget.removed_volume - s->budget.spilled_volume,
-       "water that left through a wall or the bed, m^2"},
+      {"spilled_volume", s->budget.spilled_volume, "m^2", "water that left over the top of a wall"},
+      {"lost_volume", s->budget.removed_volume - s->budget.spilled_volume, "m^2",
+       "water that left through a wall or the bed"},
   };
   for (size_t k = 0; k < sizeof row / sizeof *row; k++)
-    TRY(result_statistic(result, row[k].name, row[k].value, row[k].help));
+    TRY(result_statistic(result, row[k].name, row[k].value, row[k].units, row[k].help));
   return OK;
 }

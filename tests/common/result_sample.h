@@ -121,7 +121,7 @@ static inline enum status sample_output(struct result *w, size_t k, size_t scale
     ATTEMPT(result_gauge(w, 0, ti, i % 2 ? NAN : 0.6 + ti));
   }
   ATTEMPT(result_event(w, "touchdown", t, 2.385, 0.01));
-  ATTEMPT(result_statistic(w, "steps", (double)k, "number of outputs so far"));
+  ATTEMPT(result_statistic(w, "steps", (double)k, "1", "number of outputs so far"));
   ATTEMPT(result_flush(w));
 done:
   free(x);

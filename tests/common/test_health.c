@@ -131,7 +131,7 @@ static struct result_file *written(const char *ended, const char *broke_off, boo
   if (w) {
     EXPECT_OK(result_energy(w, &(struct result_energy){.potential = 5e4}));
     EXPECT_OK(result_step(w, &(struct result_step){.volume = 0.72}));
-    EXPECT_OK(result_statistic(w, "largest_mach", 0.125, "a fact"));
+    EXPECT_OK(result_statistic(w, "largest_mach", 0.125, "1", "a fact"));
     if (*ended) EXPECT_OK(result_ended(w, ended));
     EXPECT_OK(result_health(w, broke_off, h));
     if (finish) EXPECT_OK(result_finish(w));
