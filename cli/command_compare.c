@@ -64,8 +64,10 @@ static struct case_file *settings_from(const char *path, size_t n, struct result
                                        int *exit_code) {
   struct problems problems = {0};
   struct case_file *c = NULL;
-  const char **names = calloc(n, sizeof *names);
+  size_t n_probes = files[0]->n_probes;
+  const char **names = calloc(n + n_probes, sizeof *names); /* of the runs, then of the probes */
   for (size_t i = 0; names && i < n; i++) names[i] = files[i]->run;
+  for (size_t i = 0; names && i < n_probes; i++) names[n + i] = files[0]->probes[i].name;
   struct case_frame frame = {
       .H = files[0]->H,
       .gravity = files[0]->g,
@@ -74,6 +76,8 @@ static struct case_file *settings_from(const char *path, size_t n, struct result
       .times = files[0]->surface_time,
       .n_runs = n,
       .runs = names,
+      .n_probes = n_probes,
+      .probes = names ? names + n : NULL,
   };
   enum status status = names ? case_load_settings(path, &frame, &registry, &problems, &c)
                              : status_raise(ERR_MEMORY, "no memory for %zu runs", n);
@@ -101,7 +105,7 @@ int command_compare(int argc, char **argv) {
   static const struct argp_option options[] = {
       {"out", 'o', "DIR", 0, "folder of the report (default: comparison)", 0},
       {"settings", 's', "FILE", 0,
-       "times, window and tolerances from the section `compare` of this file", 0},
+       "times, window, tolerances and averages from the section `compare` of this file", 0},
       {"anyway", 'a', NULL, 0,
        "compare also results of another tank, water or scale, each in its own scales", 0},
       {0}};

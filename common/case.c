@@ -175,6 +175,7 @@ void case_destroy(struct case_file *c) {
   free(c->runs);
   free(c->compare.times);
   free(c->compare.tolerances);
+  free(c->compare.averages);
   free(c->compare.experiments);
   free(c);
 }

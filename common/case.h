@@ -41,6 +41,11 @@ struct case_tolerance {
   size_t *runs;  /* indices into case_file.runs, [n_runs], owned */
 };
 
+struct case_average { /* a probe's signals are compared by their running means */
+  size_t probe;       /* index into case_file.probes */
+  double over;        /* s; 0: none */
+};
+
 struct case_experiment { /* a measured series laid over a probe's or a gauge's plot */
   char *label;           /* "Buchner 2002, digitisation a" */
   char *source;          /* the citation */
@@ -87,6 +92,8 @@ struct case_file {
     struct geo_box window; /* the part of the surface that is compared; default: everything */
     size_t n_tolerances;
     struct case_tolerance *tolerances;
+    size_t n_averages;
+    struct case_average *averages;
     size_t n_experiments;
     struct case_experiment *experiments;
   } compare;
@@ -128,13 +135,14 @@ enum status case_parse(const char *name, const char *text, const struct registry
 struct case_frame {
   double H, gravity;   /* m, m s^-2 */
   struct geo_box tank; /* m */
-  size_t n_times, n_runs;
-  const double *times;     /* s, of the reference's outputs, [n_times] */
-  const char *const *runs; /* names, the reference's first, [n_runs] */
+  size_t n_times, n_runs, n_probes;
+  const double *times;       /* s, of the reference's outputs, [n_times] */
+  const char *const *runs;   /* names, the reference's first, [n_runs] */
+  const char *const *probes; /* names, of the reference's, [n_probes] */
 };
 
-/* Settings of a comparison (the section `compare` alone) from a YAML file: *c has runs with names
- * and nothing else, and `compare` filled. Problems as case_load. */
+/* Settings of a comparison (the section `compare` alone) from a YAML file: *c has runs and probes
+ * with names and nothing else, and `compare` filled. Problems as case_load. */
 enum status case_load_settings(const char *path, const struct case_frame *frame,
                                const struct registry *registry, struct problems *problems,
                                struct case_file **c);

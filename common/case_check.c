@@ -187,6 +187,23 @@ void case_check_tolerances(struct case_draft *d) {
   }
 }
 
+/* A mean over more than there is would be one number, whatever the time. */
+void case_check_averages(struct case_draft *d, double end, const char *what) {
+  const struct case_file *c = d->c;
+  int list = case_doc_member(&d->doc, d->at.compare, "averages");
+  char path[CASE_PATH], found[64], allowed[96];
+  for (size_t i = 0; i < c->compare.n_averages; i++) {
+    const struct case_average *a = &c->compare.averages[i];
+    if (a->over <= end * (1 + CASE_SAME)) continue;
+    snprintf(path, sizeof path, "compare.averages[%zu].over", i);
+    snprintf(found, sizeof found, "%.9g s", a->over);
+    snprintf(allowed, sizeof allowed, "at most %s, %.9g s", what, end);
+    case_doc_problem(&d->doc,
+                     case_doc_member_line(&d->doc, case_doc_item(&d->doc, list, i), "over"), path,
+                     found, allowed, "make it smaller");
+  }
+}
+
 void case_check_window(struct case_draft *d) {
   const struct geo_box *w = &d->c->compare.window, *tank = &d->c->tank;
   if (w->min[0] >= w->max[0] || w->min[1] >= w->max[1]) return; /* reported when it was read */
@@ -203,5 +220,6 @@ void case_check(struct case_draft *d) {
   check_run_names(d);
   if (d->good.time) check_times(d);
   if (d->good.time && d->good.runs) case_check_tolerances(d);
+  if (d->good.time) case_check_averages(d, d->c->end, "time.end");
   if (d->good.tank) case_check_window(d);
 }

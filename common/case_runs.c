@@ -102,31 +102,47 @@ enum status case_read_runs(struct case_draft *d) {
 /* ---- compare ---- */
 
 struct compare_section {
-  int reference, times, window, tolerances, experiments;
+  int reference, times, window, tolerances, averages, experiments;
 };
 static const struct param compare_rows[] = {
     NODE(struct compare_section, reference, "", "the name of a run; default: the first"),
     NODE(struct compare_section, times, "", "a list of times; default: three, evenly spaced"),
     NODE(struct compare_section, window, "", "a list of 2 points, lower left and upper right"),
     NODE(struct compare_section, tolerances, "", "a list of tolerances"),
+    NODE(struct compare_section, averages, "",
+         "a list of averages; default: probes are compared as they are"),
     NODE(struct compare_section, experiments, "", "a list of experiments"),
 };
 
-/* The run that `node` names, or n_runs with a problem added. */
-static size_t find_run(struct case_draft *d, int node, const char *path) {
-  struct case_file *c = d->c;
+static const char *run_name(const struct case_file *c, size_t i) {
+  return i < c->n_runs ? c->runs[i].name : NULL;
+}
+
+static const char *probe_name(const struct case_file *c, size_t i) {
+  return i < c->n_probes ? c->probes[i].name : NULL;
+}
+
+/* Which of n things `node` names, or n with a problem added. Results may have more of them than a
+ * case has; a message then offers the first. */
+static size_t find_named(struct case_draft *d, int node, const char *path, const char *lead,
+                         const char *(*name)(const struct case_file *, size_t), size_t n) {
   const char *text = case_doc_text(&d->doc, node), *names[CASE_MOST_ITEMS];
   char found[64];
-  size_t n = 0;
-  for (size_t i = 0; i < c->n_runs; i++) {
-    if (!c->runs[i].name) continue;
-    if (text && !strcmp(text, c->runs[i].name)) return i;
-    names[n++] = c->runs[i].name;
+  size_t offered = 0;
+  for (size_t i = 0; i < n; i++) {
+    const char *its = name(d->c, i);
+    if (!its) continue;
+    if (text && !strcmp(text, its)) return i;
+    if (offered < CASE_MOST_ITEMS) names[offered++] = its;
   }
-  struct case_offer offer = case_offer("one of the runs ", n, names, text);
+  struct case_offer offer = case_offer(lead, offered, names, text);
   case_doc_found(&d->doc, node, found);
   case_doc_problem(&d->doc, case_doc_line(&d->doc, node), path, found, offer.allowed, offer.todo);
-  return c->n_runs;
+  return n;
+}
+
+static size_t find_run(struct case_draft *d, int node, const char *path) {
+  return find_named(d, node, path, "one of the runs ", run_name, d->c->n_runs);
 }
 
 /* The output times nearest to the thirds of the run; fewer where there are not three. */
@@ -244,6 +260,49 @@ static enum status read_tolerances(struct case_draft *d, int node) {
   return OK;
 }
 
+struct average_section {
+  int probe;
+  double over;
+};
+static const struct param average_rows[] = {
+    NODE(struct average_section, probe, NULL, "the name of a probe"),
+    REAL(struct average_section, over, QTY_TIME, 0, 1e9, NULL,
+         "time over which its pressure, that of every run, of the reference and of experiments "
+         "alike, is averaged before it is measured; 0 is none"),
+};
+
+static void read_average(struct case_draft *d, int node, size_t i) {
+  struct case_file *c = d->c;
+  struct case_average *a = &c->compare.averages[c->compare.n_averages++];
+  struct average_section s = {0};
+  char path[CASE_PATH], key[CASE_PATH + 16], found[96];
+  a->probe = c->n_probes;
+  snprintf(path, sizeof path, "compare.averages[%zu]", i);
+  if (!case_read_section(d, node, path, average_rows, ROWS(average_rows), &s)) return;
+  snprintf(key, sizeof key, "%s.probe", path);
+  a->over = s.over;
+  a->probe =
+      find_named(d, s.probe, key, c->n_probes ? "one of the probes " : "none, there are no probes",
+                 probe_name, c->n_probes);
+  for (size_t k = 0; k < i && a->probe < c->n_probes; k++) {
+    if (c->compare.averages[k].probe != a->probe) continue;
+    snprintf(found, sizeof found, "'%s' a second time", c->probes[a->probe].name);
+    case_doc_problem(&d->doc, case_doc_line(&d->doc, s.probe), key, found,
+                     "one average of each probe", "remove one");
+    return;
+  }
+}
+
+static enum status read_averages(struct case_draft *d, int node) {
+  struct case_doc *doc = &d->doc;
+  if (!case_doc_expect_list(doc, node, "compare.averages", 0, CASE_MOST_ITEMS, "averages"))
+    return OK;
+  size_t n = case_doc_size(doc, node);
+  TRY(case_allocate((void **)&d->c->compare.averages, n, sizeof *d->c->compare.averages));
+  for (size_t i = 0; i < n; i++) read_average(d, case_doc_item(doc, node, i), i);
+  return OK;
+}
+
 struct experiment_section {
   char *file, *label, *source, *target;
 };
@@ -284,6 +343,7 @@ const struct case_table case_run_tables[] = {
     {"runs (a list; and the keys of the run's solver)", run_rows, ROWS(run_rows)},
     {"compare", compare_rows, ROWS(compare_rows)},
     {"compare.tolerances (a list)", tolerance_rows, ROWS(tolerance_rows)},
+    {"compare.averages (a list)", average_rows, ROWS(average_rows)},
     {"compare.experiments (a list)", experiment_rows, ROWS(experiment_rows)},
     {0},
 };
@@ -304,6 +364,7 @@ enum status case_read_compare(struct case_draft *d) {
     TRY(default_times(c));
   if (s.window) read_window(d, s.window);
   if (s.tolerances) TRY(read_tolerances(d, s.tolerances));
+  if (s.averages) TRY(read_averages(d, s.averages));
   if (!s.experiments || !d->read_data ||
       !case_doc_expect_list(doc, s.experiments, "compare.experiments", 0, CASE_MOST_ITEMS,
                             "experiments"))

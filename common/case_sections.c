@@ -333,7 +333,8 @@ enum status case_read_sections(struct case_draft *d) {
       SECTION(probes, "", "a list of probes"),
       SECTION(gauges, "", "a list of gauges"),
       SECTION(runs, NULL, "a list of runs"),
-      SECTION(compare, "", "a mapping with reference, times, window, tolerances, experiments"),
+      SECTION(compare, "",
+              "a mapping with reference, times, window, tolerances, averages, experiments"),
   };
   struct case_file *c = d->c;
   struct case_doc *doc = &d->doc;

@@ -20,6 +20,12 @@ static enum status take_frame(struct case_file *c, const struct case_frame *fram
     r->name = strdup(frame->runs[i]);
     CHECK(r->name, ERR_MEMORY, "no memory for the name of a run");
   }
+  TRY(case_allocate((void **)&c->probes, frame->n_probes, sizeof *c->probes));
+  for (size_t i = 0; i < frame->n_probes; i++) {
+    struct case_probe *p = &c->probes[c->n_probes++];
+    p->name = strdup(frame->probes[i]);
+    CHECK(p->name, ERR_MEMORY, "no memory for the name of a probe");
+  }
   return OK;
 }
 
@@ -56,7 +62,7 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
        .type = PARAM_NODE,
        .offset = offsetof(struct case_draft, at.compare),
        .value = NULL,
-       .help = "a mapping with times, window, tolerances"},
+       .help = "a mapping with times, window, tolerances, averages"},
   };
   struct case_block block = {rows, ROWS(rows), d};
   int root = case_doc_root(&d->doc);
@@ -69,6 +75,8 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
   for (size_t i = 0; i < d->c->compare.n_times; i++)
     check_time(d, frame, case_doc_line(&d->doc, case_doc_item(&d->doc, list, i)), i);
   case_check_tolerances(d);
+  if (frame->n_times)
+    case_check_averages(d, frame->times[frame->n_times - 1], "the reference's last output");
   case_check_window(d);
   return OK;
 }

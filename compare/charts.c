@@ -123,7 +123,10 @@ static bool family_shows(const struct comparison *c, const struct family *family
 
 static void series_rows(struct cmp_chart *chart, size_t id, const char *name,
                         const struct cmp_series *s) {
-  for (size_t i = 0; i < s->n; i++) cmp_chart_row(chart, id, name, s->t[i], &s->value[i], 1);
+  for (size_t i = 0; i < s->n; i++) {
+    double both[] = {s->value[i], s->raw ? s->raw[i] : NAN};
+    cmp_chart_row(chart, id, name, s->t[i], both, s->raw ? 2 : 1);
+  }
 }
 
 static void family_rows(struct cmp_chart *chart, const struct family *family) {
@@ -226,6 +229,15 @@ static void run_draw(struct cmp_chart *chart, const struct family *family, size_
                          });
 }
 
+/* What a mean was taken of, thin and below every mean. */
+static void raw_draw(struct cmp_chart *chart, const struct family *family, size_t r) {
+  if (!family->run[r] || !family->run[r]->n || !family->run[r]->raw) return;
+  struct cmp_style style = cmp_run_style(chart->c, r < chart->c->n_runs ? r : SIZE_MAX);
+  style.dashes = 0;
+  cmp_chart_curve(chart,
+                  &(struct cmp_curve){.series = r, .column = 1, .style = style, .width = 0.35});
+}
+
 static void runs_draw(struct cmp_chart *chart, const struct family *family) {
   const struct comparison *c = chart->c;
   cmp_chart_others(chart, 0, true);
@@ -304,6 +316,8 @@ static void probe_panel(struct cmp_chart *chart, const struct family *family, si
   experiments_mark(chart, family);
   beyond_mark(chart, family, c->n_runs, cmp_run_style(c, SIZE_MAX).colour);
   if (run) beyond_mark(chart, family, r, cmp_run_style(c, r).colour);
+  raw_draw(chart, family, c->n_runs);
+  if (run) raw_draw(chart, family, r);
   experiments_draw(chart, family, last);
   run_draw(chart, family, c->n_runs, last);
   if (last) key_draw(chart, family, r);
@@ -314,27 +328,43 @@ static void probe_panel(struct cmp_chart *chart, const struct family *family, si
   cmp_chart_panel_end(chart);
 }
 
+/* What a probe's signal is the mean over. */
+static void probe_means(const struct cmp_series *probe, char *out, size_t room) {
+  size_t n = 0;
+  out[0] = 0;
+  if (probe->size > 0)
+    n = (size_t)snprintf(out, room, " Mean over %.4g H of the wall.", probe->size);
+  if (probe->average > 0)
+    snprintf(out + n, room - n,
+             " Thick curves and symbols: running means over %.4g √(H/g), which every number is "
+             "taken of; thin: the raw signals, which may leave the frame.",
+             probe->average);
+}
+
 /* A panel for every run: one full of noise would hide the others. */
 static enum status probe_chart(const struct comparison *c, struct cmp_figures *f,
                                const struct cmp_series *probe, struct family *family) {
   struct cmp_chart chart;
-  char slug[40], file[64], left_out[160];
+  char slug[40], file[64], left_out[160], means[224];
   cmp_slug(probe->name, slug, sizeof slug);
   snprintf(file, sizeof file, "pressure-%s", slug);
   size_t picked = cmp_runs_picked(c, CMP_PANELS), panels = picked ? picked : 1;
-  family->plan = (struct cmp_chart_plan){.section = CMP_SECTION_PRESSURE,
-                                         .name = file,
-                                         .columns = "pressure [rho g H]",
-                                         .panels = panels,
-                                         .panel_height = panels == 1 ? 280 : 175,
-                                         .target = probe->name};
+  family->plan = (struct cmp_chart_plan){
+      .section = CMP_SECTION_PRESSURE,
+      .name = file,
+      .columns = probe->average > 0 ? "mean pressure [rho g H],raw pressure [rho g H]"
+                                    : "pressure [rho g H]",
+      .panels = panels,
+      .panel_height = panels == 1 ? 280 : 175,
+      .target = probe->name};
   TRY(family_frame(c, family));
   TRY(cmp_chart_begin(c, f, &family->plan, &chart));
   cmp_picked_say(c, CMP_PANELS, "have no panel", left_out, sizeof left_out);
+  probe_means(probe, means, sizeof means);
   snprintf(chart.fig->caption, sizeof chart.fig->caption,
            "Pressure at %.60s (x = %.4g H, y = %.4g H): each run, the reference %.60s in black, "
-           "experiments as symbols.%s",
-           probe->name, probe->x, probe->y, c->ref.data.label, left_out);
+           "experiments as symbols.%s%s",
+           probe->name, probe->x, probe->y, c->ref.data.label, means, left_out);
   family_rows(&chart, family);
   for (size_t r = 0, k = 0; r < c->n_runs || (k == 0 && r == c->n_runs); r++)
     if (r == c->n_runs || cmp_run_is_picked(c, r, CMP_PANELS)) probe_panel(&chart, family, k++, r);
@@ -344,7 +374,7 @@ static enum status probe_chart(const struct comparison *c, struct cmp_figures *f
 static enum status probe_charts(const struct comparison *c, struct cmp_figures *f) {
   for (size_t k = 0; k < c->ref.data.n_probes; k++) {
     const struct cmp_series *probe = &c->ref.data.probes[k];
-    struct family family = {.label = "p / (ρ g H)"};
+    struct family family = {.label = probe->average > 0 ? "mean p / (ρ g H)" : "p / (ρ g H)"};
     enum status status = family_pick(c, pick_probe, probe->name, &family);
     if (status == OK && !family_empty(c, &family)) status = probe_chart(c, f, probe, &family);
     free(family.run);

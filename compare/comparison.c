@@ -386,6 +386,16 @@ static enum status run_admit(const struct result_file *ref, const struct result_
   return OK;
 }
 
+/* After what cannot be believed has gone: a mean holds what comes after it too. */
+static enum status averages_take(const struct comparison *c, struct cmp_data *d) {
+  const struct case_file *s = c->settings;
+  for (size_t k = 0; k < s->compare.n_averages; k++) {
+    const struct case_average *a = &s->compare.averages[k];
+    if (a->over > 0) TRY(cmp_data_average(d, s->probes[a->probe].name, a->over / c->scales.T));
+  }
+  return OK;
+}
+
 /* The scales, the depth of fronts, the reference as far as it can be believed. */
 static enum status reference_take(struct comparison *c, const struct result_file *ref, size_t n,
                                   struct result_file *const *runs) {
@@ -401,6 +411,7 @@ static enum status reference_take(struct comparison *c, const struct result_file
   health_of_file(ref, &c->ref.health);
   c->until = health_since(ref, HEALTH_FAILED) / c->scales.T;
   cmp_data_cut(&c->ref.data, c->until);
+  TRY(averages_take(c, &c->ref.data));
   c->side = cmp_data_side(&c->ref.data, c->depth);
   cmp_data_face(&c->ref.data, &c->scales, c->side);
   return OK;
@@ -411,6 +422,7 @@ static enum status run_take(struct comparison *c, const struct result_file *file
   TRY(run_admit(c->ref.data.file, file, anyway, &run->foreign));
   struct cmp_scales own = cmp_scales_of(&c->scales, file);
   TRY(cmp_data_create(file, &own, c->depth, &c->window, &run->data));
+  TRY(averages_take(c, &run->data));
   cmp_data_face(&run->data, &own, c->side);
   health_of_file(file, &run->health);
   return OK;

@@ -43,6 +43,7 @@ static enum status series_room(struct cmp_series *s, const char *name, size_t n)
 static void series_free(struct cmp_series *s) {
   free(s->t);
   free(s->value);
+  free(s->raw);
 }
 
 static void series_add(struct cmp_series *s, double t, double value) {
@@ -66,6 +67,7 @@ static enum status series_list(const struct result_series *from, size_t n,
     TRY(series_scaled(from[k].name, from[k].n, from[k].t, from[k].value, s->T, unit, &(*to)[k]));
     (*to)[k].x = from[k].x / s->H;
     (*to)[k].y = from[k].y / s->H;
+    (*to)[k].size = from[k].size / s->H;
   }
   return OK;
 }
@@ -307,6 +309,25 @@ void cmp_data_cut(struct cmp_data *d, double until) {
   for (size_t k = 0; k < d->n_gauges; k++) series_cut(&d->gauges[k], until);
   instant_cut(&d->overturning, until);
   instant_cut(&d->touchdown, until);
+}
+
+static enum status series_average(struct cmp_series *s, double over) {
+  struct cmp_signal raw = cmp_series_signal(s);
+  double *mean = calloc(s->n + 1, sizeof *mean);
+  CHECK(mean, ERR_MEMORY, "no memory for the mean of a series of %zu rows", s->n);
+  s->raw = s->value;
+  s->value = mean;
+  s->average = over;
+  return cmp_signal_average(&raw, over, mean);
+}
+
+enum status cmp_data_average(struct cmp_data *d, const char *probe, double over) {
+  for (size_t k = 0; k < d->n_probes; k++)
+    if (!strcmp(d->probes[k].name, probe)) TRY(series_average(&d->probes[k], over));
+  for (size_t k = 0; k < d->n_experiments; k++)
+    if (!strcmp(d->file->experiments[k].target, probe))
+      TRY(series_average(&d->experiments[k], over));
+  return OK;
 }
 
 size_t cmp_data_output(const struct cmp_data *d, double t, double slack) {

@@ -25,10 +25,12 @@ struct cmp_scales cmp_scales_of(const struct cmp_scales *reference, const struct
 enum cmp_side { CMP_LEFT, CMP_RIGHT, CMP_NO_SIDE };
 
 struct cmp_series {
-  const char *name; /* borrowed from the file */
-  double x, y;
+  const char *name;  /* borrowed from the file */
+  double x, y, size; /* size: of the sensor that it is the mean over, along the wall */
+  double average;    /* time that `value` is the running mean over; 0: none */
   size_t n;
   double *t, *value; /* owned */
+  double *raw;       /* what `value` is the mean of; NULL without an average; owned */
 };
 
 struct cmp_data {
@@ -75,6 +77,9 @@ void cmp_data_face(struct cmp_data *d, const struct cmp_scales *s, enum cmp_side
 
 /* Forgets what is compared with other runs after t = `until`; budget and volume stay. */
 void cmp_data_cut(struct cmp_data *d, double until);
+
+/* Puts the running mean over `over` in the place of a probe's signal and of its experiments'. */
+enum status cmp_data_average(struct cmp_data *d, const char *probe, double over);
 
 static inline struct cmp_signal cmp_series_signal(const struct cmp_series *s) {
   return (struct cmp_signal){s->n, s->t, s->value};

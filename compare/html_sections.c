@@ -169,6 +169,14 @@ static void both_cell(struct page *p, const struct cmp_value *mine, const struct
     cmp_html_value(p, cmp_known(mine) ? theirs : mine, why);
 }
 
+/* "P1 (mean over 0.05) against bem" */
+static void pair_cell(struct page *p, const struct comparison *c, const struct cmp_pair *pair) {
+  char mean[32] = "";
+  if (pair->a->average > 0) snprintf(mean, sizeof mean, " (mean over %.3g)", pair->a->average);
+  cmp_html_cell(p, "t", "%s%s against %s", pair->a->name, mean,
+                pair->experiment == SIZE_MAX ? c->ref.data.label : pair->b->name);
+}
+
 void cmp_html_signals(struct page *p, const struct comparison *c, enum cmp_quantity quantity) {
   struct cmp_html_reasons why = {0};
   size_t shown = 0;
@@ -190,8 +198,7 @@ void cmp_html_signals(struct page *p, const struct comparison *c, enum cmp_quant
       const struct cmp_signal_alone *a = &pair->m.a, *b = &pair->m.b;
       cmp_page_open(p, "tr", NULL);
       cmp_html_run(p, c, r);
-      cmp_html_cell(p, "t", "%s against %s", pair->a->name,
-                    pair->experiment == SIZE_MAX ? c->ref.data.label : pair->b->name);
+      pair_cell(p, c, pair);
       cmp_html_cell(p, NULL, "%.3g–%.3g", pair->m.from, pair->m.to);
       both_cell(p, &a->onset, &b->onset, &why);
       both_cell(p, &a->peak, &b->peak, &why);
@@ -310,6 +317,22 @@ void cmp_html_provenance(struct page *p, const struct comparison *c) {
 
 /* ---- method ---- */
 
+static void averages_say(struct page *p, const struct comparison *c) {
+  size_t said = 0;
+  for (size_t k = 0; k < c->ref.data.n_probes; k++) {
+    const struct cmp_series *s = &c->ref.data.probes[k];
+    if (!(s->average > 0)) continue;
+    if (!said) cmp_page_open(p, "li", NULL);
+    cmp_page_text(p, "%s%s over %.4g √(H/g)", said++ ? ", " : "Averages in time: pressures at ",
+                  s->name, s->average);
+  }
+  if (!said) return;
+  cmp_page_text(p, ". Every number of these signals, of runs, reference and experiments alike, is "
+                   "that of the running mean centred on each instant, the exact integral of the "
+                   "signal as it is interpolated, over less where the signal ends.");
+  cmp_page_close(p);
+}
+
 void cmp_html_method(struct page *p, const struct comparison *c) {
   cmp_page_open(p, "ul", NULL);
   cmp_page_element(
@@ -377,6 +400,7 @@ void cmp_html_method(struct page *p, const struct comparison *c) {
       "time at %g ρgH (pressure) or %g H (height). The best shift is the one within ±%g "
       "√(H/g) with the smallest rms; positive: the run is late. It is never applied.",
       CMP_ONSET, CMP_ONSET, CMP_SHIFT_REACH);
+  averages_say(p, c);
   cmp_page_element(
       p, "li", NULL,
       "Energy: mechanical = kinetic + potential + the energy of water that a solver took "

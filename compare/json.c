@@ -102,6 +102,7 @@ static json_t *pairs(struct maker *m, const struct comparison *c, const struct c
     set(m, object, "against", text(experiment ? p->b->name : c->ref.data.label));
     set(m, object, "experiment", json_boolean(experiment));
     set(m, object, "units", text(units[p->quantity]));
+    set(m, object, "averaged_over", number(p->a->average));
     set(m, object, "from", number(p->m.from));
     set(m, object, "to", number(p->m.to));
     set(m, object, "run", alone(m, &p->m.a));

@@ -228,7 +228,11 @@ static struct cmp_value worst_pair(struct look *l, bool experiment, bool pressur
     struct cmp_value v = pair_number(p, which);
     if (cmp_known(&v) && cmp_known(&worst) && v.value <= worst.value) continue;
     worst = v;
-    snprintf(l->detail, l->detail_room, "%.58s", experiment ? p->b->name : p->a->name);
+    const char *name = experiment ? p->b->name : p->a->name;
+    if (p->a->average > 0)
+      snprintf(l->detail, l->detail_room, "%.36s, mean over %.3g", name, p->a->average);
+    else
+      snprintf(l->detail, l->detail_room, "%.58s", name);
     if (!cmp_known(&v)) break;
   }
   return worst;

@@ -24,6 +24,45 @@ double cmp_signal_at(const struct cmp_signal *s, double t) {
   return s->value[i] + u * (s->value[i + 1] - s->value[i]);
 }
 
+struct prefix { /* of a signal's rows up to each */
+  double *area; /* integral from the first row; a gap adds nothing */
+  size_t *gaps; /* before this row, [n + 1] */
+};
+
+static enum status prefix_create(const struct cmp_signal *s, struct prefix *p) {
+  p->area = calloc(s->n + 1, sizeof *p->area);
+  p->gaps = calloc(s->n + 1, sizeof *p->gaps);
+  CHECK(p->area && p->gaps, ERR_MEMORY, "no memory for the mean of a signal of %zu rows", s->n);
+  for (size_t i = 0; i < s->n; i++) {
+    double piece = i ? (s->t[i] - s->t[i - 1]) * (s->value[i - 1] + s->value[i]) / 2 : 0;
+    p->area[i] = (i ? p->area[i - 1] : 0) + (isfinite(piece) ? piece : 0);
+    p->gaps[i + 1] = p->gaps[i] + !isfinite(s->value[i]);
+  }
+  return OK;
+}
+
+static double mean_between(const struct cmp_signal *s, const struct prefix *p, double from,
+                           double to) {
+  size_t a = row_before(s, from), b = row_before(s, to);
+  size_t last = s->t[b] < to ? b + 1 : b; /* the last row that the mean depends on */
+  if (p->gaps[last + 1] > p->gaps[a]) return NAN;
+  double head = (from - s->t[a]) * (s->value[a] + cmp_signal_at(s, from)) / 2;
+  double tail = (to - s->t[b]) * (s->value[b] + cmp_signal_at(s, to)) / 2;
+  return (p->area[b] - p->area[a] + tail - head) / (to - from);
+}
+
+enum status cmp_signal_average(const struct cmp_signal *s, double over, double *mean) {
+  struct prefix p = {0};
+  enum status status = prefix_create(s, &p);
+  for (size_t i = 0; status == OK && i < s->n; i++) {
+    double from = fmax(s->t[i] - over / 2, s->t[0]), to = fmin(s->t[i] + over / 2, s->t[s->n - 1]);
+    mean[i] = to > from ? mean_between(s, &p, from, to) : s->value[i];
+  }
+  free(p.area);
+  free(p.gaps);
+  return status;
+}
+
 static void peak_find(const struct cmp_signal *s, double from, double to,
                       struct cmp_signal_alone *m) {
   double peak = -INFINITY, time = NAN;

@@ -3,6 +3,7 @@
 #pragma once
 #include <stddef.h>
 
+#include "common/status.h"
 #include "compare/value.h"
 
 struct cmp_signal {
@@ -25,6 +26,11 @@ struct cmp_signal_pair { /* of `a` against `b`, over the common range of time */
 
 /* Linear between rows; NaN outside the rows and next to gaps. */
 double cmp_signal_at(const struct cmp_signal *s, double t);
+
+/* The running mean over [t - over/2, t + over/2], clipped to the ends of the signal, at each of its
+ * rows: exact for the signal as it is between rows, so that it is the same however often that is
+ * sampled. The mean over a gap is a gap; over = 0 gives the values themselves. mean [n]. */
+enum status cmp_signal_average(const struct cmp_signal *s, double over, double *mean);
 
 void cmp_signal_measure(const struct cmp_signal *s, double from, double to, double threshold,
                         struct cmp_signal_alone *m);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# plunge compare --settings: times, window and tolerances of one's own, checked with line numbers against
+# plunge compare --settings: times, window, tolerances and averages of one's own, checked with line numbers against
 # the results; and what `plunge list` says of variants.
 program=$1
 folder=$(mktemp -d)
@@ -25,6 +25,7 @@ tank:
 water:
   wave: {amplitude: 0.04, wavelength: 4, depth: 2}
 time: {end: 0.4, every: 0.1}
+probes: [{name: P, at: [0, 1]}]
 runs:
   - {name: a, solver: exact, resolution: 8}
   - {name: b, solver: exact, resolution: 8, order: 1}
@@ -38,6 +39,10 @@ printf 'compare:\n  times: [0.2]\n  tolerances: [{measure: mean_distance, max: 1
 compare 1
 printf 'compare: {}\n' >settings.yaml
 compare 0
+! grep -q "(mean over" own/report.html || fail "a mean nobody asked for"
+printf 'compare: {averages: [{probe: P, over: 0.1 sqrt(H/g)}]}\n' >settings.yaml
+compare 0
+grep -q "P (mean over 0.1) against a" own/report.html || fail "the probe is not averaged"
 
 cat >settings.yaml <<'E2'
 compare:
@@ -48,6 +53,7 @@ compare:
     - {measure: mean_distanse, max: 1}
     - {measure: mean_distance, max: 1, runs: [c]}
     - {measure: mean_distance, max: 1, at: 0.25}
+  averages: [{probe: P, over: 0.5}, {probe: R, over: 0.1}]
 E2
 compare 2
 sed -i "s/allowed: one of mean_distance[^;]*/allowed: one of WHATEVER/" log
@@ -59,6 +65,8 @@ settings.yaml:4: compare.window: found a window without any of the tank in it; a
 settings.yaml:6: compare.tolerances[0].measure: found 'mean_distanse'; allowed: one of WHATEVER; did you mean 'mean_distance'?
 settings.yaml:7: compare.tolerances[1].runs[0]: found 'c'; allowed: one of the runs a, b
 settings.yaml:8: compare.tolerances[2].at: found 0.25 s; allowed: one of compare.times; add it there or change it
+settings.yaml:9: compare.averages[1].probe: found 'R'; allowed: one of the probes P
+settings.yaml:9: compare.averages[0].over: found 0.5 s; allowed: at most the reference's last output, 0.4 s; make it smaller
 E2
 for odd in /dev/zero nowhere.yaml; do
   cp /dev/null settings.yaml

@@ -59,6 +59,27 @@ static void test_units_convert_with_the_scales(void) {
   case_destroy(c);
 }
 
+/* Of the comparison, not of a result: without one in the fingerprint. */
+static void test_probes_may_be_averaged(void) {
+#define PROBES "scales: {H: 10}\nprobes: [{name: P, at: [0, 1]}, {name: Q, at: [0, 0]}]\n"
+  struct case_file *a = parse(TANK WATER TIME RUNS PROBES);
+  struct case_file *b =
+      parse(TANK WATER TIME RUNS PROBES
+            "compare: {averages: [{probe: Q, over: 0.05 sqrt(H/g)}, {over: 0, probe: P}]}\n");
+  if (a && b) {
+    char of_a[33], of_b[33];
+    EXPECT(a->compare.n_averages == 0 && b->compare.n_averages == 2);
+    EXPECT(b->compare.averages[0].probe == 1 && b->compare.averages[1].probe == 0);
+    EXPECT_NEAR(b->compare.averages[0].over, 0.05 * sqrt(10 / 9.81), 1e-15);
+    EXPECT(b->compare.averages[1].over == 0);
+    case_fingerprint(a, &a->runs[0], of_a);
+    case_fingerprint(b, &b->runs[0], of_b);
+    EXPECT_STR(of_b, of_a);
+  }
+  case_destroy(a);
+  case_destroy(b);
+}
+
 static void test_clockwise_water_is_turned_round(void) {
   struct case_file *c =
       parse(TANK "water: {regions: [[[0, 0], [0, 1], [2, 1], [2, 0]]]}\n" TIME RUNS);
@@ -191,6 +212,7 @@ static void test_water_fingerprint_tells_what_can_be_compared(void) {
 int main(void) {
   RUN(test_minimal_case_has_the_documented_defaults);
   RUN(test_units_convert_with_the_scales);
+  RUN(test_probes_may_be_averaged);
   RUN(test_clockwise_water_is_turned_round);
   RUN(test_rectangular_tanks_are_recognised);
   RUN(test_rest_potential_of_box_and_polygon_agree);

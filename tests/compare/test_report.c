@@ -267,6 +267,69 @@ static void test_names_stay_text(void) {
   result_file_destroy(d);
 }
 
+static bool file_says(const char *name, const char *words) {
+  char path[PATH_MAX], *bytes = NULL;
+  size_t n;
+  path_in(name, path);
+  EXPECT_OK(cmp_file_read(path, &bytes, &n));
+  bool said = bytes && strstr(bytes, words);
+  free(bytes);
+  return said;
+}
+
+/* Ten periods of ringing at a probe, of which the mean over a period leaves a bump at either end:
+ * A (1 - cos w u)/(w T) while the burst fills u of it, so that over the time 4 its rms is
+ * A sqrt(3 T/4)/(2 pi); ten rows a period take (w h)^2/12 = 3 % from sines and bumps alike. The
+ * raw signal's is A sqrt(T 10/2/4). An experiment that rings alike is averaged alike. */
+static void test_probes_are_compared_by_their_means(void) {
+  const double A = 0.3, period = 0.2, p0 = density * g * H, T = sqrt(H / g);
+  struct case_probe probe = {.name = (char[]){"P \"1\""}};
+  struct case_average average = {0, period * T};
+  struct case_file c;
+  settings_make(&c);
+  c.n_probes = 1;
+  c.probes = &probe;
+  struct result_file *a = made_up("a", "ringing", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "ringing", (struct flaws){.until = end});
+  a->n_experiments = 1;
+  a->experiments = calloc(1, sizeof *a->experiments);
+  struct case_experiment *e = a->experiments;
+  *e = (struct case_experiment){
+      text("measured"), text("nobody"), text(probe.name), ROWS, NULL, NULL};
+  e->t = calloc(ROWS, sizeof *e->t);
+  e->value = calloc(ROWS, sizeof *e->value);
+  for (int i = 0; i < ROWS; i++) {
+    double t = end * i / (ROWS - 1);
+    if (i > 50 && i < 150) b->probes->value[i] += A * p0 * sin(2 * M_PI / period * (t - 1));
+    e->t[i] = t * T;
+    e->value[i] = b->probes->value[i];
+  }
+  struct comparison *raw;
+  EXPECT_OK(cmp_comparison_create(&c, a, 1, &b, false, &raw));
+  EXPECT_NEAR(raw->run[0].pairs[0].m.rms.value, A * sqrt(period * 10 / 2 / 4), 0.04 * A);
+  cmp_comparison_destroy(raw);
+  c.compare.n_averages = 1;
+  c.compare.averages = &average;
+  compare(&c, a, 1, &b);
+  const double left = A * sqrt(3 * period / 4) / (2 * M_PI);
+  EXPECT_NEAR(value_of("probe_rms", "b", 0), left, 0.08 * left);
+  EXPECT_NEAR(value_of("experiment_probe_rms", "b", 0), 0, 1e-12);
+  EXPECT(file_says("report.html", "(mean over 0.2) against a"));
+  EXPECT(file_says("report.html", "running means over 0.2 √(H/g)"));
+  EXPECT(file_says("report.html", "Averages in time: pressures at P &quot;1&quot; over 0.2"));
+  EXPECT(file_says("report.json", "P \\\"1\\\", mean over 0.2"));
+  EXPECT(file_says("figures/pressure-P--1-.csv", "mean pressure [rho g H],raw pressure [rho g H]"));
+  json_t *run = json_array_get(json_object_get(report, "runs"), 0), *signals, *signal;
+  size_t i, averaged = 0;
+  signals = json_object_get(run, "signals");
+  json_array_foreach(signals, i, signal) averaged +=
+      fabs(json_number_value(json_object_get(signal, "averaged_over")) - 0.2) < 1e-12;
+  EXPECT(json_array_size(signals) == 3 && averaged == 2); /* and the gauge is not */
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
 /* Every figure is there in three formats with its data and script, and nothing temporary is left.
  */
 static void test_figures_are_complete(void) {
@@ -307,6 +370,7 @@ int main(void) {
   RUN(test_nothing_in_common);
   RUN(test_many_runs);
   RUN(test_curves_beyond_the_frame);
+  RUN(test_probes_are_compared_by_their_means);
   RUN(test_names_stay_text);
   RUN(test_figures_are_complete);
   json_decref(report);

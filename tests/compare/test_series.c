@@ -1,6 +1,8 @@
 /* Signals whose peak, impulse, shift and rms are known in closed form. */
 #include "compare/series.h"
 
+#include <string.h>
+
 #include "tests/test.h"
 
 enum { N = 2001 };
@@ -115,6 +117,69 @@ static void test_dry_in_both_is_no_gap(void) {
   EXPECT_NEAR(m.a.onset.value, 2, 0.0026); /* the first wet row */
 }
 
+static void expect_means(const struct cmp_signal *s, double over, double *mean) {
+  EXPECT_OK(cmp_signal_average(s, over, mean));
+}
+
+/* The mean of sin(w t) over T is sin(w T/2)/(w T/2) of it; interpolation between rows h apart is
+ * off by up to (w h)^2/8, and so is its mean. Near the ends, the mean of what there is. */
+static void test_mean_of_a_sine(void) {
+  static double mean[N];
+  const double w = 7, T = 0.6, h = 5.0 / (N - 1);
+  fill(0);
+  for (int i = 0; i < N; i++) a[i] = sin(w * t[i]);
+  struct cmp_signal s = signal(a);
+  expect_means(&s, T, mean);
+  for (int i = 0; i < N; i++) {
+    double from = fmax(t[i] - T / 2, 0), to = fmin(t[i] + T / 2, 5);
+    double exact = (cos(w * from) - cos(w * to)) / (w * (to - from));
+    if (fabs(mean[i] - exact) > w * w * h * h / 8) TEST_FAIL("off at t = %g", t[i]);
+    if (from > 0 && to < 5) EXPECT_NEAR(exact, sin(w * T / 2) / (w * T / 2) * a[i], 1e-12);
+  }
+}
+
+/* A step becomes a ramp as long as T; a line stays a line, and its ends are means of a half. */
+static void test_mean_of_a_step_and_a_line(void) {
+  double u[] = {0, 1.9, 2 - 1e-9, 2 + 1e-9, 2.1, 3, 4}, step[] = {0, 0, 0, 1, 1, 1, 1}, mean[7];
+  struct cmp_signal s = {7, u, step}, line = {7, u, u};
+  expect_means(&s, 0.5, mean);
+  const double ramp[] = {0, 0.3, 0.5, 0.5, 0.7, 1, 1};
+  for (int i = 0; i < 7; i++) EXPECT_NEAR(mean[i], ramp[i], 1e-8);
+  expect_means(&line, 0.5, mean);
+  EXPECT_NEAR(mean[0], 0.125, 1e-15);
+  EXPECT_NEAR(mean[6], 4 - 0.125, 1e-15);
+  for (int i = 1; i < 6; i++) EXPECT_NEAR(mean[i], u[i], 1e-14);
+}
+
+/* The same signal with rows at other places has the same mean; T = 0 gives the very values. */
+static void test_mean_does_not_depend_on_sampling(void) {
+  double u[] = {0, 0.3, 1, 1.1, 2.5, 4}, v[] = {0.1, 2, -1, 3, 0.7, 0.7}, few[6];
+  static double mean[N];
+  struct cmp_signal coarse = {6, u, v}, fine = {N, t, a};
+  for (int i = 0; i < N; i++) { /* every row of the coarse one is among them */
+    t[i] = 4.0 * i / (N - 1);
+    a[i] = cmp_signal_at(&coarse, t[i]);
+  }
+  for (double T = 0.02; T < 20; T *= 3) {
+    expect_means(&coarse, T, few);
+    expect_means(&fine, T, mean);
+    for (int k = 0; k < 6; k++) EXPECT_NEAR(few[k], mean[(int)round(u[k] / 4 * (N - 1))], 1e-11);
+  }
+  expect_means(&coarse, 0, few);
+  EXPECT(!memcmp(few, v, sizeof v));
+}
+
+/* A gap spoils the means that reach it and no other. */
+static void test_mean_over_a_gap_is_a_gap(void) {
+  double u[] = {0, 1, 2, 3, 4, 5, 6}, v[] = {1, 1, NAN, 1, 1, 1, INFINITY}, mean[7];
+  struct cmp_signal s = {7, u, v}, one = {1, u, v}, empty = {0, NULL, NULL};
+  expect_means(&s, 1, mean);
+  for (int i = 0; i < 7; i++) EXPECT(i == 0 || i == 4 ? mean[i] == 1 : isnan(mean[i]));
+  expect_means(&one, 1, mean);
+  EXPECT(mean[0] == 1);
+  expect_means(&empty, 1, mean);
+}
+
 int main(void) {
   RUN(test_pulse_has_its_peak_impulse_and_onset);
   RUN(test_shift_is_found_and_not_applied);
@@ -123,5 +188,9 @@ int main(void) {
   RUN(test_common_range);
   RUN(test_gaps_are_not_zeros);
   RUN(test_dry_in_both_is_no_gap);
+  RUN(test_mean_of_a_sine);
+  RUN(test_mean_of_a_step_and_a_line);
+  RUN(test_mean_does_not_depend_on_sampling);
+  RUN(test_mean_over_a_gap_is_a_gap);
   return TEST_RESULT;
 }
