@@ -106,7 +106,7 @@ void cmp_chart_row(struct cmp_chart *chart, size_t series, const char *name, dou
     if (isfinite(value[k]))
       fprintf(table, ",%.10g", value[k]);
     else
-      fputs(",", table);
+      fputs(",NaN", table); /* breaks the line; gnuplot draws one over an empty field */
   fputc('\n', table);
 }
 

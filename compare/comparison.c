@@ -226,24 +226,35 @@ static void off_measure(const struct comparison *c, struct cmp_run *run) {
                                     : cmp_unknown("no surfaces at common times");
 }
 
-/* Until when the mean distance stays within one particle spacing, linear between outputs. */
+/* Until when the mean distance stays within one particle spacing, linear between outputs that
+ * follow each other; it is not known to stay any longer than before outputs that cannot be
+ * compared. */
 static void agreement_measure(struct cmp_run *run) {
   const struct cmp_evolution *e = &run->evolution;
-  double limit = 2 * run->noise, before_t = NAN, before = NAN;
+  double limit = 2 * run->noise;
+  size_t last = SIZE_MAX; /* the last output with a distance */
+  run->blind[0] = run->blind[1] = NAN;
   run->agreement = cmp_unknown("no surfaces at common times");
   for (size_t i = 0; i < e->n; i++) {
     if (!isfinite(e->mean[i])) continue;
-    if (e->mean[i] > limit) {
+    size_t next = last == SIZE_MAX ? 0 : last + 1;
+    bool leaves = e->mean[i] > limit;
+    if (i > next && !(e->t[i - 1] - e->t[next] <= run->blind[1] - run->blind[0])) {
+      run->blind[0] = e->t[next];
+      run->blind[1] = e->t[i - 1];
+    }
+    if (leaves) {
       double t = e->t[i];
-      if (isfinite(before))
-        t = before_t + (limit - before) / (e->mean[i] - before) * (t - before_t);
+      if (last != SIZE_MAX)
+        t = e->t[last] +
+            (i > next ? 0
+                      : (limit - e->mean[last]) / (e->mean[i] - e->mean[last]) * (t - e->t[last]));
       run->agreement = cmp_number(t);
       return;
     }
-    before = e->mean[i];
-    before_t = e->t[i];
+    last = i;
   }
-  if (isfinite(before_t)) run->agreement = cmp_unknown("it never leaves it");
+  if (last != SIZE_MAX) run->agreement = cmp_unknown("it never leaves it");
 }
 
 /* ---- front, energy, volume ---- */
@@ -378,11 +389,10 @@ static enum status run_admit(const struct result_file *ref, const struct result_
                              bool anyway, bool *foreign) {
   const char *what = strange(ref, run);
   *foreign = what != NULL;
-  CHECK(
-      !what || anyway, ERR_INPUT,
-      "%s has another %s than the reference %s (H = %g m, g = %g m/s^2, density %g kg/m^3 against "
-      "%g, %g and %g): they are not of the same case; --anyway compares them all the same",
-      run->path, what, ref->path, run->H, run->g, run->density, ref->H, ref->g, ref->density);
+  CHECK(!what || anyway, ERR_INPUT,
+        "%s has another %s than the reference %s: they are not of the same case; --anyway compares "
+        "them all the same",
+        run->path, what, ref->path);
   return OK;
 }
 

@@ -99,7 +99,7 @@ static void agreement_cell(struct page *p, const struct cmp_run *run,
   if (cmp_known(&run->agreement) || !isfinite(shared))
     cmp_html_value(p, &run->agreement, why);
   else
-    cmp_html_cell(p, NULL, "%.4g (end)", shared);
+    cmp_html_cell(p, NULL, isnan(run->blind[0]) ? "%.4g (end)" : "%.4g (end, with gaps)", shared);
 }
 
 /* Columns of the summary after the distances; one that no run has a number for is left out. */

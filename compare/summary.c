@@ -80,7 +80,8 @@ static void append_names(struct text *t, const struct comparison *c, const size_
   if (shown < n) append(t, " and %zu more", n - shown);
 }
 
-/* What is wrong with a run, but for why it ended, which is said already; long lists are cut. */
+/* What is wrong with a run, ": " before it, but for why it ended where that is said already; long
+ * lists are cut between two words. */
 static void append_reasons(struct text *t, const struct cmp_run *run, bool ended_said) {
   enum { MOST = 260 };
   const char *why = run->health.reasons, *ended = strstr(why, run->data.file->ended);
@@ -88,7 +89,10 @@ static void append_reasons(struct text *t, const struct cmp_run *run, bool ended
     why = ended + strlen(run->data.file->ended);
     why += strspn(why, "; ");
   }
-  append(t, strlen(why) > MOST ? "%.260s ..." : "%s", why);
+  size_t n = strlen(why);
+  bool whole = n <= MOST;
+  for (n = whole ? n : MOST; !whole && n && why[n] != ' ';) n--;
+  if (n) append(t, ": %.*s%s", (int)n, why, whole ? "" : " (and so on)");
 }
 
 static const char *verdict_words(const struct cmp_run *run) {
@@ -131,7 +135,7 @@ static void append_reference(struct text *t, const struct comparison *c) {
     append(t, "has no surface after t* = %.3g of %.3g, and does not say why",
            f->surface_time[f->n_surfaces - 1] / c->scales.T, c->settings->end / c->scales.T);
   if (!sound) {
-    append(t, early || silent ? " and %s: " : "%s: ", verdict_words(ref));
+    append(t, early || silent ? " and %s" : "%s", verdict_words(ref));
     append_reasons(t, ref, early);
   }
   if (isfinite(c->until)) append(t, "; nothing is compared beyond t* = %.3g", c->until);
@@ -150,6 +154,11 @@ static void append_foreign(struct text *t, const struct comparison *c, size_t *c
 
 /* ---- how near the runs are ---- */
 
+static bool same_blind(const struct cmp_run *a, const struct cmp_run *b) {
+  if (isnan(a->blind[0]) || isnan(b->blind[0])) return isnan(a->blind[0]) && isnan(b->blind[0]);
+  return a->blind[0] == b->blind[0] && a->blind[1] == b->blind[1];
+}
+
 /* How many runs from the k-th on agree until the same end: they are named together. */
 static size_t alike(const struct comparison *c, const size_t *order, size_t k) {
   const struct cmp_run *first = &c->run[order[k]];
@@ -157,7 +166,8 @@ static size_t alike(const struct comparison *c, const size_t *order, size_t k) {
   size_t m = k + 1;
   if (cmp_known(&first->agreement) || !first->data.file->complete) return 1;
   while (m < c->n_runs && !cmp_known(&c->run[order[m]].agreement) &&
-         c->run[order[m]].data.file->complete && cmp_summary_shared(&c->run[order[m]]) == shared)
+         c->run[order[m]].data.file->complete && cmp_summary_shared(&c->run[order[m]]) == shared &&
+         same_blind(&c->run[order[m]], first))
     m++;
   return m - k;
 }
@@ -184,6 +194,8 @@ static void append_until(struct text *t, const struct comparison *c, const struc
   append(t, leaves ? " until t* = %.3g" : " to the end of what they share, t* = %.3g",
          leaves ? run->agreement.value : shared);
   if (!leaves && !run->data.file->complete) append(t, " (unfinished)");
+  if (!isnan(run->blind[0]))
+    append(t, " (not measured from t* = %.3g to %.3g)", run->blind[0], run->blind[1]);
 }
 
 static void append_agreement(struct text *t, const struct comparison *c, const size_t *order) {
@@ -231,8 +243,7 @@ static void append_unsound(struct text *t, const struct comparison *c, const siz
   for (size_t k = 0; k < c->n_runs; k++) {
     const struct cmp_run *run = &c->run[order[k]];
     if (run->health.verdict == HEALTH_SOUND || n++ >= EXPLAINED) continue;
-    append(t, "%.60s %s %s: ", run->data.label, run->health.verdict == HEALTH_FAILED ? "has" : "is",
-           health_verdicts[run->health.verdict]);
+    append(t, "%.60s %s", run->data.label, verdict_words(run));
     append_reasons(t, run, false);
     append(t, ". ");
   }

@@ -94,6 +94,47 @@ static void test_doubtful_run_is_called_that(void) {
   for (int r = 0; r < 2; r++) result_file_destroy(runs[r]);
 }
 
+/* What cannot be compared for a while is not called near: the sentence says from when to when. */
+static void test_gap_is_said(void) {
+  struct case_file c;
+  settings_make(&c);
+  struct result_file *a = made_up("a", "gap", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "gap", (struct flaws){.until = end});
+  for (int i = 8; i < 14; i++) b->surface[i].points = b->surface[i].pieces = 0;
+  struct cmp_verdict v = compare(&c, a, 1, &b);
+  EXPECT(strstr(v.sentence, "the end of what they share, t* = 4 (not measured from t* = 1.6 to "
+                            "2.6)."));
+  for (int i = 14; i < OUTPUTS; i++) /* far away when it can be seen again */
+    for (size_t k = 0; k < b->surface[i].points; k++) b->surface[i].p[k][1] += 0.5 * H;
+  v = compare(&c, a, 1, &b);
+  EXPECT(strstr(v.sentence, "of a until t* = 1.4 (not measured from t* = 1.6 to 2.6)."));
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
+/* A reference of which all has been said in saying why it ended, and a long list of reasons. */
+static void test_reasons_are_whole_words(void) {
+  struct case_file c;
+  char why[400] = "it broke", *end_of = why + strlen(why);
+  settings_make(&c);
+  struct result_file *a = made_up("a", "why", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "why", (struct flaws){.until = end});
+  while (end_of + 12 < why + sizeof why) end_of = stpcpy(end_of, " everywhere");
+  a->complete = b->complete = false;
+  free(a->ended);
+  free(b->ended);
+  a->ended = text("a node was lost");
+  b->ended = text(why);
+  struct cmp_verdict v = compare(&c, a, 1, &b);
+  EXPECT(strstr(v.sentence, " (a node was lost) and has failed. "));
+  EXPECT(strstr(v.sentence, "b has failed: it broke off: it broke everywhere everywhere "));
+  EXPECT(strstr(v.sentence, " everywhere (and so on)."));
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
 /* A wave no higher than the spacing: a run is off by a part of what the surface moves. Its mean
  * distance is that of two parallel cosines, which differ by d along the vertical. */
 static void test_low_wave_is_measured_by_its_motion(void) {
@@ -216,6 +257,8 @@ int main(void) {
   RUN(test_other_water_is_refused);
   RUN(test_broken_reference_is_said_first);
   RUN(test_doubtful_run_is_called_that);
+  RUN(test_gap_is_said);
+  RUN(test_reasons_are_whole_words);
   RUN(test_low_wave_is_measured_by_its_motion);
   RUN(test_front_is_taken_towards_its_wall);
   RUN(test_no_front_fails_its_tolerance);
