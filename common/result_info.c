@@ -38,6 +38,20 @@ static void say(struct screen *s, const char *label, const char *format, ...) {
   fprintf(s->out, "%s\n", line);
 }
 
+/* A text of its length: broken at blanks, whole, the label before its first line. */
+static void say_text(struct screen *s, const char *label, const char *text) {
+  const size_t width = COLUMNS - 12;
+  while (strlen(text) > width) {
+    size_t n = width;
+    while (n && text[n] != ' ') n--;
+    if (!n) break; /* a word longer than the line */
+    say(s, label, "%.*s", (int)n, text);
+    label = "";
+    text += n + 1;
+  }
+  say(s, label, "%s", text);
+}
+
 static void say_span(struct screen *s, const char *label, size_t n, const double *t, size_t stride,
                      double scale, const char *more) {
   if (!n)
@@ -120,9 +134,12 @@ static void say_statistics(struct screen *s, const struct result_file *f) {
 static void say_health(struct screen *s, const struct result_file *f) {
   struct health h;
   health_of_file(f, &h);
-  say(s, "health", "%s%s%s", health_verdicts[h.verdict], *h.facts ? ": " : "", h.facts);
+  char verdict[32 + sizeof h.facts];
+  snprintf(verdict, sizeof verdict, "%s%s%s", health_verdicts[h.verdict], *h.facts ? ": " : "",
+           h.facts);
+  say_text(s, "health", verdict);
   for (char *rest = h.reasons, *reason; *h.reasons && (reason = strsep(&rest, ";"));)
-    say(s, "", "%s", reason + strspn(reason, " "));
+    say_text(s, "", reason + strspn(reason, " "));
   if (*h.missing) say(s, "", "the file does not tell: %s", h.missing);
 }
 
@@ -137,7 +154,7 @@ enum status result_info(const char *path, FILE *out) {
       f->complete                     ? "complete"
       : result_store_is_written(path) ? "under way"
                                       : "stopped before its end");
-  if (*f->ended) say(&s, "ended", "%s", f->ended);
+  if (*f->ended) say_text(&s, "ended", f->ended);
   say_health(&s, f);
   say(&s, "program", "plunge %s, revision %s, run at %s", f->version, f->revision, f->created);
   say(&s, "scales", "H = %.6g m, g = %.6g m/s^2, density %.6g kg/m^3, spacing %.5g m (H/%.5g)",
