@@ -14,6 +14,8 @@
 #include <sys/resource.h>
 
 #include "common/result_diff.h"
+#include "common/result_guard.h"
+#include "common/result_hdf.h"
 #include "fuzz/fuzz.h"
 #include "tests/common/result_bytes.h"
 #include "tests/common/result_sample.h"
@@ -137,6 +139,34 @@ static void edit_set(hid_t file, const char *name, uint32_t *state) {
   }
 }
 
+/* The same value in each element; words of a fixed length are cut to it. */
+static void fill_attribute(hid_t attribute, uint32_t *state) {
+  static const char *const words[] = {"", "\n", "\x1b[2J", "plunge", "a/b", "%s%n", "<script>"};
+  const char *word = words[draw(state, 7)];
+  double number = numbers[draw(state, sizeof numbers / sizeof *numbers)];
+  hid_t type = H5Aget_type(attribute), space = H5Aget_space(attribute);
+  bool text = H5Tget_class(type) == H5T_STRING, fixed = text && H5Tis_variable_str(type) <= 0;
+  size_t size = fixed ? H5Tget_size(type) : text ? sizeof word : sizeof number;
+  hssize_t points = H5Sget_simple_extent_npoints(space);
+  size_t n = points > 0 ? (size_t)points : 0;
+  const void *from = fixed ? word : text ? (const void *)&word : &number;
+  size_t part = fixed && strlen(word) < size ? strlen(word) : size;
+  unsigned char *values = calloc(n + 1, size);
+  for (size_t i = 0; i < n; i++) memcpy(values + i * size, from, part);
+  H5Awrite(attribute, text ? type : H5T_NATIVE_DOUBLE, values);
+}
+
+/* An attribute of the other kind in the place of one. */
+static hid_t replace_attribute(hid_t object, const char *name, bool text) {
+  hid_t type = H5T_NATIVE_DOUBLE, space = H5Screate(H5S_SCALAR);
+  if (text) {
+    type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, H5T_VARIABLE);
+  }
+  H5Adelete(object, name);
+  return H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+}
+
 static void edit_attribute(hid_t object, uint32_t *state) {
   H5O_info_t info;
   if (H5Oget_info(object, &info) < 0 || !info.num_attrs) return;
@@ -145,30 +175,12 @@ static void edit_attribute(hid_t object, uint32_t *state) {
   char name[64] = "";
   H5Aget_name(attribute, sizeof name, name);
   bool text = H5Tget_class(H5Aget_type(attribute)) == H5T_STRING;
-  double value = numbers[draw(state, sizeof numbers / sizeof *numbers)];
-  static const char *const texts[] = {"", "\n", "\x1b[2J", "plunge", "a/b", "%s%n", "<script>"};
-  const char *word = texts[draw(state, 7)];
-  switch (draw(state, 3)) {
-  case 0:
-    H5Aclose(attribute);
+  uint32_t way = draw(state, 3);
+  if (way < 2) H5Aclose(attribute);
+  if (way == 0)
     H5Adelete(object, name);
-    return;
-  case 1: /* of the other kind */
-    text = !text;
-    H5Aclose(attribute);
-    H5Adelete(object, name);
-    hid_t type = H5T_NATIVE_DOUBLE, space = H5Screate(H5S_SCALAR);
-    if (text) {
-      type = H5Tcopy(H5T_C_S1);
-      H5Tset_size(type, H5T_VARIABLE);
-    }
-    attribute = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
-    break;
-  }
-  if (text)
-    H5Awrite(attribute, H5Aget_type(attribute), &word);
   else
-    H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
+    fill_attribute(way == 1 ? replace_attribute(object, name, !text) : attribute, state);
 }
 
 static void edit_links(hid_t file, const char *name, uint32_t *state) {
@@ -197,20 +209,47 @@ static void edit_once(hid_t file, uint32_t *state) {
   }
 }
 
-/* A file with one to four edits of the writer's, in memory from first to last; 0: it has none. */
-static size_t edit_through_hdf5(uint8_t *data, size_t most, uint32_t *state) {
-  H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
+struct edit {
+  uint32_t state;
+  uint8_t *data; /* the file that comes of it, from malloc */
+  size_t size;
+};
+
+/* One to four edits of the writer's file, in memory from first to last. */
+static enum status edit_file(void *data) {
+  struct edit *e = data;
+  hdf_quiet();
   hid_t fapl = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_fapl_core(fapl, 1 << 16, false);
   H5Pset_fclose_degree(fapl, H5F_CLOSE_STRONG); /* closes what the edits left open */
   H5Pset_file_image(fapl, good, good_size - sizeof(struct result_seal));
   hid_t file = H5Fopen("fuzz", H5F_ACC_RDWR, fapl);
-  for (uint32_t k = 1 + draw(state, 4); file >= 0 && k > 0; k--) edit_once(file, state);
+  for (uint32_t k = 1 + draw(&e->state, 4); file >= 0 && k > 0; k--) edit_once(file, &e->state);
   H5Fflush(file, H5F_SCOPE_GLOBAL);
-  ssize_t n = H5Fget_file_image(file, data, most - sizeof(struct result_seal));
-  H5Fclose(file);
-  H5Pclose(fapl);
-  return n > 0 ? (size_t)n + sizeof(struct result_seal) : 0;
+  ssize_t n = H5Fget_file_image(file, NULL, 0);
+  e->data = n > 0 ? malloc((size_t)n) : NULL;
+  if (!e->data || H5Fget_file_image(file, e->data, (size_t)n) != n) return ERR_INPUT;
+  e->size = (size_t)n;
+  return OK;
+}
+
+static enum status carry_edit(struct carrier *c, void *data) {
+  struct edit *e = data;
+  return carry_array(c, &e->size, (void **)&e->data, 1);
+}
+
+/* HDF5 may crash while it writes as well, so this too is a child's work; 0: it did not survive. */
+static size_t edit_through_hdf5(uint8_t *data, size_t most, uint32_t *state) {
+  struct edit e = {.state = draw(state, UINT32_MAX)};
+  struct guard guard = {
+      .name = {"edit"}, .size = good_size, .data = &e, .read = edit_file, .carry = carry_edit};
+  size_t size = 0;
+  if (guard_run(&guard) == OK && e.size <= most - sizeof(struct result_seal)) {
+    memcpy(data, e.data, e.size);
+    size = e.size + sizeof(struct result_seal);
+  }
+  free(e.data);
+  return size;
 }
 
 /* ---- edits of bytes ---- */
@@ -294,8 +333,9 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned
     memcpy(data, good, good_size);
     size = good_size;
   }
-  if (way < 4) size = edit_through_hdf5(data, most, &state);
-  if (way >= 3) edit_bytes(data, size - sizeof(struct result_seal), &state);
+  size_t edited = way < 4 ? edit_through_hdf5(data, most, &state) : 0;
+  if (edited) size = edited;
+  if (way >= 3 || !edited) edit_bytes(data, size - sizeof(struct result_seal), &state);
   bytes_seal(data, size);
   return size;
 }
