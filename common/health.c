@@ -144,6 +144,7 @@ void health_judge(const struct health_watch *w, const char *broke_off, struct he
   memset(h, 0, sizeof *h);
   measure(w, h->value);
   if (*broke_off) append(h->reasons, sizeof h->reasons, "; ", "it broke off: %s", broke_off);
+  h->broke_off = strlen(h->reasons);
   if (!w->numbers)
     append(h->reasons, sizeof h->reasons, "; ", "its energies or volumes are not all numbers");
   if (*broke_off || !w->numbers) h->verdict = HEALTH_FAILED;
@@ -152,6 +153,11 @@ void health_judge(const struct health_watch *w, const char *broke_off, struct he
       judge_measure(k, h);
     else if (applies(k, w))
       append(h->missing, sizeof h->missing, ", ", "%s", health_measures[k].label);
+}
+
+const char *health_other_reasons(const struct health *h) {
+  const char *rest = h->reasons + h->broke_off;
+  return rest + (h->broke_off ? strspn(rest, "; ") : 0);
 }
 
 /* ---- of a file ---- */

@@ -90,11 +90,15 @@ struct health {
   double value[HEALTH_N]; /* NaN: not told */
   char facts[256];        /* "Mach 0.12, density 1.1 %, ..." */
   char reasons[1024];     /* why it is not sound, in plain words; "" when it is */
+  size_t broke_off;       /* bytes of them that say why it broke off; 0: it did not */
   char missing[256];      /* what could not be judged, "" when all could */
 };
 
 /* `broke_off`: why the run failed before its end; "" when it did not. */
 void health_judge(const struct health_watch *w, const char *broke_off, struct health *h);
+
+/* The reasons without why it broke off. */
+const char *health_other_reasons(const struct health *h);
 
 /* Of a whole file, also of one that an earlier version wrote. */
 void health_of_file(const struct result_file *f, struct health *h);

@@ -4,13 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/outline.h"
-
-/* Outputs this close (in sqrt(H/g)) count as simultaneous. */
-static const double simultaneous = 0.01;
-/* An outline that encloses less or more than the run's own volume by this fraction is not trusted.
- */
-static const double enclosed_tolerance = 0.2;
+#include "compare/surfaces.h"
 
 /* ---- what is compared where and when ---- */
 
@@ -80,147 +74,24 @@ static void labels_make_unique(struct comparison *c) {
 
 /* ---- surfaces ---- */
 
-static void unavailable(struct cmp_at *at, struct cmp_value why) {
-  at->hausdorff = at->frechet = at->mean = at->largest = at->area = why;
-}
-
-/* The volume enclosed by an outline must be the run's, or the outline is not what it seems. */
-static bool encloses(const struct cmp_data *d, double t, const struct cmp_outline *o,
-                     struct cmp_value *why) {
-  struct cmp_signal volume = cmp_series_signal(&d->volume);
-  double expected = cmp_signal_at(&volume, t), found = cmp_outline_enclosed(o);
-  if (!isfinite(expected) || fabs(found - expected) <= enclosed_tolerance * expected) return true;
-  *why = cmp_unknown("the outline of %.40s encloses %.0f %% of its water", d->label,
-                     100 * found / expected);
-  return false;
-}
-
-/* `all`: also what is costly, the Hausdorff and Frechet distances. */
-static enum status surfaces_compare(const struct comparison *c, struct cmp_geos *g,
-                                    const struct cmp_run *run, struct cmp_at *at, bool all) {
-  enum status status = OK;
-  const struct cmp_data *a = &run->data, *b = &c->ref.data;
-  struct cmp_outline *p = NULL, *q = NULL;
-  struct cmp_distance distance;
-  unavailable(at, cmp_unknown("not computed"));
-  double step = fmax(a->dx / 2, 1e-3);
-  ATTEMPT(
-      cmp_outline_create(g, &a->surface[at->output], &a->walls, &c->window, step, c->depth, &p));
-  ATTEMPT(cmp_outline_create(g, &b->surface[at->ref_output], &b->walls, &c->window, step, c->depth,
-                             &q));
-  ATTEMPT(cmp_outline_distance(p, q, &distance, &at->mean, &at->largest));
-  memcpy(at->where, distance.at, sizeof at->where);
-  at->noise_area = run->noise * cmp_outline_length(q);
-  if (encloses(a, at->t, p, &at->area) && encloses(b, at->ref_t, q, &at->area))
-    ATTEMPT(cmp_outline_area(p, q, &at->area));
-  if (all) {
-    ATTEMPT(cmp_outline_hausdorff(p, q, &at->hausdorff));
-    ATTEMPT(cmp_outline_frechet(p, q, &at->frechet));
-  }
-done:
-  cmp_outline_destroy(p);
-  cmp_outline_destroy(q);
-  return status;
-}
-
-/* One bad surface must not cost the report: it says why there is no number. */
-static void surfaces_measure(const struct comparison *c, struct cmp_geos *g,
-                             const struct cmp_run *run, struct cmp_at *at, bool all) {
-  if (surfaces_compare(c, g, run, at, all) != OK)
-    unavailable(at, cmp_unknown("%.100s", status_message()));
-}
-
-static void at_choose(const struct comparison *c, const struct cmp_run *run, double t,
-                      struct cmp_at *at) {
-  const struct cmp_data *a = &run->data, *b = &c->ref.data;
-  *at = (struct cmp_at){.t = NAN, .ref_t = NAN, .where = {NAN, NAN}, .noise_area = NAN};
-  at->output = cmp_data_output(a, t, 0.5 * cmp_data_interval(a) + 1e-9);
-  at->ref_output = SIZE_MAX;
-  if (at->output == SIZE_MAX) {
-    unavailable(at, !a->n ? cmp_unknown("%.60s has no surfaces", a->label)
-                          : cmp_unknown("%.40s has no surface near t* = %.4g (its last: %.4g)",
-                                        a->label, t, a->t[a->n - 1]));
-    return;
-  }
-  at->t = a->t[at->output];
-  at->ref_output = cmp_data_output(b, at->t, 0.5 * cmp_data_interval(b) + 1e-9);
-  if (at->ref_output == SIZE_MAX)
-    unavailable(at, !b->n ? cmp_unknown("%.60s has no surfaces", b->label)
-                          : cmp_unknown("%.40s has no surface near t* = %.4g (its last: %.4g)",
-                                        b->label, at->t, b->t[b->n - 1]));
-  else
-    at->ref_t = b->t[at->ref_output];
-}
-
-static enum status evolution_measure(const struct comparison *c, struct cmp_run *run) {
-  struct cmp_evolution *e = &run->evolution;
-  size_t n = run->data.n;
-  e->t = calloc(n + 1, sizeof *e->t);
-  e->mean = calloc(n + 1, sizeof *e->mean);
-  e->largest = calloc(n + 1, sizeof *e->largest);
-  e->area = calloc(n + 1, sizeof *e->area);
-  struct cmp_at *at = calloc(n + 1, sizeof *at);
-  if (!e->t || !e->mean || !e->largest || !e->area || !at) {
-    free(at);
-    return status_raise(ERR_MEMORY, "no memory for %zu outputs", n);
-  }
-  for (size_t i = 0; i < n; i++) {
-    size_t j = cmp_data_output(&c->ref.data, run->data.t[i], simultaneous);
-    if (j == SIZE_MAX) continue;
-    at[e->n] = (struct cmp_at){i, j, .t = run->data.t[i], .ref_t = c->ref.data.t[j]};
-    e->t[e->n++] = run->data.t[i];
-  }
-#pragma omp parallel
-  {
-    struct cmp_geos *g = cmp_geos_create();
-#pragma omp for schedule(dynamic)
-    for (size_t i = 0; i < e->n; i++) {
-      unavailable(&at[i], cmp_unknown("no memory for GEOS"));
-      if (g) surfaces_measure(c, g, run, &at[i], false);
-      e->mean[i] = at[i].mean.value;
-      e->largest[i] = at[i].largest.value;
-      e->area[i] = at[i].area.value;
-    }
-    cmp_geos_destroy(g);
-  }
-  free(at);
-  return OK;
-}
-
-/* How far the reference's surface moves, from a few of its outputs: what differences are small
- * against. Motion below a tenth of its spacing is none that it is known to. */
-static enum status motion_measure(struct comparison *c, struct cmp_geos *g) {
-  enum { LOOKS = 32 };
-  const struct cmp_data *d = &c->ref.data;
-  enum status status = OK;
-  struct cmp_outline *first = NULL, *now = NULL;
-  double step = fmax(d->dx / 2, 1e-3), motion = NAN;
-  c->motion = cmp_unknown("%.60s has no two surfaces", d->label);
-  if (d->n < 2) return OK;
-  ATTEMPT(cmp_outline_create(g, &d->surface[0], &d->walls, &c->window, step, c->depth, &first));
-  for (size_t k = 1; k <= LOOKS; k++) {
-    struct cmp_distance distance;
-    struct cmp_value mean, largest;
-    const struct geo_lines *surface = &d->surface[(d->n - 1) * k / LOOKS];
-    ATTEMPT(cmp_outline_create(g, surface, &d->walls, &c->window, step, c->depth, &now));
-    ATTEMPT(cmp_outline_distance(first, now, &distance, &mean, &largest));
-    motion = fmax(motion, mean.value);
-    cmp_outline_destroy(now);
-    now = NULL;
-  }
-  c->motion = motion > 0.1 * d->dx ? cmp_number(motion)
-                                   : cmp_unknown("the surface of %.60s does not move", d->label);
-done:
-  cmp_outline_destroy(first);
-  cmp_outline_destroy(now);
-  if (status == ERR_MEMORY) return status;
-  if (status != OK) c->motion = cmp_unknown("%.100s", status_message());
-  return OK;
+/* Keeps the longest of the stretches [from, to] of outputs without a distance. */
+static void gap_take(double *longest, double from, double to) {
+  if (to - from <= longest[1] - longest[0]) return;
+  longest[0] = from;
+  longest[1] = to;
 }
 
 static void off_measure(const struct comparison *c, struct cmp_run *run) {
+  const struct cmp_evolution *e = &run->evolution;
   double worst = NAN;
-  for (size_t i = 0; i < run->evolution.n; i++) worst = fmax(worst, run->evolution.mean[i]);
+  run->unseen[0] = run->unseen[1] = NAN;
+  for (size_t i = 0, next = 0; i < e->n; i++) { /* next: after the last output with a distance */
+    worst = fmax(worst, e->mean[i]);
+    if (isfinite(e->mean[i]))
+      next = i + 1;
+    else
+      gap_take(run->unseen, e->t[next], e->t[i]);
+  }
   run->off = !cmp_known(&c->motion) ? c->motion
              : isfinite(worst)      ? cmp_number(worst / c->motion.value)
                                     : cmp_unknown("no surfaces at common times");
@@ -239,10 +110,7 @@ static void agreement_measure(struct cmp_run *run) {
     if (!isfinite(e->mean[i])) continue;
     size_t next = last == SIZE_MAX ? 0 : last + 1;
     bool leaves = e->mean[i] > limit;
-    if (i > next && !(e->t[i - 1] - e->t[next] <= run->blind[1] - run->blind[0])) {
-      run->blind[0] = e->t[next];
-      run->blind[1] = e->t[i - 1];
-    }
+    if (i > next) gap_take(run->blind, e->t[next], e->t[i - 1]);
     if (leaves) {
       double t = e->t[i];
       if (last != SIZE_MAX)
@@ -254,7 +122,9 @@ static void agreement_measure(struct cmp_run *run) {
     }
     last = i;
   }
-  if (last != SIZE_MAX) run->agreement = cmp_unknown("it never leaves it");
+  if (last == SIZE_MAX) return;
+  if (last + 1 < e->n) gap_take(run->blind, e->t[last + 1], e->t[e->n - 1]);
+  run->agreement = cmp_unknown("it never leaves it");
 }
 
 /* ---- front, energy, volume ---- */
@@ -347,15 +217,7 @@ static enum status pairs_measure(const struct comparison *c, struct cmp_run *run
 
 /* ---- all of it ---- */
 
-static enum status run_measure(struct comparison *c, struct cmp_geos *g, struct cmp_run *run) {
-  run->noise = run->data.dx / 2;
-  run->at = calloc(c->n_times + 1, sizeof *run->at);
-  CHECK(run->at, ERR_MEMORY, "no memory for %zu comparison times", c->n_times);
-  for (size_t k = 0; k < c->n_times; k++) {
-    at_choose(c, run, c->times[k], &run->at[k]);
-    if (run->at[k].ref_output != SIZE_MAX) surfaces_measure(c, g, run, &run->at[k], true);
-  }
-  TRY(evolution_measure(c, run));
+static enum status run_measure(const struct comparison *c, struct cmp_run *run) {
   agreement_measure(run);
   off_measure(c, run);
   front_measure(c, run);
@@ -442,14 +304,12 @@ enum status cmp_comparison_create(const struct case_file *settings, const struct
                                   size_t n, struct result_file *const *runs, bool anyway,
                                   struct comparison **out) {
   enum status status = OK;
-  struct cmp_geos *g = NULL;
   struct comparison *c = calloc(1, sizeof *c);
   *out = NULL;
   CHECK(c, ERR_MEMORY, "no memory for a comparison");
   c->settings = settings;
   c->run = calloc(n + 1, sizeof *c->run);
-  g = cmp_geos_create();
-  if (!c->run || !g) {
+  if (!c->run) {
     status = status_raise(ERR_MEMORY, "no memory for a comparison of %zu runs", n);
     goto done;
   }
@@ -461,13 +321,14 @@ enum status cmp_comparison_create(const struct case_file *settings, const struct
   labels_make_unique(c);
   ATTEMPT(times_set(c));
   window_set(c);
-  ATTEMPT(motion_measure(c, g));
+  ATTEMPT(cmp_surfaces_motion(c));
   c->ref.noise = c->ref.data.dx / 2;
   budget_measure(c, &c->ref);
   ATTEMPT(pairs_measure(c, &c->ref));
-  for (size_t r = 0; r < n; r++) ATTEMPT(run_measure(c, g, &c->run[r]));
+  for (size_t r = 0; r < n; r++) c->run[r].noise = c->run[r].data.dx / 2;
+  ATTEMPT(cmp_surfaces_measure(c));
+  for (size_t r = 0; r < n; r++) ATTEMPT(run_measure(c, &c->run[r]));
 done:
-  cmp_geos_destroy(g);
   if (status != OK) {
     cmp_comparison_destroy(c);
     c = NULL;

@@ -40,7 +40,8 @@ struct cmp_run {
   struct cmp_value front, front_time; /* largest difference until the impact, and when */
   struct cmp_value off;               /* largest mean distance, as a part of comparison.motion */
   struct cmp_value agreement;         /* t* until which the mean distance stays within one dx */
-  double blind[2]; /* t*: the longest stretch before that without a distance; NaN: none */
+  double blind[2]; /* t*: the longest stretch of outputs until then without a distance; NaN: none */
+  double unseen[2];                         /* the same of the whole run */
   struct cmp_value closure, closure_before; /* of the energy budget: whole run, until impact */
   struct cmp_value volume;                  /* largest change, relative */
   size_t n_pairs;

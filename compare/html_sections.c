@@ -226,11 +226,10 @@ static void health_row(struct page *p, const struct comparison *c, size_t r) {
   const struct cmp_run *run = cmp_run_or_ref(c, r);
   const struct health *h = &run->health;
   const struct result_file *f = run->data.file;
-  bool told = *f->ended && strstr(h->reasons, f->ended) != NULL;
   cmp_page_open(p, "tr", NULL);
   cmp_html_run(p, c, r);
   cmp_html_cell(p, class[h->verdict], "%s", health_verdicts[h->verdict]);
-  bool ended = *f->ended && !told;
+  bool ended = *f->ended && !h->broke_off; /* else the reasons tell */
   cmp_html_cell(p, "w", "%s%s%s%s%s%s", h->reasons, *h->reasons && ended ? "; " : "",
                 ended ? f->ended : "", *h->missing && (*h->reasons || ended) ? ". " : "",
                 *h->missing ? "Not told: " : "", h->missing);

@@ -306,7 +306,6 @@ static struct cmp_row row_make(const struct comparison *c, size_t m, size_t r, s
 
 static bool tolerance_applies(const struct comparison *c, const struct case_tolerance *t,
                               const struct cmp_row *row) {
-  if (strcmp(t->measure, row->measure->name)) return false;
   if (isfinite(t->at) && row->time != SIZE_MAX &&
       fabs(t->at / c->scales.T - c->times[row->time]) > 1e-6)
     return false;
@@ -319,7 +318,9 @@ static void tolerances_apply(const struct comparison *c, struct cmp_rows *rows) 
   for (size_t k = 0; k < c->settings->compare.n_tolerances; k++) {
     const struct case_tolerance *t = &c->settings->compare.tolerances[k];
     bool used = false;
-    for (size_t i = 0; i < rows->n; i++) {
+    size_t m = 0;
+    while (m < CMP_N_MEASURES && strcmp(t->measure, cmp_measures[m].name)) m++;
+    for (size_t i = rows->first[m]; m < CMP_N_MEASURES && i < rows->first[m + 1]; i++) {
       struct cmp_row *row = &rows->row[i];
       if (!tolerance_applies(c, t, row)) continue;
       used = true;
@@ -340,7 +341,9 @@ enum status cmp_rows_create(const struct comparison *c, struct cmp_rows *rows) {
   *rows = (struct cmp_rows){0};
   rows->row = calloc(CMP_N_MEASURES * c->n_runs * (c->n_times + 1) + 1, sizeof *rows->row);
   CHECK(rows->row, ERR_MEMORY, "no memory for the table of measures");
-  for (size_t m = 0; m < CMP_N_MEASURES; m++)
+  rows->n_times = c->n_times;
+  for (size_t m = 0; m < CMP_N_MEASURES; m++) {
+    rows->first[m] = rows->n;
     for (size_t r = 0; r < c->n_runs; r++) {
       if (evaluators[m].when == ONCE) {
         rows->row[rows->n++] = row_make(c, m, r, SIZE_MAX);
@@ -348,6 +351,8 @@ enum status cmp_rows_create(const struct comparison *c, struct cmp_rows *rows) {
       }
       for (size_t k = 0; k < c->n_times; k++) rows->row[rows->n++] = row_make(c, m, r, k);
     }
+  }
+  rows->first[CMP_N_MEASURES] = rows->n;
   tolerances_apply(c, rows);
   return OK;
 }
@@ -360,9 +365,12 @@ void cmp_rows_destroy(struct cmp_rows *rows) {
 
 const struct cmp_row *cmp_rows_find(const struct cmp_rows *rows, const char *measure, size_t run,
                                     size_t time) {
-  for (size_t i = 0; i < rows->n; i++) {
-    const struct cmp_row *row = &rows->row[i];
-    if (!strcmp(row->measure->name, measure) && row->run == run && row->time == time) return row;
+  for (size_t m = 0; m < CMP_N_MEASURES; m++) {
+    bool once = evaluators[m].when == ONCE;
+    if (strcmp(cmp_measures[m].name, measure)) continue;
+    if (once != (time == SIZE_MAX)) return NULL;
+    size_t i = rows->first[m] + (once ? run : run * rows->n_times + time);
+    return i < rows->first[m + 1] ? &rows->row[i] : NULL;
   }
   return NULL;
 }

@@ -70,7 +70,8 @@ struct cmp_row {
 
 struct cmp_rows {
   size_t n, passed, failed;
-  struct cmp_row *row;
+  struct cmp_row *row; /* by measure, run and time */
+  size_t first[CMP_N_MEASURES + 1], n_times;
   size_t unused; /* tolerances that applied to nothing that was compared */
 };
 

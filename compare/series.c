@@ -16,12 +16,22 @@ static size_t row_before(const struct cmp_signal *s, double t) {
   return low;
 }
 
+static double value_from(const struct cmp_signal *s, size_t row, double t) {
+  if (row + 1 == s->n || s->t[row] == t) return s->value[row];
+  double u = (t - s->t[row]) / (s->t[row + 1] - s->t[row]);
+  return s->value[row] + u * (s->value[row + 1] - s->value[row]);
+}
+
 double cmp_signal_at(const struct cmp_signal *s, double t) {
   if (!s->n || !(t >= s->t[0]) || t > s->t[s->n - 1]) return NAN;
-  size_t i = row_before(s, t);
-  if (i + 1 == s->n || s->t[i] == t) return s->value[i];
-  double u = (t - s->t[i]) / (s->t[i + 1] - s->t[i]);
-  return s->value[i] + u * (s->value[i + 1] - s->value[i]);
+  return value_from(s, row_before(s, t), t);
+}
+
+/* The same at instants that increase from one to the next: `row` is the walk's own, from 0. */
+static double walk_to(const struct cmp_signal *s, size_t *row, double t) {
+  if (!s->n || !(t >= s->t[0]) || t > s->t[s->n - 1]) return NAN;
+  while (*row + 1 < s->n && s->t[*row + 1] <= t) ++*row;
+  return value_from(s, *row, t);
 }
 
 struct prefix { /* of a signal's rows up to each */
@@ -119,9 +129,10 @@ void cmp_signal_measure(const struct cmp_signal *s, double from, double to, doub
 static double rms_shifted(const struct cmp_signal *a, const struct cmp_signal *b, double from,
                           double to, double shift, size_t points) {
   double sum = 0, both = 0, either = 0;
+  size_t a_row = 0, b_row = 0;
   for (size_t i = 0; i < points; i++) {
     double t = from + (to - from) * (double)i / (double)(points - 1);
-    double x = cmp_signal_at(a, t + shift), y = cmp_signal_at(b, t);
+    double x = walk_to(a, &a_row, t + shift), y = walk_to(b, &b_row, t);
     double w = i == 0 || i + 1 == points ? 0.5 : 1;
     if (isfinite(x) || isfinite(y)) either += w;
     if (!isfinite(x - y)) continue;

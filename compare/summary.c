@@ -26,23 +26,35 @@ static bool low_wave(const struct comparison *c) {
   return cmp_known(&c->motion) && c->motion.value < 4 * coarsest;
 }
 
-static double rank(const struct comparison *c, const struct cmp_run *run) {
-  if (low_wave(c)) return cmp_known(&run->off) ? -run->off.value : -INFINITY;
-  return agrees_until(run);
+struct placed {
+  double merit;
+  size_t run;
+};
+
+/* The better first, then the one that the case names first. */
+static int better_first(const void *a, const void *b) {
+  const struct placed *x = a, *y = b;
+  if (x->merit != y->merit) return x->merit < y->merit ? 1 : -1;
+  return (x->run > y->run) - (x->run < y->run);
 }
 
 enum status cmp_summary_order(const struct comparison *c, size_t **order) {
-  size_t *o = malloc((c->n_runs + 1) * sizeof *o);
-  CHECK(o, ERR_MEMORY, "no memory for %zu runs", c->n_runs);
-  for (size_t r = 0; r < c->n_runs; r++) { /* insertion: stable, and there are few */
-    size_t at = r;
-    while (at > 0 && rank(c, &c->run[o[at - 1]]) < rank(c, &c->run[r])) {
-      o[at] = o[at - 1];
-      at--;
-    }
-    o[at] = r;
+  struct placed *placed = malloc((c->n_runs + 1) * sizeof *placed);
+  *order = malloc((c->n_runs + 1) * sizeof **order);
+  if (!placed || !*order) {
+    free(placed);
+    free(*order);
+    return status_raise(ERR_MEMORY, "no memory for %zu runs", c->n_runs);
   }
-  *order = o;
+  bool low = low_wave(c);
+  for (size_t r = 0; r < c->n_runs; r++) {
+    const struct cmp_run *run = &c->run[r];
+    double merit = !low ? agrees_until(run) : cmp_known(&run->off) ? -run->off.value : -INFINITY;
+    placed[r] = (struct placed){merit, r};
+  }
+  qsort(placed, c->n_runs, sizeof *placed, better_first);
+  for (size_t k = 0; k < c->n_runs; k++) (*order)[k] = placed[k].run;
+  free(placed);
   return OK;
 }
 
@@ -84,11 +96,7 @@ static void append_names(struct text *t, const struct comparison *c, const size_
  * lists are cut between two words. */
 static void append_reasons(struct text *t, const struct cmp_run *run, bool ended_said) {
   enum { MOST = 260 };
-  const char *why = run->health.reasons, *ended = strstr(why, run->data.file->ended);
-  if (ended_said && *run->data.file->ended && ended) {
-    why = ended + strlen(run->data.file->ended);
-    why += strspn(why, "; ");
-  }
+  const char *why = ended_said ? health_other_reasons(&run->health) : run->health.reasons;
   size_t n = strlen(why);
   bool whole = n <= MOST;
   for (n = whole ? n : MOST; !whole && n && why[n] != ' ';) n--;
@@ -178,6 +186,15 @@ static bool one_spacing(const struct comparison *c) {
   return true;
 }
 
+/* The longest stretch in which nothing could be measured. */
+static void append_gap(struct text *t, const double *gap) {
+  if (isnan(gap[0])) return;
+  append(t,
+         gap[1] > gap[0] ? " (not measured from t* = %.3g to %.3g)"
+                         : " (not measured at t* = %.3g)",
+         gap[0], gap[1]);
+}
+
 static void append_until(struct text *t, const struct comparison *c, const struct cmp_run *run,
                          bool first, size_t n) {
   double shared = cmp_summary_shared(run);
@@ -194,8 +211,7 @@ static void append_until(struct text *t, const struct comparison *c, const struc
   append(t, leaves ? " until t* = %.3g" : " to the end of what they share, t* = %.3g",
          leaves ? run->agreement.value : shared);
   if (!leaves && !run->data.file->complete) append(t, " (unfinished)");
-  if (!isnan(run->blind[0]))
-    append(t, " (not measured from t* = %.3g to %.3g)", run->blind[0], run->blind[1]);
+  append_gap(t, run->blind);
 }
 
 static void append_agreement(struct text *t, const struct comparison *c, const size_t *order) {
@@ -229,6 +245,8 @@ static void append_parts(struct text *t, const struct comparison *c, const size_
       append(t, " cannot be compared (%s)", run->off.why);
     else
       append(t, "%s at most %.2g %%", k ? "" : " is off by", 100 * run->off.value);
+    if (!run->data.file->complete) append(t, " (unfinished)");
+    if (cmp_known(&run->off)) append_gap(t, run->unseen);
   }
   if (shown < c->n_runs)
     append(t, " and %zu more up to %.2g %%", c->n_runs - shown,

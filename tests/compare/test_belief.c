@@ -113,6 +113,24 @@ static void test_gap_is_said(void) {
   result_file_destroy(b);
 }
 
+/* Nor what cannot be compared any more, nor in a low wave. */
+static void test_gap_at_the_end_and_in_a_low_wave_is_said(void) {
+  for (int low = 0; low < 2; low++) {
+    struct case_file c;
+    settings_make(&c);
+    struct result_file *a = made_up("a", "gap", (struct flaws){.until = end});
+    struct result_file *b = made_up("b", "gap", (struct flaws){.raised = 0.01, .until = end});
+    for (int i = 18; i < OUTPUTS; i++) b->surface[i].points = b->surface[i].pieces = 0;
+    if (low) a->spacing = b->spacing = 0.1 * H;
+    struct cmp_verdict v = compare(&c, a, 1, &b);
+    EXPECT(strstr(v.sentence, low ? "b is off by at most " : "of what they share, t* = 3.4 "));
+    EXPECT(strstr(v.sentence, " (not measured from t* = 3.6 to 4). "));
+    settings_free(&c);
+    result_file_destroy(a);
+    result_file_destroy(b);
+  }
+}
+
 /* A reference of which all has been said in saying why it ended, and a long list of reasons. */
 static void test_reasons_are_whole_words(void) {
   struct case_file c;
@@ -130,6 +148,26 @@ static void test_reasons_are_whole_words(void) {
   EXPECT(strstr(v.sentence, " (a node was lost) and has failed. "));
   EXPECT(strstr(v.sentence, "b has failed: it broke off: it broke everywhere everywhere "));
   EXPECT(strstr(v.sentence, " everywhere (and so on)."));
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
+/* Words of another reason in why the reference ended take nothing from that reason. */
+static void test_reason_like_the_end_is_said(void) {
+  struct case_file c;
+  settings_make(&c);
+  struct result_file *a = made_up("a", "like", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "like", (struct flaws){.until = end});
+  a->complete = false;
+  free(a->ended);
+  free(a->health);
+  a->ended = text("energy");
+  a->health = text("doubtful"); /* stopped by its user: it did not break off */
+  for (size_t i = ROWS / 2; i < a->n_energy; i++)
+    a->energy[i].kinetic += 0.05 * density * g * H * H * H;
+  struct cmp_verdict v = compare(&c, a, 1, &b);
+  EXPECT(strstr(v.sentence, " (energy) and is doubtful: energy rises by 0.0"));
   settings_free(&c);
   result_file_destroy(a);
   result_file_destroy(b);
@@ -258,7 +296,9 @@ int main(void) {
   RUN(test_broken_reference_is_said_first);
   RUN(test_doubtful_run_is_called_that);
   RUN(test_gap_is_said);
+  RUN(test_gap_at_the_end_and_in_a_low_wave_is_said);
   RUN(test_reasons_are_whole_words);
+  RUN(test_reason_like_the_end_is_said);
   RUN(test_low_wave_is_measured_by_its_motion);
   RUN(test_front_is_taken_towards_its_wall);
   RUN(test_no_front_fails_its_tolerance);
