@@ -151,40 +151,51 @@ static size_t count(const char *in, const char *what) {
   return n;
 }
 
-/* Two hundred runs: every figure is drawn; keys name 28 runs, each in a style of its own, and say
- * how many there are besides; what has panels has twelve. */
-static void test_many_runs(void) {
-  enum { MANY = 200 };
+/* Each a little further off than the one before. */
+static void runs_compare(int n) {
   struct case_file c;
+  struct result_file **runs = calloc((size_t)n, sizeof *runs);
   settings_make(&c);
-  struct result_file *a = made_up("ref", "many", (struct flaws){.until = end}), *runs[MANY];
-  for (int r = 0; r < MANY; r++) {
+  struct result_file *a = made_up("ref", "many", (struct flaws){.until = end});
+  for (int r = 0; r < n; r++) {
     char name[32];
     snprintf(name, sizeof name, "run-%d", r);
     runs[r] = made_up(name, "", (struct flaws){.raised = 1e-4 * r, .decay = 1e-4, .until = end});
   }
-  compare(&c, a, MANY, runs);
+  compare(&c, a, (size_t)n, runs);
+  settings_free(&c);
+  result_file_destroy(a);
+  for (int r = 0; r < n; r++) result_file_destroy(runs[r]);
+  free(runs);
+}
+
+/* gnuplot draws every figure of more runs than it names. */
+static void test_unnamed_runs_are_drawn(void) {
+  runs_compare(29);
+}
+
+/* Sixty runs: keys name 28, each in a style of its own, and say how many there are besides;
+ * what has panels has twelve. */
+static void test_many_runs(void) {
+  runs_compare(60);
   char *energy = script_of("energy"), *pressure = script_of("pressure-P--1-");
   EXPECT(count(energy, "title 'run-") == 28 && count(energy, "title 'ref'") == 1);
-  EXPECT(count(energy, "title '172 other runs'") == 1);
+  EXPECT(count(energy, "title '32 other runs'") == 1);
   EXPECT(count(energy, "dashtype (9,4) linecolor '#0072b2'") == 1);
   EXPECT(count(energy, "dashtype (9,3,2,3) linecolor '#7f7f7f'") == 1);
   EXPECT(count(pressure, "set yrange") == 12 && count(pressure, "title 'run-") == 12);
   /* the twelve: six that agree longest, six that leave first */
-  EXPECT(strstr(pressure, "title 'run-0'") && strstr(pressure, "title 'run-199'"));
-  EXPECT(!strstr(pressure, "title 'run-100'"));
+  EXPECT(strstr(pressure, "title 'run-0'") && strstr(pressure, "title 'run-59'"));
+  EXPECT(!strstr(pressure, "title 'run-30'"));
   free(energy);
   free(pressure);
   char path[PATH_MAX], *page = NULL;
   size_t n;
   path_in("report.html", path);
   EXPECT_OK(cmp_file_read(path, &page, &n));
-  EXPECT(page && strstr(page, "the 172 others are drawn in thin grey"));
-  EXPECT(page && strstr(page, "the 188 others have no panel") && !strstr(page, "is missing"));
+  EXPECT(page && strstr(page, "the 32 others are drawn in thin grey"));
+  EXPECT(page && strstr(page, "the 48 others have no panel") && !strstr(page, "is missing"));
   free(page);
-  settings_free(&c);
-  result_file_destroy(a);
-  for (int r = 0; r < MANY; r++) result_file_destroy(runs[r]);
 }
 
 /* A curve far out is named as such in the key, and a mark shows how far; a peak has its mark. One
@@ -363,16 +374,18 @@ int main(void) {
   }
   if (!mkdtemp(folder)) return 1;
   RUN(test_identity_passes_every_check);
-  RUN(test_known_flaws_are_measured);
-  RUN(test_missing_times_are_not_zero);
-  RUN(test_sentence_groups_runs);
-  RUN(test_page_without_figures);
   RUN(test_nothing_in_common);
-  RUN(test_many_runs);
+  RUN(test_unnamed_runs_are_drawn);
   RUN(test_curves_beyond_the_frame);
   RUN(test_probes_are_compared_by_their_means);
   RUN(test_names_stay_text);
   RUN(test_figures_are_complete);
+  gnuplot_pretend(); /* pictures are drawn enough */
+  RUN(test_known_flaws_are_measured);
+  RUN(test_missing_times_are_not_zero);
+  RUN(test_sentence_groups_runs);
+  RUN(test_page_without_figures);
+  RUN(test_many_runs);
   json_decref(report);
   folder_remove(folder);
   return TEST_RESULT;
