@@ -167,5 +167,6 @@ const struct sph_wall sph_wall_ghost = {
     .create = ghosts_create,
     .list = ghosts_list,
     .fill = ghosts_fill,
+    .layer = 2,
     .destroy = ghosts_destroy,
 };

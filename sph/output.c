@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "common/gauge.h"
 #include "common/progress.h"
 #include "sph/energy.h"
+#include "sph/gauge.h"
 #include "sph/probe.h"
 #include "sph/rates.h"
 #include "sph/surface.h"
@@ -161,8 +161,7 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
   if (!o->c->n_gauges) return OK;
   TRY(find_surface(o, s));
   for (size_t k = 0; k < o->c->n_gauges; k++)
-    TRY(result_gauge(o->result, k, s->t,
-                     gauge_elevation(&o->surface, o->c->gauges[k].x, s->tank.min[1])));
+    TRY(result_gauge(o->result, k, s->t, sph_gauge(s, &o->surface, o->c->gauges[k].x)));
   return OK;
 }
 

@@ -56,31 +56,12 @@ static void warn_of_slow_sound(const struct case_file *c, const struct sph_optio
                  o->c0, mach, 10 * reachable_speed(c));
 }
 
-/* In still water the topmost particle beside ghosts settles up to 0.77 dx low (H/dx = 16 and 25);
- * two spacings in, the surface stands right. */
-static void warn_of_gauges_at_ghosts(const struct case_file *c, const struct case_run *r,
-                                     struct progress *progress) {
-  const struct sph_options *o = r->options;
-  double layer = 2 * c->H / r->resolution * (1 - 1e-9);
-  if (sph_walls[o->walls] != &sph_wall_ghost) return;
-  for (size_t i = 0; i < c->n_gauges; i++) {
-    double x = c->gauges[i].x;
-    if (fmin(x - c->tank.min[0], c->tank.max[0] - x) < layer)
-      progress_say(progress,
-                   "gauge %s is within two particle spacings of a wall of ghost particles, where "
-                   "the surface stands up to 0.8 spacings (%.3g m) low: place it %.3g m from the "
-                   "wall, or take walls: mirror",
-                   c->gauges[i].name, 0.8 * c->H / r->resolution, 2 * c->H / r->resolution);
-  }
-}
-
 static enum status run(const struct case_file *c, const struct case_run *r, struct result *result,
                        struct progress *progress) {
   struct sph *s = NULL;
   struct sph_output *output = NULL;
   enum status status;
   warn_of_slow_sound(c, r->options, progress);
-  warn_of_gauges_at_ghosts(c, r, progress);
   ATTEMPT(sph_create(c, r->resolution, r->options, &s));
   ATTEMPT(sph_output_create(c, s, result, &output));
   status = march(c, s, output, progress);

@@ -15,6 +15,7 @@ struct sph_wall {
   /* Gradients, if they need those of the water, which need the rest of s->w.pack; or NULL. */
   void (*fill_gradients)(struct sph *s);
   void (*destroy)(struct sph *s);
+  double layer; /* width of the meniscus beside it, particle spacings; see gauge.h */
   bool moving; /* the wall particles, no faster than the water */
 };
 

@@ -16,7 +16,6 @@ scales: {H: 1}
 tank: {walls: [[[0, 2], [0, 0], [3, 0], [3, 2]]]}
 water: {regions: [[[0, 0], [1, 0], [1, 1], [0, 1]]], pressure: released}
 time: {end: 1.5 sqrt(H/g), every: 0.25 sqrt(H/g)}
-gauges: [{name: wet, x: 0.15}, {name: middle, x: 0.5}]
 runs:
   - {name: slow, solver: sph, resolution: 10, c0: 1} # falling water is faster than its sound
   - {name: usual, solver: sph, resolution: 10}
@@ -32,12 +31,6 @@ grep -q usual err && fail "the sound run is blamed: $(cat err)"
 [ $? = 3 ] || fail "exit code when it is there already"
 "$program" run --out out --only usual --force case.yaml 2>err >said
 grep -q "^ *sound: .*budget" err || fail "no facts of the sound run: $(cat err)"
-
-# a gauge where the surface is known to stand low beside ghost particles
-grep -q "gauge wet is within two particle spacings" err || fail "a gauge beside ghosts is passed over"
-grep -q "gauge middle" err && fail "a gauge far from walls is warned of"
-"$program" run --out mirror --only usual --set runs.usual.walls=mirror case.yaml 2>err >said
-grep -q "gauge wet" err && fail "a gauge beside mirror images is warned of"
 
 "$program" info out/slow.h5 | grep -A2 "^health *failed: .*volume" | grep -q "speeds reach" || fail "info of slow"
 "$program" info out/usual.h5 | grep -q "^health *sound: " || fail "info of usual"

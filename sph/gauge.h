@@ -1,0 +1,15 @@
+/* Wave gauges. */
+#pragma once
+#include "common/geometry.h"
+#include "sph/sph.h"
+
+/* Elevation (m) of the water that stands on the bed at x (m), on the free surface that was
+ * extracted from the particles; NaN where the bed is dry (common/gauge.h).
+ *
+ * Beside a wall whose particles keep their place and volume where the water ends (sph_wall.layer),
+ * the topmost particles are pressed down and away: in still water by half a spacing, 0.8 at worst.
+ * What stands there is a meniscus, not the level. Within the layer the line through the
+ * surface at one and at two layers from the wall is read instead, when it is higher, but never more
+ * than one spacing above what is there: a jet that rises along the wall, water that has left it and
+ * steep faces keep their own height. */
+double sph_gauge(const struct sph *s, const struct geo_lines *surface, double x);
