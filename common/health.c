@@ -133,10 +133,11 @@ static void judge_measure(size_t k, struct health *h) {
   if (verdict > h->verdict) h->verdict = verdict;
 }
 
-/* Incompressible water has neither sound nor another density, and only theory an error of its own.
- */
+/* Incompressible water has neither sound nor another density nor particles that slip through a
+ * wall; theory, which alone has an error of its own, neither spills nor steps. */
 static bool applies(size_t k, const struct health_watch *w) {
-  if (k == HEALTH_mach || k == HEALTH_density_change) return w->elastic > 0;
+  if (k == HEALTH_mach || k == HEALTH_density_change || k == HEALTH_lost) return w->elastic > 0;
+  if (k == HEALTH_spilled || k == HEALTH_steps_cut) return isnan(w->theory);
   return k != HEALTH_theory_error;
 }
 

@@ -12,7 +12,7 @@ static void measure_cells(struct page *p, const struct comparison *c, const stru
                           const char *name, size_t time, struct cmp_html_reasons *why) {
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_row *row = cmp_rows_find(rows, name, r, time);
-    if (!row) continue;
+    if (!row || !cmp_run_is_picked(c, r, CMP_NAMED)) continue;
     if (cmp_known(&row->value) && row->value.value < row->noise)
       cmp_html_cell(p, "below", "%.4g", row->value.value);
     else
@@ -29,11 +29,13 @@ static const struct measure *measure_named(const char *name) {
 void cmp_html_measures(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
                        const char *const *names) {
   struct cmp_html_reasons why = {0};
+  char left_out[160];
   cmp_html_table_open(p);
   cmp_page_open(p, "tr", NULL);
   cmp_page_element(p, "th", "t", "measure");
   cmp_page_element(p, "th", NULL, "t*");
-  for (size_t r = 0; r < c->n_runs; r++) cmp_html_run(p, c, r);
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (cmp_run_is_picked(c, r, CMP_NAMED)) cmp_html_run(p, c, r);
   cmp_page_close(p);
   for (size_t k = 0; names[k]; k++) {
     const struct measure *m = measure_named(names[k]);
@@ -57,6 +59,8 @@ void cmp_html_measures(struct page *p, const struct comparison *c, const struct 
   }
   cmp_html_table_close(p);
   cmp_html_reasons_list(p, &why);
+  cmp_picked_say(c, CMP_NAMED, "are in report.json", left_out, sizeof left_out);
+  if (*left_out) cmp_page_element(p, "p", "soft", "%s", left_out);
 }
 
 /* ---- the jet ---- */

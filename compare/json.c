@@ -210,6 +210,7 @@ static json_t *row_object(struct maker *m, const struct comparison *c, const str
   set(m, object, "t_star", row->time == SIZE_MAX ? json_null() : number(c->times[row->time]));
   set_value(m, object, "value", &row->value);
   if (row->detail[0]) set(m, object, "detail", text(row->detail));
+  if (row->left_out) set(m, object, "sensors_left_out", json_integer((json_int_t)row->left_out));
   if (isfinite(row->noise)) set(m, object, "noise_floor", number(row->noise));
   if (isfinite(row->limit)) set(m, object, "limit", number(row->limit));
   set(m, object, "outcome", text(outcomes[row->outcome]));

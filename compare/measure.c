@@ -18,6 +18,7 @@ struct look {
   double t;                /* the comparison time asked for */
   char *detail;
   size_t detail_room;
+  size_t left_out;
 };
 
 /* ---- surfaces ---- */
@@ -216,26 +217,49 @@ static struct cmp_value pair_number(const struct cmp_pair *p, enum number which)
   }
 }
 
-/* The worst over the pairs wanted; one that is not available makes the whole unavailable. */
+/* "P1, mean over 0.05; without P2 (it never reaches the threshold) and 2 more" */
+static void pairs_say(struct look *l, const struct cmp_pair *worst, const char *name,
+                      const char *first_out, const struct cmp_value *why) {
+  int n = worst->a->average > 0 ? snprintf(l->detail, l->detail_room, "%.36s, mean over %.3g", name,
+                                           worst->a->average)
+                                : snprintf(l->detail, l->detail_room, "%.58s", name);
+  if (!first_out || n < 0 || (size_t)n >= l->detail_room) return;
+  n += snprintf(l->detail + n, l->detail_room - (size_t)n, "; without %.30s (%.60s)", first_out,
+                why->why);
+  if (l->left_out > 1 && (size_t)n < l->detail_room)
+    snprintf(l->detail + n, l->detail_room - (size_t)n, " and %zu more", l->left_out - 1);
+}
+
+/* The worst over those of the pairs wanted that have such a number; the others are named. When none
+ * has, why the first has not. */
 static struct cmp_value worst_pair(struct look *l, bool experiment, bool pressure,
                                    enum number which) {
-  struct cmp_value worst =
-      cmp_unknown(experiment ? "no experiment to compare with" : "no such signal in both files");
+  struct cmp_value worst = {NAN, ""}, why = {NAN, ""};
+  const struct cmp_pair *found = NULL;
+  const char *name = NULL, *first_out = NULL;
   for (size_t k = 0; k < l->run->n_pairs; k++) {
     const struct cmp_pair *p = &l->run->pairs[k];
     if ((p->experiment != SIZE_MAX) != experiment || (p->quantity == CMP_PRESSURE) != pressure)
       continue;
     struct cmp_value v = pair_number(p, which);
-    if (cmp_known(&v) && cmp_known(&worst) && v.value <= worst.value) continue;
+    const char *own = experiment ? p->b->name : p->a->name;
+    if (!cmp_known(&v) && !l->left_out++) {
+      first_out = own;
+      why = v;
+    }
+    if (!cmp_known(&v) || (found && v.value <= worst.value)) continue;
     worst = v;
-    const char *name = experiment ? p->b->name : p->a->name;
-    if (p->a->average > 0)
-      snprintf(l->detail, l->detail_room, "%.36s, mean over %.3g", name, p->a->average);
-    else
-      snprintf(l->detail, l->detail_room, "%.58s", name);
-    if (!cmp_known(&v)) break;
+    found = p;
+    name = own;
   }
-  return worst;
+  if (found)
+    pairs_say(l, found, name, first_out, &why);
+  else if (first_out)
+    snprintf(l->detail, l->detail_room, "%.58s", first_out);
+  else
+    why =
+        cmp_unknown(experiment ? "no experiment to compare with" : "no such signal in both files");
+  return found ? worst : why;
 }
 
 static struct cmp_value probe_rms(struct look *l) {
@@ -293,8 +317,9 @@ static struct cmp_row row_make(const struct comparison *c, size_t m, size_t r, s
   const struct cmp_run *run = &c->run[r];
   struct cmp_row row = {.measure = &cmp_measures[m], .run = r, .time = time, .limit = NAN};
   const struct cmp_at *at = time == SIZE_MAX ? NULL : &run->at[time];
-  struct look look = {c, run, at, at ? c->times[time] : NAN, row.detail, sizeof row.detail};
+  struct look look = {c, run, at, at ? c->times[time] : NAN, row.detail, sizeof row.detail, 0};
   row.value = evaluators[m].value(&look);
+  row.left_out = cmp_known(&row.value) ? look.left_out : 0;
   const struct cmp_data *d = &run->data, *ref = &c->ref.data;
   row.noise = evaluators[m].noise == OVERTURNING ? d->overturning.error + ref->overturning.error
               : evaluators[m].noise == TOUCHDOWN ? d->touchdown.error + ref->touchdown.error
@@ -334,6 +359,7 @@ static void tolerances_apply(const struct comparison *c, struct cmp_rows *rows) 
     row->outcome = row->value.value <= row->limit ? CMP_PASS : CMP_FAIL;
     rows->passed += row->outcome == CMP_PASS;
     rows->failed += row->outcome == CMP_FAIL;
+    rows->partial += row->outcome == CMP_PASS && row->left_out;
   }
 }
 

@@ -62,7 +62,8 @@ struct cmp_row {
   size_t run;  /* index in comparison.run */
   size_t time; /* index in comparison.times; SIZE_MAX: over the whole run */
   struct cmp_value value;
-  char detail[64];          /* where the worst value was found, or "" */
+  char detail[192];         /* where the worst value was found, and without what, or "" */
+  size_t left_out;          /* sensors that have no such number, where others have */
   double noise;             /* noise floor in the measure's units; NaN: none */
   double limit;             /* the strictest tolerance that applies; NaN: none */
   enum cmp_outcome outcome; /* a value that is not available fails where there is a limit */
@@ -70,6 +71,7 @@ struct cmp_row {
 
 struct cmp_rows {
   size_t n, passed, failed;
+  size_t partial;      /* of those passed: without every sensor */
   struct cmp_row *row; /* by measure, run and time */
   size_t first[CMP_N_MEASURES + 1], n_times;
   size_t unused; /* tolerances that applied to nothing that was compared */

@@ -181,6 +181,21 @@ static void best_shift(const struct cmp_signal *a, const struct cmp_signal *b, d
   pair->rms_after = cmp_number(least);
 }
 
+static bool has_values(const struct cmp_signal *s, double from, double to) {
+  for (size_t i = 0; i < s->n; i++)
+    if (s->t[i] >= from && s->t[i] <= to && isfinite(s->value[i])) return true;
+  return false;
+}
+
+/* Why two signals have no rms difference. */
+static struct cmp_value gaps_say(const struct cmp_signal *a, const struct cmp_signal *b,
+                                 double from, double to) {
+  bool mine = has_values(a, from, to), its = has_values(b, from, to);
+  if (mine && its) return cmp_unknown("too many gaps in the signals");
+  return mine || its ? cmp_unknown("dry in one of the two")
+                     : cmp_unknown("dry in both, from first to last");
+}
+
 void cmp_signal_compare(const struct cmp_signal *a, const struct cmp_signal *b, double threshold,
                         double reach, struct cmp_signal_pair *pair) {
   memset(pair, 0, sizeof *pair);
@@ -197,6 +212,6 @@ void cmp_signal_compare(const struct cmp_signal *a, const struct cmp_signal *b, 
   cmp_signal_measure(a, from, to, threshold, &pair->a);
   cmp_signal_measure(b, from, to, threshold, &pair->b);
   double r = rms_shifted(a, b, from, to, 0, 4001);
-  pair->rms = isfinite(r) ? cmp_number(r) : cmp_unknown("too many gaps in the signals");
+  pair->rms = isfinite(r) ? cmp_number(r) : gaps_say(a, b, from, to);
   best_shift(a, b, reach, pair);
 }

@@ -76,18 +76,19 @@ __attribute__((format(printf, 2, 3))) static void append(struct text *t, const c
 /* At most so many runs are named, of each kind; the others are counted. */
 enum { NAMED = 6 };
 
-static void append_name(struct text *t, const struct cmp_run *run) {
+static void append_name(struct text *t, const struct cmp_run *run, bool health) {
   append(t, "%.60s", run->data.label);
-  if (run->health.verdict != HEALTH_SOUND) append(t, " (%s)", health_verdicts[run->health.verdict]);
+  if (health && run->health.verdict != HEALTH_SOUND)
+    append(t, " (%s)", health_verdicts[run->health.verdict]);
 }
 
-/* "x, y and z" of order[0] to order[n - 1]. */
-static void append_names(struct text *t, const struct comparison *c, const size_t *order,
-                         size_t n) {
+/* "x, y (doubtful) and z" of order[0] to order[n - 1], with their health or without. */
+static void append_names(struct text *t, const struct comparison *c, const size_t *order, size_t n,
+                         bool health) {
   size_t shown = n > NAMED + 1 ? NAMED : n;
   for (size_t k = 0; k < shown; k++) {
     append(t, "%s", !k ? "" : k + 1 < n ? ", " : " and ");
-    append_name(t, &c->run[order[k]]);
+    append_name(t, &c->run[order[k]], health);
   }
   if (shown < n) append(t, " and %zu more", n - shown);
 }
@@ -103,8 +104,9 @@ static void append_reasons(struct text *t, const struct cmp_run *run, bool ended
   if (n) append(t, ": %.*s%s", (int)n, why, whole ? "" : " (and so on)");
 }
 
-static const char *verdict_words(const struct cmp_run *run) {
-  return run->health.verdict == HEALTH_FAILED ? "has failed" : "is doubtful";
+static const char *verdict_words(const struct cmp_run *run, bool many) {
+  if (run->health.verdict == HEALTH_FAILED) return many ? "have failed" : "has failed";
+  return many ? "are doubtful" : "is doubtful";
 }
 
 /* ---- the reference: where it ends and why, before anything is compared with it ---- */
@@ -143,7 +145,7 @@ static void append_reference(struct text *t, const struct comparison *c) {
     append(t, "has no surface after t* = %.3g of %.3g, and does not say why",
            f->surface_time[f->n_surfaces - 1] / c->scales.T, c->settings->end / c->scales.T);
   if (!sound) {
-    append(t, early || silent ? " and %s" : "%s", verdict_words(ref));
+    append(t, early || silent ? " and %s" : "%s", verdict_words(ref, false));
     append_reasons(t, ref, early);
   }
   if (isfinite(c->until)) append(t, "; nothing is compared beyond t* = %.3g", c->until);
@@ -155,7 +157,7 @@ static void append_foreign(struct text *t, const struct comparison *c, size_t *c
   for (size_t r = 0; r < c->n_runs; r++)
     if (c->run[r].foreign) chosen[n++] = r;
   if (!n) return;
-  append_names(t, c, chosen, n);
+  append_names(t, c, chosen, n, true);
   append(t, " %s not of the tank, water and scales of %.60s, and compared all the same. ",
          n > 1 ? "are" : "is", c->ref.data.label);
 }
@@ -219,7 +221,7 @@ static void append_agreement(struct text *t, const struct comparison *c, const s
   for (size_t n; k < c->n_runs && clauses < NAMED; k += n, clauses++) {
     n = alike(c, order, k);
     if (k) append(t, "; ");
-    append_names(t, c, order + k, n);
+    append_names(t, c, order + k, n, true);
     append_until(t, c, &c->run[order[k]], k == 0, n);
   }
   if (k < c->n_runs) {
@@ -240,7 +242,7 @@ static void append_parts(struct text *t, const struct comparison *c, const size_
   for (size_t k = 0; k < shown; k++) {
     const struct cmp_run *run = &c->run[order[k]];
     append(t, "%s", !k ? "" : k + 1 < c->n_runs ? ", " : " and ");
-    append_name(t, run);
+    append_name(t, run, true);
     if (!cmp_known(&run->off))
       append(t, " cannot be compared (%s)", run->off.why);
     else
@@ -254,18 +256,46 @@ static void append_parts(struct text *t, const struct comparison *c, const size_
   append(t, ". ");
 }
 
-/* Why those named as doubtful or failed are. */
-static void append_unsound(struct text *t, const struct comparison *c, const size_t *order) {
-  enum { EXPLAINED = 3 };
+/* The runs from order[k] on that are unsound for the very reasons of that one. */
+static size_t unsound_alike(const struct comparison *c, const size_t *order, size_t k,
+                            size_t *chosen) {
+  const struct health *first = &c->run[order[k]].health;
   size_t n = 0;
+  for (; k < c->n_runs; k++) {
+    const struct health *h = &c->run[order[k]].health;
+    if (h->verdict == first->verdict && !strcmp(h->reasons, first->reasons)) chosen[n++] = order[k];
+  }
+  return n;
+}
+
+static bool unsound_before(const struct comparison *c, const size_t *order, size_t k) {
+  const struct health *h = &c->run[order[k]].health;
+  for (size_t i = 0; i < k; i++) {
+    const struct health *earlier = &c->run[order[i]].health;
+    if (h->verdict == earlier->verdict && !strcmp(h->reasons, earlier->reasons)) return true;
+  }
+  return false;
+}
+
+/* Why those that are doubtful or failed are. */
+static void append_unsound(struct text *t, const struct comparison *c, const size_t *order,
+                           size_t *chosen) {
+  enum { EXPLAINED = 3 };
+  size_t reasons = 0, more = 0;
   for (size_t k = 0; k < c->n_runs; k++) {
     const struct cmp_run *run = &c->run[order[k]];
-    if (run->health.verdict == HEALTH_SOUND || n++ >= EXPLAINED) continue;
-    append(t, "%.60s %s", run->data.label, verdict_words(run));
+    if (run->health.verdict == HEALTH_SOUND || unsound_before(c, order, k)) continue;
+    size_t n = unsound_alike(c, order, k, chosen);
+    if (reasons++ >= EXPLAINED) {
+      more += n;
+      continue;
+    }
+    append_names(t, c, chosen, n, false);
+    append(t, " %s", verdict_words(run, n > 1));
     append_reasons(t, run, false);
     append(t, ". ");
   }
-  if (n > EXPLAINED) append(t, "%zu more are not sound either. ", n - EXPLAINED);
+  if (more) append(t, "%zu more %s not sound either. ", more, more > 1 ? "are" : "is");
 }
 
 static void append_checks(struct text *t, const struct cmp_rows *rows) {
@@ -273,8 +303,13 @@ static void append_checks(struct text *t, const struct cmp_rows *rows) {
   if (rows->failed)
     append(t, "%zu of %zu checks against the case's tolerances %s.", rows->failed, n,
            rows->failed == 1 ? "fails" : "fail");
+  else if (n == 1)
+    append(t, "The check against the case's tolerances passes.");
   else if (n)
     append(t, "All %zu checks against the case's tolerances pass.", n);
+  if (rows->partial)
+    append(t, " %zu pass%s without every sensor: the table of checks names those left out.",
+           rows->partial, rows->partial == 1 ? "es" : "");
 }
 
 enum status cmp_summary_sentence(const struct comparison *c, const struct cmp_rows *rows,
@@ -296,7 +331,7 @@ enum status cmp_summary_sentence(const struct comparison *c, const struct cmp_ro
     append_parts(&t, c, order);
   else
     append_agreement(&t, c, order);
-  append_unsound(&t, c, order);
+  append_unsound(&t, c, order, chosen);
   append_checks(&t, rows);
   size_t n = strlen(sentence);
   if (n && sentence[n - 1] == ' ') sentence[n - 1] = 0;

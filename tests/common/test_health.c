@@ -108,9 +108,15 @@ static void test_older_file_is_judged_by_what_it_has(void) {
   f.energy = e;
   f.steps = s;
   health_of_file(&f, &h);
-  EXPECT(h.verdict == HEALTH_FAILED); /* a fifth of the energy has gone nowhere */
-  EXPECT_STR(h.missing, "spilled, lost, steps cut");
+  EXPECT(h.verdict == HEALTH_FAILED);          /* a fifth of the energy has gone nowhere */
+  EXPECT_STR(h.missing, "spilled, steps cut"); /* nor particles to slip through a wall */
   EXPECT(health_since(&f, HEALTH_DOUBTFUL) == 1);
+  struct result_statistic_read theory = {"theory_error", "", 0.001};
+  f.n_statistics = 1;
+  f.statistics = &theory;
+  health_of_file(&f, &h);
+  EXPECT_STR(h.missing, "");
+  f.n_statistics = 0;
   e[1].viscosity = 0.2 * E0;
   e[1].internal = 1e-3;
   health_of_file(&f, &h);

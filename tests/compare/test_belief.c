@@ -251,6 +251,59 @@ static void test_no_front_fails_its_tolerance(void) {
   result_file_destroy(b);
 }
 
+/* A second gauge, dry from first to last. */
+static void dry_gauge_add(struct result_file *r) {
+  r->gauges = realloc(r->gauges, 2 * sizeof *r->gauges);
+  struct result_series *s = &r->gauges[r->n_gauges++];
+  *s = (struct result_series){.name = text("dry"), .units = text("m"), .n = ROWS};
+  s->t = calloc(ROWS, sizeof *s->t);
+  s->value = calloc(ROWS, sizeof *s->value);
+  for (size_t i = 0; i < ROWS; i++) {
+    s->t[i] = r->gauges[0].t[i];
+    s->value[i] = NAN;
+  }
+}
+
+static const char *detail_of(const char *measure) {
+  size_t i;
+  json_t *row;
+  json_array_foreach(
+      json_object_get(report, "measures"), i,
+      row) if (!strcmp(json_string_value(json_object_get(row, "measure")),
+                       measure)) return json_string_value(json_object_get(row, "detail"));
+  return NULL;
+}
+
+/* One sensor that stays dry does not take the number of the others away; it is named where the
+ * number stands, and a check that passes so is not one that passes with all. When all are dry there
+ * is no number. */
+static void test_dry_sensor_is_left_out_and_named(void) {
+  struct case_tolerance rms = {.measure = (char[]){"gauge_rms"}, .at = NAN, .max = 0.02};
+  struct case_file c = {.compare = {.n_tolerances = 1, .tolerances = &rms}};
+  c.compare.window = (struct geo_box){{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
+  struct result_file *a = made_up("a", "dry", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "dry", (struct flaws){.raised = 0.0137, .until = end});
+  dry_gauge_add(a);
+  dry_gauge_add(b);
+  struct cmp_verdict v = compare(&c, a, 1, &b);
+  EXPECT_NEAR(value_of("gauge_rms", "b", 0), 0.0137, 1e-9);
+  EXPECT_STR(detail_of("gauge_rms"), "G'1`touch x`; without dry (dry in both, from first to last)");
+  EXPECT(v.passed == 1 && strstr(v.sentence, " tolerances passes. 1 passes without every sensor"));
+  for (size_t i = 0; i < ROWS; i++) b->gauges[1].value[i] = H;
+  compare(&c, a, 1, &b);
+  EXPECT(strstr(detail_of("gauge_rms"), "; without dry (dry in one of the two)"));
+  for (size_t i = 0; i < ROWS; i++) a->gauges[1].value[i] = H * 0.5;
+  v = compare(&c, a, 1, &b);
+  EXPECT_NEAR(value_of("gauge_rms", "b", 0), 0.5, 1e-9);
+  EXPECT(v.failed == 1 && !strstr(detail_of("gauge_rms"), "without"));
+  for (int k = 0; k < 2; k++)
+    for (size_t i = 0; i < ROWS; i++) a->gauges[k].value[i] = b->gauges[k].value[i] = NAN;
+  v = compare(&c, a, 1, &b);
+  EXPECT(isnan(value_of("gauge_rms", "b", 0)) && v.failed == 1);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
 /* 200 runs: some are named, the others counted, and the checks still follow. */
 static void test_sentence_of_many_runs_is_readable(void) {
   enum { MANY = 200 };
@@ -264,13 +317,15 @@ static void test_sentence_of_many_runs_is_readable(void) {
   for (int r = 0; r < MANY; r++) {
     snprintf(name, sizeof name, "run %d", r);
     runs[r] = made_up(name, "", (struct flaws){.until = 1.2});
-    if (r % 2) statistic_add(runs[r], "largest_mach", 0.5);
+    if (r % 2) statistic_add(runs[r], "largest_mach", r < 100 ? 0.5 : 0.5 + 0.001 * r);
   }
   EXPECT_OK(cmp_comparison_create(&c, a, MANY, runs, false, &comparison));
   EXPECT_OK(cmp_rows_create(comparison, &rows));
   EXPECT_OK(cmp_summary_sentence(comparison, &rows, sentence, sizeof sentence));
   EXPECT(strstr(sentence, "and 194 more stay within one particle spacing"));
-  EXPECT(strstr(sentence, "97 more are not sound either."));
+  EXPECT(strstr(sentence, "run 1, run 3, run 5, run 7, run 9, run 11 and 44 more are doubtful: "));
+  EXPECT(strstr(sentence, "run 101 is doubtful: ") && strstr(sentence, "run 103 is doubtful: "));
+  EXPECT(strstr(sentence, "48 more are not sound either."));
   EXPECT(strlen(sentence) < 1000 && strstr(sentence, "fail."));
   cmp_rows_destroy(&rows);
   cmp_comparison_destroy(comparison);
@@ -299,6 +354,7 @@ int main(void) {
   RUN(test_low_wave_is_measured_by_its_motion);
   RUN(test_front_is_taken_towards_its_wall);
   RUN(test_no_front_fails_its_tolerance);
+  RUN(test_dry_sensor_is_left_out_and_named);
   RUN(test_sentence_of_many_runs_is_readable);
   RUN(test_onset_is_documented_as_measured);
   json_decref(report);
