@@ -177,6 +177,7 @@ static enum status edit_file(void *data) {
   H5Pset_fclose_degree(fapl, H5F_CLOSE_STRONG); /* closes what the edits left open */
   H5Pset_file_image(fapl, e->data, e->size);
   hid_t file = H5Fopen("fuzz", H5F_ACC_RDWR, fapl);
+  H5Pclose(fapl);
   for (uint32_t k = 1 + draw(&e->state, 4); file >= 0 && k > 0; k--) edit_once(file, &e->state);
   H5Fflush(file, H5F_SCOPE_GLOBAL);
   ssize_t n = H5Fget_file_image(file, NULL, 0);

@@ -11,14 +11,19 @@
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 
 #include "common/file.h"
 #include "fuzz/fuzz.h"
+#include "fuzz/hasty.h"
+
+enum { WORKS = 100, HASTY_TIME = 5 /* s on the clock */ };
 
 static pid_t fuzzer;
-static int line[2]; /* ends of the fuzzer and of the servant */
-static int report;  /* of FUZZ_REPORT */
-static bool from_hdf5;
+static int line;   /* from the fuzzer to the servant */
+static int report; /* of FUZZ_REPORT */
+
+void __asan_init(void) __attribute__((weak)); /* NULL without the address sanitizer */
 
 /* ---- libFuzzer's counters of the code that has run ---- */
 
@@ -43,43 +48,42 @@ static void share_counters(void) {
 
 /* ---- telling our errors from HDF5's ---- */
 
-/* weak: built without the address sanitizer, every crash of a child is taken for HDF5's */
-void __asan_set_error_report_callback(void (*callback)(const char *text)) __attribute__((weak));
-
 const char *__asan_default_options(void);
 const char *__asan_default_options(void) {
   return "allocator_may_return_null=1:max_allocation_size_mb=300:symbolize=0:detect_leaks=0:"
          "malloc_context_size=2:quarantine_size_mb=4";
 }
 
-/* The innermost frames decide: HDF5 calls nothing of ours that could fail. */
-static void see_report(const char *text) {
-  const char *end = text;
+/* The innermost frames decide: HDF5 calls nothing of ours that could fail. Where memory is short,
+ * as the guard sees to, the sanitizer itself may end. */
+static bool is_from_hdf5(const char *text) {
+  static const char *const short_of_memory[] = {
+      "ERROR: AddressSanitizer failed to allocate", "ERROR: Failed to mmap",
+      "ERROR: AddressSanitizer: out-of-memory", "internal allocator is out of memory"};
+  const char *error = strstr(text, "ERROR: "), *end = error;
+  if (!error) return false; /* it is compiled without checks of undefined behaviour */
+  for (int i = 0; i < 4; i++)
+    if (strstr(text, short_of_memory[i])) return true;
   for (int frames = 0; frames < 4 && (end = strstr(end, "\n    #")); frames++) end++;
-  size_t n = end ? (size_t)(end - text) : strlen(text);
-  from_hdf5 = memmem(text, n, "libhdf5", 7) || memmem(text, n, "libz.so", 7);
+  size_t n = end ? (size_t)(end - error) : strlen(error);
+  return memmem(error, n, "libhdf5", 7) || memmem(error, n, "libz.so", 7);
 }
 
 static void die(void) {
-  if (!from_hdf5)
-    kill(fuzzer, SIGABRT);
-  else if (ftruncate(report, 0))
-    abort();
+  static char text[1 << 16];
+  if (pread(report, text, sizeof text - 1, 0) < 0 || !is_from_hdf5(text)) kill(fuzzer, SIGABRT);
 }
 
 /* In the servant and again in each child, as the sanitizers take a report's file for one process'.
- */
+ * Without the address sanitizer, every crash of a child is taken for HDF5's. */
 static void watch(void) {
   static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
   __sanitizer_set_report_fd((void *)(intptr_t)report);
   __sanitizer_set_death_callback(die);
-  if (__asan_set_error_report_callback)
-    __asan_set_error_report_callback(see_report);
-  else
-    for (int i = 0; i < 4; i++) signal(crashes[i], SIG_DFL);
+  for (int i = 0; !__asan_init && i < 4; i++) signal(crashes[i], SIG_DFL);
 }
 
-/* ---- the servant ---- */
+/* ---- processes that serve ---- */
 
 static bool say(int fd) {
   return send(fd, "", 1, MSG_NOSIGNAL) == 1;
@@ -93,25 +97,68 @@ static bool hear(int fd) {
   return got == 1;
 }
 
+/* Whether this is the new process; `line` leads to the other. */
+static bool divide(pid_t *child, int *to) {
+  int end[2];
+  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, end)) abort();
+  *child = fork();
+  if (*child < 0) abort();
+  close(end[*child == 0 ? 0 : 1]);
+  *to = end[*child == 0 ? 1 : 0];
+  if (!*child) prctl(PR_SET_PDEATHSIG, SIGKILL);
+  return !*child;
+}
+
+static _Noreturn void be_worker(void (*serve)(void), int to) {
+  fuzz_hasten();
+  for (int n = 0; n < WORKS && hear(to); n++) {
+    alarm(HASTY_TIME);
+    serve();
+    alarm(0);
+    if (!say(to)) break;
+  }
+  _exit(0);
+}
+
+/* False when the worker died of it, which says nothing yet. */
+static bool have_worked(void (*serve)(void)) {
+  static pid_t worker;
+  static int to;
+  bool done = false;
+  for (int attempt = 0; attempt < 2 && !done; attempt++) {
+    bool fresh = !worker;
+    if (fresh && divide(&worker, &to)) be_worker(serve, to);
+    done = say(to) && hear(to);
+    if (done) break;
+    close(to);
+    waitpid(worker, NULL, 0);
+    worker = 0;
+    if (fresh) break;
+  }
+  return done;
+}
+
 void fuzz_servant_start(void (*serve)(void)) {
+  pid_t servant;
+  int to;
   share_counters();
   fuzzer = getpid();
-  report = file_open(FUZZ_REPORT, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND);
-  if (report < 0 || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, line)) abort();
-  pid_t servant = fork();
-  if (servant < 0) abort();
-  close(line[!servant ? 0 : 1]);
-  if (servant) return;
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  report = file_open(FUZZ_REPORT, O_RDWR | O_CREAT | O_TRUNC | O_APPEND);
+  if (report < 0) abort();
+  if (!divide(&servant, &to)) {
+    line = to;
+    return;
+  }
   watch();
   if (pthread_atfork(NULL, NULL, watch)) abort();
-  while (hear(line[1])) {
-    serve();
-    if (!say(line[1])) break;
+  while (hear(to)) {
+    if (ftruncate(report, 0)) abort(); /* what came before was HDF5's */
+    if (!have_worked(serve)) serve();
+    if (!say(to)) break;
   }
   _exit(0);
 }
 
 void fuzz_servant_call(void) {
-  if (!say(line[0]) || !hear(line[0])) abort();
+  if (!say(line) || !hear(line)) abort();
 }

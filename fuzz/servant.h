@@ -1,7 +1,9 @@
 /* A second process, forked while the fuzzer's is still small, that does what needs children:
- * forking is then several times faster. HDF5 is not ours: that a child dies inside it is no find.
- * An error of our code, in the servant or a child, ends the fuzzer with SIGABRT, and FUZZ_REPORT
- * tells of it. */
+ * forking is then several times faster. It leaves each work to a worker first (hasty.h), and does
+ * it itself, with a child as the program has it, when the worker died of it.
+ *
+ * HDF5 is not ours: that a process dies inside it is no find. An error of our code, wherever, ends
+ * the fuzzer with SIGABRT, and FUZZ_REPORT tells of it. */
 #pragma once
 
 #define FUZZ_REPORT "child-report"
