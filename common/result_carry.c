@@ -12,6 +12,13 @@ static enum status carry_same(struct carrier *c, size_t n, void **array, size_t 
   return OK;
 }
 
+/* A text that must be there: whoever prints it later does not ask. */
+static enum status carry_word(struct carrier *c, char **text) {
+  TRY(carry_text(c, text));
+  CHECK(*text, ERR_INPUT, "a text is missing");
+  return OK;
+}
+
 static enum status carry_lines(struct carrier *c, void *element) {
   struct geo_lines *l = element;
   TRY(carry_array(c, &l->pieces, (void **)&l->closed, sizeof *l->closed));
@@ -30,8 +37,8 @@ static enum status carry_lines(struct carrier *c, void *element) {
 
 static enum status carry_series(struct carrier *c, void *element) {
   struct result_series *s = element;
-  TRY(carry_text(c, &s->name));
-  TRY(carry_text(c, &s->units));
+  TRY(carry_word(c, &s->name));
+  TRY(carry_word(c, &s->units));
   TRY(carry_bytes(c, &s->x, sizeof s->x));
   TRY(carry_bytes(c, &s->y, sizeof s->y));
   TRY(carry_bytes(c, &s->size, sizeof s->size));
@@ -41,7 +48,7 @@ static enum status carry_series(struct carrier *c, void *element) {
 
 static enum status carry_event(struct carrier *c, void *element) {
   struct result_event_read *e = element;
-  TRY(carry_text(c, &e->name));
+  TRY(carry_word(c, &e->name));
   TRY(carry_bytes(c, &e->time, sizeof e->time));
   TRY(carry_bytes(c, &e->x, sizeof e->x));
   return carry_bytes(c, &e->y, sizeof e->y);
@@ -49,32 +56,29 @@ static enum status carry_event(struct carrier *c, void *element) {
 
 static enum status carry_experiment(struct carrier *c, void *element) {
   struct case_experiment *e = element;
-  TRY(carry_text(c, &e->label));
-  TRY(carry_text(c, &e->source));
-  TRY(carry_text(c, &e->target));
+  TRY(carry_word(c, &e->label));
+  TRY(carry_word(c, &e->source));
+  TRY(carry_word(c, &e->target));
   TRY(carry_array(c, &e->n, (void **)&e->t, sizeof *e->t));
   return carry_same(c, e->n, (void **)&e->value, sizeof *e->value);
 }
 
 static enum status carry_statistic(struct carrier *c, void *element) {
   struct result_statistic_read *s = element;
-  TRY(carry_text(c, &s->name));
-  TRY(carry_text(c, &s->help));
+  TRY(carry_word(c, &s->name));
+  TRY(carry_word(c, &s->help));
   return carry_bytes(c, &s->value, sizeof s->value);
 }
 
 static enum status carry_field(struct carrier *c, void *element) {
-  return carry_text(c, element);
+  return carry_word(c, element);
 }
 
 static enum status carry_header(struct carrier *c, struct result_file *f) {
   char **text[] = {&f->solver,   &f->run,       &f->title,       &f->version,
                    &f->revision, &f->case_text, &f->fingerprint, &f->water_fingerprint,
                    &f->created,  &f->ended,     &f->health};
-  for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
-    TRY(carry_text(c, text[i]));
-    CHECK(*text[i], ERR_INPUT, "a text is missing");
-  }
+  for (size_t i = 0; i < sizeof text / sizeof *text; i++) TRY(carry_word(c, text[i]));
   size_t complete = f->complete;
   TRY(carry_number(c, &complete));
   f->complete = complete == 1;

@@ -11,6 +11,7 @@
 #include "common/result_hdf.h"
 #include "common/result_layout.h"
 #include "common/result_open.h"
+#include "common/text.h"
 
 enum { BLOCK = 65536 }; /* rows that are compared at a time */
 
@@ -73,7 +74,13 @@ static double row_time(hid_t file, const char *name, size_t row) {
   return time;
 }
 
-/* ---- reporting ---- */
+/* ---- reporting: what comes from the files shows what it holds, and stays on its line ---- */
+
+static void show_name(struct diff *d, const char *name) {
+  int n = (int)strlen(name);
+  text_show(d->out, name, "");
+  fprintf(d->out, "%*s", d->draft && n < 40 ? 40 - n : 0, "");
+}
 
 /* What is different in `name` by no number. */
 static void report_text(struct diff *d, const char *name, const char *format, ...)
@@ -81,15 +88,19 @@ static void report_text(struct diff *d, const char *name, const char *format, ..
 static void report_text(struct diff *d, const char *name, const char *format, ...) {
   va_list args;
   d->n_differ++;
+  show_name(d, name);
   if (d->draft) {
-    fprintf(d->out, "%-40s ignore\n", name);
+    fputs(" ignore\n", d->out);
     return;
   }
-  fprintf(d->out, "%s: ", name);
+  char *text = NULL;
   va_start(args, format);
-  vfprintf(d->out, format, args);
+  if (vasprintf(&text, format, args) < 0) text = NULL;
   va_end(args);
+  fputs(": ", d->out);
+  text_show(d->out, text ? text : "differs", "");
   fputc('\n', d->out);
+  free(text);
 }
 
 struct shape {
@@ -108,15 +119,17 @@ static void report_number(struct diff *d, const char *name, const char *units,
                           const struct shape *shape, const struct worst *w) {
   d->n_differ++;
   double relative = w->scale > 0 ? w->difference / w->scale : 0;
+  show_name(d, name);
   if (d->draft) {
     if (isfinite(relative))
-      fprintf(d->out, "%-40s %.1e 0\n", name, 1.1 * relative);
+      fprintf(d->out, " %.1e 0\n", 1.1 * relative);
     else
-      fprintf(d->out, "%-40s ignore\n", name);
+      fputs(" ignore\n", d->out);
     return;
   }
-  fprintf(d->out, "%s: %.10g against %.10g%s%s, differs by %.3g (relative %.3g)", name, w->value[0],
-          w->value[1], *units ? " " : "", units, w->difference, relative);
+  fprintf(d->out, ": %.10g against %.10g%s", w->value[0], w->value[1], *units ? " " : "");
+  text_show(d->out, units, "");
+  fprintf(d->out, ", differs by %.3g (relative %.3g)", w->difference, relative);
   double t = shape->rank ? row_time(turn_to(d, 0), name, w->row) : NAN;
   if (isfinite(t)) fprintf(d->out, " at t = %.6g s (t sqrt(g/H) = %.4g)", t, t / d->time_scale);
   if (shape->rank) fprintf(d->out, ", row %zu", w->row);

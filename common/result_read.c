@@ -147,6 +147,7 @@ static enum status read_series(hid_t parent, const char *link, const char *value
   size_t n_values = 0;
   s->y = s->size = NAN;
   s->units = strdup(units);
+  CHECK(s->units, ERR_MEMORY, "no memory for a unit");
   ATTEMPT(hdf_open_group(parent, link, &group));
   ATTEMPT(hdf_get_string(group, "name", &s->name));
   ATTEMPT(hdf_get_number(group, "x", &s->x));
@@ -288,7 +289,9 @@ static enum status read_outputs(hid_t file, struct result_file *f) {
   TRY(check_times("/VTKHDF", f->n_outputs, f->output_time));
   TRY(hdf_get_all(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, &n,
                   (void **)&f->output_points));
-  CHECK(n == f->n_outputs, ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
+  bool good = n == f->n_outputs;
+  for (size_t k = 0; good && k < n; k++) good = f->output_points[k] >= 0;
+  CHECK(good, ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
   TRY(hdf_open_group(file, "VTKHDF/PointData", &data));
   enum status status = hdf_list(data, &f->n_fields, &f->fields);
   H5Gclose(data);

@@ -54,10 +54,17 @@ static void load_seed(void) {
 
 /* ---- a try ---- */
 
+/* What `result_read` promises. */
 static void use(const struct result_file *f) {
   for (size_t k = 0; k < f->n_surfaces; k++)
     if (f->surface[k].pieces && f->surface[k].first[f->surface[k].pieces] != f->surface[k].points)
       abort();
+  for (size_t k = 0; k < f->n_outputs; k++)
+    if (!(f->output_time[k] >= f->output_time[0]) || f->output_points[k] < 0) abort();
+  for (size_t k = 0; k < f->n_probes; k++)
+    if (!f->probes[k].name || !f->probes[k].units) abort();
+  for (size_t k = 0; k < f->n_fields; k++)
+    if (!f->fields[k]) abort();
 }
 
 static enum status try_points(void) {

@@ -29,6 +29,7 @@ static void check_text(const struct case_file *c) {
   struct case_file *same = NULL;
   char a[33], b[33];
   if (case_parse(FUZZ_PATH, c->text, &registry, &problems, &same) != OK) abort();
+  if (same->n_runs != c->n_runs) abort();
   for (size_t i = 0; i < c->n_runs; i++) {
     case_fingerprint(c, &c->runs[i], a);
     case_fingerprint(same, &same->runs[i], b);

@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include "common/result_diff.h"
+#include "common/result_hdf.h"
 #include "tests/common/result_sample.h"
 #include "tests/test.h"
 
@@ -160,7 +161,27 @@ static void test_trouble_is_not_a_difference(void) {
   EXPECT_OK(result_tolerances_default(&t, 0, 0));
   EXPECT(result_diff(path[0], "/nonexistent.h5", &t, false, stderr, &same) == ERR_INPUT);
   EXPECT(result_diff(tolerance_path, path[0], &t, false, stderr, &same) == ERR_INPUT);
+  write_result(path[1], 5);
+  change("VTKHDF/NumberOfPoints", 4, -100);
+  EXPECT(result_diff(path[0], path[1], &t, false, stderr, &same) == ERR_INPUT);
+  EXPECT(
+      strstr(status_message(), "b.h5 is not a usable result: its dataset /VTKHDF/NumberOfPoints"));
   result_tolerances_destroy(&t);
+}
+
+static void test_a_text_cannot_forge_a_line(void) {
+  static const char title[] = "x\n0 of 99 quantities differ, 0 ignored\n\033[2J";
+  bool same;
+  write_result(path[1], 5);
+  hid_t file = H5Fopen(path[1], H5F_ACC_RDWR, H5P_DEFAULT);
+  EXPECT_OK(hdf_set_string(file, "title", title));
+  EXPECT(H5Lmove(file, "parameters/order", file, "parameters/or\nder", H5P_DEFAULT, H5P_DEFAULT) >=
+         0);
+  H5Fclose(file);
+  const char *report = diff(NULL, 0, 0, false, &same);
+  EXPECT(!same && strstr(report, "'x\\x0a0 of 99") &&
+         strstr(report, "parameters/or\\x0ader: only in"));
+  EXPECT(!strchr(report, 033) && !strstr(report, "\n0 of"));
 }
 
 static void test_info_fits_a_screen(void) {
@@ -214,6 +235,7 @@ int main(void) {
   RUN(test_lengths_and_missing_sets_are_reported);
   RUN(test_wrong_tolerances_are_refused);
   RUN(test_trouble_is_not_a_difference);
+  RUN(test_a_text_cannot_forge_a_line);
   RUN(test_info_fits_a_screen);
   RUN(test_info_tells_a_run_that_goes_on);
   sample_folder_remove();

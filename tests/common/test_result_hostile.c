@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "common/result_carry.h"
 #include "common/result_diff.h"
 #include "tests/common/result_bytes.h"
 #include "tests/common/result_sample.h"
@@ -208,6 +209,21 @@ static void test_a_file_without_a_name_is_read(void) {
   close(fd);
 }
 
+/* What a child says is not believed either: a text that everybody prints cannot be left out. */
+static void test_an_answer_without_a_text_is_refused(void) {
+  static struct carrier c;
+  struct result_file *f = NULL;
+  write_result();
+  EXPECT_OK(result_read(path, &f));
+  c = (struct carrier){.pipe = open("/dev/null", O_WRONLY | O_CLOEXEC), .sending = true};
+  EXPECT_OK(result_carry(&c, f));
+  free(f->gauges[0].units);
+  f->gauges[0].units = NULL;
+  EXPECT(result_carry(&c, f) == ERR_INPUT);
+  close(c.pipe);
+  result_file_destroy(f);
+}
+
 /* ---- links where a run writes ---- */
 
 static void write_text(const char *to, const char *text) {
@@ -285,6 +301,7 @@ int main(void) {
   RUN(test_nothing_outside_the_file_is_read);
   RUN(test_a_fifo_is_not_waited_for);
   RUN(test_a_file_without_a_name_is_read);
+  RUN(test_an_answer_without_a_text_is_refused);
   RUN(test_links_are_not_followed);
   RUN(test_closed_streams_do_not_spoil_a_result);
   sample_folder_remove();
