@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "common/file.h"
+#include "common/result_driver.h"
 #include "common/result_hdf.h"
 #include "common/result_seal.h"
 
@@ -86,8 +87,8 @@ static enum status page_need(struct result_store *s, size_t k) {
   return status;
 }
 
-static enum status store_write(struct result_store *s, haddr_t at, size_t n,
-                               const unsigned char *from) {
+static enum status store_write(void *store, haddr_t at, size_t n, const unsigned char *from) {
+  struct result_store *s = store;
   TRY(reserve_pages(s, at + n));
   for (size_t done = 0; done < n;) {
     size_t k = (size_t)((at + done) / PAGE), offset = (size_t)((at + done) % PAGE);
@@ -99,7 +100,8 @@ static enum status store_write(struct result_store *s, haddr_t at, size_t n,
   return OK;
 }
 
-static enum status store_read(struct result_store *s, haddr_t at, size_t n, unsigned char *to) {
+static enum status store_read(void *store, haddr_t at, size_t n, unsigned char *to) {
+  const struct result_store *s = store;
   for (size_t done = 0; done < n;) {
     size_t k = (size_t)((at + done) / PAGE), offset = (size_t)((at + done) % PAGE);
     size_t part = PAGE - offset < n - done ? PAGE - offset : n - done;
@@ -112,83 +114,14 @@ static enum status store_read(struct result_store *s, haddr_t at, size_t n, unsi
   return OK;
 }
 
-/* ---- the HDF5 file driver ---- */
-
-struct handle {
-  H5FD_t pub; /* HDF5's part, first */
-  struct result_store *store;
-};
-
-static H5FD_t *driver_open(const char *name, unsigned flags, hid_t fapl, haddr_t maxaddr) {
-  (void)name, (void)flags, (void)maxaddr;
-  struct result_store *const *store = H5Pget_driver_info(fapl);
-  struct handle *h = calloc(1, sizeof *h);
-  if (!store || !h) {
-    free(h);
-    return NULL;
-  }
-  h->store = *store;
-  return &h->pub;
-}
-
-static herr_t driver_close(H5FD_t *file) {
-  free(file);
-  return 0;
-}
-
-static herr_t driver_query(const H5FD_t *file, unsigned long *flags) {
-  (void)file;
-  *flags = H5FD_FEAT_DATA_SIEVE;
-  return 0;
-}
-
-static haddr_t driver_get_eoa(const H5FD_t *file, H5FD_mem_t type) {
-  (void)type;
-  return ((const struct handle *)file)->store->eoa;
-}
-
-static herr_t driver_set_eoa(H5FD_t *file, H5FD_mem_t type, haddr_t addr) {
-  (void)type;
-  ((struct handle *)file)->store->eoa = addr;
-  return 0;
-}
-
-static herr_t driver_read(H5FD_t *file, H5FD_mem_t type, hid_t dxpl, haddr_t addr, size_t size,
-                          void *buffer) {
-  (void)type, (void)dxpl;
-  return store_read(((struct handle *)file)->store, addr, size, buffer) == OK ? 0 : -1;
-}
-
-static herr_t driver_write(H5FD_t *file, H5FD_mem_t type, hid_t dxpl, haddr_t addr, size_t size,
-                           const void *buffer) {
-  (void)type, (void)dxpl;
-  return store_write(((struct handle *)file)->store, addr, size, buffer) == OK ? 0 : -1;
-}
-
-static const H5FD_class_t driver = {
-    .name = "plunge store",
-    .maxaddr = (haddr_t)INT64_MAX,
-    .fc_degree = H5F_CLOSE_STRONG,
-    .fapl_size = sizeof(struct result_store *),
-    .open = driver_open,
-    .close = driver_close,
-    .query = driver_query,
-    .get_eoa = driver_get_eoa,
-    .set_eoa = driver_set_eoa,
-    .get_eof = driver_get_eoa, /* what was never written reads as zeros */
-    .read = driver_read,
-    .write = driver_write,
-    .fl_map = H5FD_FLMAP_DICHOTOMY,
-};
-
 enum status result_store_open(struct result_store *s, hid_t *file) {
-  /* kept until the file is closed: HDF5 1.10 reads a driver once more after it has given it up */
-  s->driver = H5FDregister(&driver);
+  struct result_driver driver = {s, &s->eoa, &s->eoa, store_read, store_write};
   hid_t fapl = H5Pcreate(H5P_FILE_ACCESS);
   *file = -1;
+  /* kept until the file is closed: HDF5 1.10 reads a driver once more after it has given it up */
+  s->driver = result_driver_set(fapl, &driver);
   /* the format of 2008: checksummed headers, and every HDF5 program since can read it */
-  if (s->driver >= 0 && H5Pset_driver(fapl, s->driver, &s) >= 0 &&
-      H5Pset_libver_bounds(fapl, H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0)
+  if (s->driver >= 0 && H5Pset_libver_bounds(fapl, H5F_LIBVER_V18, H5F_LIBVER_V18) >= 0)
     *file = H5Fcreate(s->path, H5F_ACC_TRUNC, H5P_DEFAULT, fapl);
   H5Pclose(fapl);
   return *file >= 0 ? OK : hdf_raise(ERR_IO, "cannot create %s", s->path);
