@@ -1,15 +1,7 @@
 #!/usr/bin/env bash
 # A run that ends well and is nonsense is a failure: exit code 3 and the reason, now and when it is
 # found there again; `info` and the file say so too. A sound run says what it is judged by.
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-fail() {
-  echo "FAIL $*"
-  failed=1
-}
+source "$2/tests/cli/begin"
 
 cat >case.yaml <<'END'
 scales: {H: 1}

@@ -1,16 +1,7 @@
 #!/usr/bin/env bash
 # Inputs that are no plain files, byte-order marks, a case on standard input, closed descriptors,
 # names with terminal escapes.
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-
-fail() {
-  echo "FAIL: $*"
-  failed=1
-}
+source "$2/tests/cli/begin"
 # Wanted exit code, words that must be printed, then the command; five seconds are for ever here.
 expect() {
   local wanted=$1 words=$2 got=0

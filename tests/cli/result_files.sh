@@ -1,15 +1,6 @@
 #!/usr/bin/env bash
 # Result files as users mishandle them: runs killed and short of room, files damaged or not results.
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-
-fail() {
-  echo "FAIL: $*"
-  failed=1
-}
+source "$2/tests/cli/begin"
 # Wanted exit code, words that the one line of talk must have, then the command.
 refuse() {
   local wanted=$1 words=$2 got=0

@@ -1,17 +1,8 @@
 #!/usr/bin/env bash
 # Memory is estimated before it is taken: what does not fit is refused in a sentence, and under any limit
 # of address space the program ends soon, with a result or a sentence.
-program=$1
-nm "$program" | grep -q __asan_init && exit 77 # sanitizers take terabytes of address space
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-
-fail() {
-  echo "FAIL: $*"
-  failed=1
-}
+nm "$1" | grep -q __asan_init && exit 77 # sanitizers take terabytes of address space
+source "$2/tests/cli/begin"
 
 cat >dam.yaml <<'E2'
 title: A small dam

@@ -1,27 +1,19 @@
 #!/usr/bin/env bash
 # The program as a user meets it: run, run again, change, stop, compare, diff, and the exit codes.
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
+source "$2/tests/cli/begin"
 
 expect() { # what should hold, then the words of a test
   local claim=$1
   shift
-  "$@" || {
-    echo "FAIL: $claim"
-    failed=1
-  }
+  "$@" || fail "$claim"
 }
 code() { # wanted exit code, then a command; its output is in `log`
   local wanted=$1 got=0
   shift
   "$@" >log 2>&1 || got=$?
   [ "$got" = "$wanted" ] || {
-    echo "FAIL: exit code $got, expected $wanted: $*"
+    fail "exit code $got, expected $wanted: $*"
     cat log
-    failed=1
   }
 }
 

@@ -1,16 +1,7 @@
 #!/usr/bin/env bash
 # plunge compare --settings: times, window, tolerances and averages of one's own, checked with line numbers against
 # the results; and what `plunge list` says of variants.
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-
-fail() {
-  echo "FAIL: $*"
-  failed=1
-}
+source "$2/tests/cli/begin"
 compare() { # wanted exit code
   local wanted=$1 got=0
   "$program" compare out/a.h5 out/b.h5 --settings settings.yaml --out own >log 2>&1 || got=$?

@@ -1,15 +1,6 @@
 #!/usr/bin/env bash
 # A report is made of files that belong to one case as it is now: others are left out and named.
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-
-fail() {
-  echo "FAIL: $*"
-  failed=1
-}
+source "$2/tests/cli/begin"
 run() { # wanted exit code, then the arguments; what is said is in `log`
   local wanted=$1 got=0
   shift

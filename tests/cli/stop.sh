@@ -1,15 +1,6 @@
 #!/usr/bin/env bash
 # Signals end the program at once wherever it is, and a folder belongs to one process at a time.
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-
-fail() {
-  echo "FAIL: $*"
-  failed=1
-}
+source "$2/tests/cli/begin"
 
 cat >slow.yaml <<'E2'
 scales: {H: 0.6}
