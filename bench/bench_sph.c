@@ -13,14 +13,14 @@
 
 #include "bench/bench.h"
 #include "common/case.h"
-#include "sph/diffusion.h"
-#include "sph/gradient.h"
-#include "sph/integrator.h"
-#include "sph/rates.h"
+#include "sph/domain/wall.h"
+#include "sph/pair/diffusion.h"
+#include "sph/pair/gradient.h"
+#include "sph/pair/rates.h"
 #include "sph/solver.h"
 #include "sph/sph.h"
-#include "sph/timestep.h"
-#include "sph/wall.h"
+#include "sph/time/integrator.h"
+#include "sph/time/timestep.h"
 
 enum { REPEATS = 15 };
 
@@ -83,7 +83,7 @@ static struct case_file *dam_break(double resolution) {
                     "tank: {walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]}\n"
                     "water: {regions: [[[0, 0], [2 H, 0], [2 H, H], [0, H]]], pressure: released}\n"
                     "time: {end: 1, every: 1, sample: 1}\nruns:\n");
-#define X(name, delta, strength, frozen, help)                                                             \
+#define X(name, delta, strength, frozen, help)                                                     \
   at += snprintf(text + at, sizeof text - (size_t)at,                                              \
                  "  - {name: %s, solver: sph, resolution: %g, diffusion: %s}\n", #name,            \
                  resolution, #name);

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "common/progress.h"
-#include "sph/surface.h"
+#include "sph/observe/surface.h"
 
 static enum status measure(int k) {
   enum status status = OK;

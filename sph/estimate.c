@@ -3,10 +3,10 @@
 #include <math.h>
 #include <omp.h>
 
-#include "sph/integrator.h"
-#include "sph/kernel.h"
 #include "sph/options.h"
-#include "sph/timestep.h"
+#include "sph/pair/kernel.h"
+#include "sph/time/integrator.h"
+#include "sph/time/timestep.h"
 
 /* Measured on dam breaks of H/dx = 50 to 800, all diffusions alike: 28 MB and 650 bytes a particle
  * at rest, up to 1000 when it moves (lists and pages of output grow). An evaluation takes a

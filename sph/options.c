@@ -2,10 +2,10 @@
 
 #include <stddef.h>
 
-#include "sph/diffusion.h"
-#include "sph/integrator.h"
-#include "sph/kernel.h"
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
+#include "sph/pair/diffusion.h"
+#include "sph/pair/kernel.h"
+#include "sph/time/integrator.h"
 
 static const char *const kernel_names[] = {
 #define X(k) #k,

@@ -8,15 +8,15 @@
 #include "common/geometry_check.h"
 #include "common/progress.h"
 #include "common/result.h"
+#include "sph/domain/ghost.h"
 #include "sph/estimate.h"
-#include "sph/ghost.h"
-#include "sph/integrator.h"
-#include "sph/kernel.h"
-#include "sph/output.h"
-#include "sph/rates.h"
+#include "sph/observe/output.h"
+#include "sph/observe/watch.h"
+#include "sph/pair/kernel.h"
+#include "sph/pair/rates.h"
 #include "sph/sph.h"
-#include "sph/timestep.h"
-#include "sph/watch.h"
+#include "sph/time/integrator.h"
+#include "sph/time/timestep.h"
 
 static enum status march(const struct case_file *c, struct sph *s, struct sph_output *output,
                          struct progress *progress) {

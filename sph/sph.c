@@ -4,11 +4,11 @@
 #include <stdlib.h>
 
 #include "common/case.h"
-#include "sph/energy.h"
-#include "sph/initial.h"
-#include "sph/integrator.h"
-#include "sph/kernel.h"
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
+#include "sph/fluid/energy.h"
+#include "sph/pair/kernel.h"
+#include "sph/start/initial.h"
+#include "sph/time/integrator.h"
 
 /* Wider lists last longer but hold more pairs; measured best for the dam break, in particle
  * spacings. */

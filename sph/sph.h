@@ -10,9 +10,9 @@
 
 #include "common/geometry.h"
 #include "common/status.h"
-#include "sph/neighbours.h"
+#include "sph/fluid/neighbours.h"
+#include "sph/fluid/particles.h"
 #include "sph/options.h"
-#include "sph/particles.h"
 
 struct case_file;
 struct sph_wall;

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "common/case.h"
-#include "sph/diffusion.h"
-#include "sph/rates.h"
+#include "sph/pair/diffusion.h"
+#include "sph/pair/rates.h"
 #include "sph/solver.h"
 #include "sph/sph.h"
 

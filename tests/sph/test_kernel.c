@@ -2,7 +2,7 @@
 
 #include <fenv.h>
 
-#include "sph/kernel.h"
+#include "sph/pair/kernel.h"
 
 static const double h = 0.2385;
 

@@ -5,8 +5,8 @@
 
 #include "common/progress.h"
 #include "common/result.h"
-#include "sph/energy.h"
-#include "sph/gauge.h"
+#include "sph/fluid/energy.h"
+#include "sph/observe/gauge.h"
 #include "tests/sph/pool.h"
 
 /* Mechanical energy at the start above the solver's own water at rest, J/m. */

@@ -1,9 +1,9 @@
 /* Water of any shape: exact area, pressure from the surface above, released pressure. */
 #include "tests/test.h"
 
-#include "sph/cells.h"
-#include "sph/energy.h"
-#include "sph/released.h"
+#include "sph/fluid/energy.h"
+#include "sph/start/cells.h"
+#include "sph/start/released.h"
 #include "tests/sph/pool.h"
 
 #define TANK    "title: polygons\nscales: {H: 1}\ntank: {walls: [[[0, 3], [0, 0], [4, 0], [4, 3]]]}\n"

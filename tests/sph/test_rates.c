@@ -1,10 +1,10 @@
 /* What the discrete operators conserve and what they are exact for. */
 #include "tests/test.h"
 
-#include "sph/energy.h"
-#include "sph/gradient.h"
-#include "sph/neighbours.h"
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
+#include "sph/fluid/energy.h"
+#include "sph/fluid/neighbours.h"
+#include "sph/pair/gradient.h"
 #include "tests/sph/pool.h"
 
 static const char *const names[] = {

@@ -4,12 +4,12 @@
 
 #include <omp.h>
 
-#include "sph/energy.h"
-#include "sph/integrator.h"
-#include "sph/kernel.h"
-#include "sph/timestep.h"
-#include "sph/wall.h"
-#include "sph/watch.h"
+#include "sph/domain/wall.h"
+#include "sph/fluid/energy.h"
+#include "sph/observe/watch.h"
+#include "sph/pair/kernel.h"
+#include "sph/time/integrator.h"
+#include "sph/time/timestep.h"
 #include "tests/sph/pool.h"
 
 /* A tank filled to the brim. */

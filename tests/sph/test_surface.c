@@ -1,4 +1,4 @@
-#include "sph/surface.h"
+#include "sph/observe/surface.h"
 
 #include <stdint.h>
 #include <stdlib.h>

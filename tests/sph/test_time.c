@@ -3,9 +3,9 @@
 
 #include <complex.h>
 
-#include "sph/integrator.h"
-#include "sph/kernel.h"
-#include "sph/timestep.h"
+#include "sph/pair/kernel.h"
+#include "sph/time/integrator.h"
+#include "sph/time/timestep.h"
 #include "tests/sph/pool.h"
 
 /* Sixteen particles in a block so small that no pair ever leaves the support: the rates are smooth,

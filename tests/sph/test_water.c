@@ -3,12 +3,12 @@
 
 #include <omp.h>
 
-#include "sph/energy.h"
-#include "sph/integrator.h"
-#include "sph/probe.h"
-#include "sph/released.h"
-#include "sph/timestep.h"
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
+#include "sph/fluid/energy.h"
+#include "sph/observe/probe.h"
+#include "sph/start/released.h"
+#include "sph/time/integrator.h"
+#include "sph/time/timestep.h"
 #include "tests/sph/pool.h"
 
 static enum status march(struct sph *s, int steps) {

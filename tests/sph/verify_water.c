@@ -3,10 +3,10 @@
 #include "tests/test.h"
 
 #include "common/waves.h"
-#include "sph/energy.h"
-#include "sph/integrator.h"
-#include "sph/probe.h"
-#include "sph/timestep.h"
+#include "sph/fluid/energy.h"
+#include "sph/observe/probe.h"
+#include "sph/time/integrator.h"
+#include "sph/time/timestep.h"
 #include "tests/sph/pool.h"
 
 static enum status march_to(struct sph *s, double t) {

@@ -7,7 +7,7 @@
  * it points from i to j, and needs no square root. slope() leaves out the constant factor, which
  * kernel_slope_scale() gives: the pair loops apply it once for each particle. */
 #pragma once
-#include "sph/vec.h"
+#include "sph/pair/vec.h"
 
 #define SPH_KERNELS(X, ...) X(gaussian, ##__VA_ARGS__)
 

@@ -1,10 +1,10 @@
-#include "sph/initial.h"
+#include "sph/start/initial.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "sph/cells.h"
-#include "sph/released.h"
+#include "sph/start/cells.h"
+#include "sph/start/released.h"
 
 static const double close = 1e-9; /* of H: how far apart two lengths may be and still be the same */
 

@@ -1,10 +1,10 @@
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "sph/ghost.h"
-#include "sph/mirror.h"
+#include "sph/domain/ghost.h"
+#include "sph/domain/mirror.h"
 
 const struct sph_wall *const sph_walls[] = {&sph_wall_ghost, &sph_wall_mirror};
 const char *const sph_wall_names[] = {"ghost", "mirror", NULL};

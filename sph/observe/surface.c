@@ -15,7 +15,7 @@
  * Water that touches a wall is continued through it by mirror particles, and the curves are cut
  * there.
  */
-#include "sph/surface.h"
+#include "sph/observe/surface.h"
 
 #include <math.h>
 #include <stdint.h>

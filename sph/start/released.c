@@ -1,10 +1,10 @@
-#include "sph/released.h"
+#include "sph/start/released.h"
 
 #include <cholmod.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include "sph/particles.h"
+#include "sph/fluid/particles.h"
 
 double sph_released_head(double x, double y, double L, double H) {
   double head = H - y;

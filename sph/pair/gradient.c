@@ -1,8 +1,8 @@
-#include "sph/gradient.h"
+#include "sph/pair/gradient.h"
 
-#include "sph/kernel.h"
-#include "sph/moments.h"
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
+#include "sph/pair/kernel.h"
+#include "sph/pair/moments.h"
 
 static const double smallest_eigenvalue = 0.1;
 

@@ -17,7 +17,7 @@
  * P's 0.44 alone is too little (Ferrari's runs broke down). Antuono's needs none: with its usual
  * delta the acoustic bound is shorter than (27). */
 #pragma once
-#include "sph/vec.h"
+#include "sph/pair/vec.h"
 
 #define SPH_DIFFUSIONS(X, ...)                                                                     \
   X(none, 0, 0, 1, "no diffusion", ##__VA_ARGS__)                                                  \

@@ -1,11 +1,11 @@
-#include "sph/cells.h"
+#include "sph/start/cells.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "sph/particles.h"
+#include "sph/fluid/particles.h"
 
 static const double rounding = 1e-9; /* of a cell: what clipping may add to or take from it */
 

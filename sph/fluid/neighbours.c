@@ -1,10 +1,10 @@
-#include "sph/neighbours.h"
+#include "sph/fluid/neighbours.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "sph/vec.h"
+#include "sph/pair/vec.h"
 
 /* In particle spacings: wide enough for a cluster of eight to be about square. */
 static const double column_width = 2.83, bin_height = 1;

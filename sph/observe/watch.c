@@ -1,8 +1,8 @@
-#include "sph/watch.h"
+#include "sph/observe/watch.h"
 
 #include <math.h>
 
-#include "sph/timestep.h"
+#include "sph/time/timestep.h"
 
 static enum status find_culprit(const struct sph *s) {
   const struct sph_state *w = &s->f.w;

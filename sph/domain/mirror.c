@@ -1,8 +1,8 @@
-#include "sph/mirror.h"
+#include "sph/domain/mirror.h"
 
 #include <stdlib.h>
 
-#include "sph/kernel.h"
+#include "sph/pair/kernel.h"
 
 /* r_image = (x0, y0) + (sign_x x, sign_y y). */
 struct image {

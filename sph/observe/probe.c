@@ -1,8 +1,8 @@
-#include "sph/probe.h"
+#include "sph/observe/probe.h"
 
 #include <math.h>
 
-#include "sph/mls.h"
+#include "sph/domain/mls.h"
 
 /* A point on a wall has d^2 = 2.4, the corner of a tank 4.8 (mls.h). */
 static const double farthest2 = 5;

@@ -1,10 +1,10 @@
-#include "sph/ghost.h"
+#include "sph/domain/ghost.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "sph/kernel.h"
-#include "sph/mls.h"
+#include "sph/domain/mls.h"
+#include "sph/pair/kernel.h"
 
 /* Nodes in the water are at least half a spacing inside it: d^2 < 1.15 (mls.h). Nodes in the air
  * see it from afar; without a limit the ghosts of noisy sheets on a wall amplify the noise and pump

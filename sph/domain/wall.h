@@ -1,8 +1,8 @@
 /* Treatments of solid walls. Each one makes wall particles and sets their states before every pair
  * loop; the loops know nothing else about walls. Adding one: one file, one line in wall.c. */
 #pragma once
+#include "sph/pair/vec.h"
 #include "sph/sph.h"
-#include "sph/vec.h"
 
 struct sph_wall {
   const char *name;
@@ -16,7 +16,7 @@ struct sph_wall {
   void (*fill_gradients)(struct sph *s);
   void (*destroy)(struct sph *s);
   double layer; /* width of the meniscus beside it, particle spacings; see gauge.h */
-  bool moving; /* the wall particles, no faster than the water */
+  bool moving;  /* the wall particles, no faster than the water */
 };
 
 /* Water at the top of a wall sees the wall particles behind it only through the wall: those towards

@@ -1,9 +1,9 @@
-#include "sph/integrator.h"
+#include "sph/time/integrator.h"
 
-#include "sph/diffusion.h"
-#include "sph/rates.h"
-#include "sph/vec.h"
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
+#include "sph/pair/diffusion.h"
+#include "sph/pair/rates.h"
+#include "sph/pair/vec.h"
 
 const struct sph_integrator sph_integrators[SPH_N_INTEGRATORS] = {
     {.name = "rk4",

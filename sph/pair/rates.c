@@ -12,14 +12,14 @@
  * exchange kinetic and elastic energy exactly: the terms (p_i + p_j) are antisymmetric. What a wall
  * particle w takes out is the power sum_i V_i sum_w V_w (p_w u_i + p_i u_w) . grad_i W_iw. It is
  * summed from the wall pairs alone, so that the closure of the budget checks the rest. */
-#include "sph/rates.h"
+#include "sph/pair/rates.h"
 
 #include <math.h>
 
-#include "sph/diffusion.h"
-#include "sph/gradient.h"
-#include "sph/kernel.h"
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
+#include "sph/pair/diffusion.h"
+#include "sph/pair/gradient.h"
+#include "sph/pair/kernel.h"
 
 void sph_pack_water(struct sph *s) {
   const struct sph_state *w = &s->f.w;

@@ -1,9 +1,9 @@
-#include "sph/timestep.h"
+#include "sph/time/timestep.h"
 
 #include <math.h>
 
-#include "sph/diffusion.h"
-#include "sph/integrator.h"
+#include "sph/pair/diffusion.h"
+#include "sph/time/integrator.h"
 
 static double over(double a, double b) {
   return b > 0 ? a / b : INFINITY;

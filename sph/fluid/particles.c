@@ -1,10 +1,10 @@
-#include "sph/particles.h"
+#include "sph/fluid/particles.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "sph/vec.h"
+#include "sph/pair/vec.h"
 
 enum status sph_allocate(size_t n, size_t size, void *pointer_to_pointer) {
   size_t bytes = (n * size + 63) / 64 * 64;

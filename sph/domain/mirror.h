@@ -24,6 +24,6 @@
  * it meets its own thin image only. It sends out stronger sound, and diffusion takes more energy
  * out: with Antuono's, at H/dx = 50, 0.9 % of the whole in place of 0.2 %. */
 #pragma once
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
 
 extern const struct sph_wall sph_wall_mirror;

@@ -1,14 +1,14 @@
-#include "sph/output.h"
+#include "sph/observe/output.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "common/progress.h"
-#include "sph/energy.h"
-#include "sph/gauge.h"
-#include "sph/probe.h"
-#include "sph/rates.h"
-#include "sph/surface.h"
+#include "sph/fluid/energy.h"
+#include "sph/observe/gauge.h"
+#include "sph/observe/probe.h"
+#include "sph/observe/surface.h"
+#include "sph/pair/rates.h"
 
 struct sph_output {
   const struct case_file *c;

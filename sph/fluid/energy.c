@@ -1,4 +1,4 @@
-#include "sph/energy.h"
+#include "sph/fluid/energy.h"
 
 #include <math.h>
 

@@ -21,6 +21,6 @@
  * Fitted values do a little work on the water, which falls with the spacing where the flow is
  * smooth. Noisy flow without viscosity and diffusion needs mirror.h. */
 #pragma once
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
 
 extern const struct sph_wall sph_wall_ghost;

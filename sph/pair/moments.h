@@ -1,7 +1,7 @@
 /* Symmetric 2 x 2 systems in lanes, kept solvable: used where gradients are fitted to neighbours.
  */
 #pragma once
-#include "sph/vec.h"
+#include "sph/pair/vec.h"
 
 /* Solves [xx xy; xy yy] (gx, gy) = (bx, by) after adding to the diagonal whatever lifts the smaller
  * eigenvalue to `floor` (nothing when it is there already). */

@@ -1,9 +1,9 @@
-#include "sph/gauge.h"
+#include "sph/observe/gauge.h"
 
 #include <math.h>
 
 #include "common/gauge.h"
-#include "sph/wall.h"
+#include "sph/domain/wall.h"
 
 double sph_gauge(const struct sph *s, const struct geo_lines *surface, double x) {
   double left = s->tank.min[0], right = s->tank.max[0], bed = s->tank.min[1];

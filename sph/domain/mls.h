@@ -16,8 +16,8 @@
  * to 11 % more amplitude than the viscosity takes), and the ghosts of a torn sheet stay at the
  * mean. */
 #pragma once
-#include "sph/kernel.h"
-#include "sph/moments.h"
+#include "sph/pair/kernel.h"
+#include "sph/pair/moments.h"
 #include "sph/sph.h"
 
 #define SPH_MLS_SPREAD 0.05
