@@ -117,12 +117,11 @@ static bool has_image(const struct sph *s, const struct image *a) {
 
 static void mirror_fill(struct sph *s) {
   const struct mirror *m = s->w.data;
-  const double per_c2 = 1 / (s->c0 * s->c0);
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < s->w.n; k++) {
     const struct image *a = &m->image[k];
     const struct sph_pack *j = &s->pack[a->of];
-    double y = a->y0 + a->sign_y * j->y, rho = s->rho0 + j->p * per_c2;
+    double y = a->y0 + a->sign_y * j->y, rho = s->f.w.rho[a->of];
     s->w.pack[k] = (struct sph_pack){.x = a->x0 + a->sign_x * j->x,
                                      .y = y,
                                      .u = a->sign_x * j->u,
@@ -134,12 +133,11 @@ static void mirror_fill(struct sph *s) {
 
 static void mirror_fill_gradients(struct sph *s) {
   const struct mirror *m = s->w.data;
-  const double per_c2 = 1 / (s->c0 * s->c0);
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < s->w.n; k++) {
     const struct image *a = &m->image[k];
     const struct sph_pack *j = &s->pack[a->of];
-    double weight = -(s->rho0 + j->p * per_c2) * s->g;
+    double weight = -s->f.w.rho[a->of] * s->g;
     s->w.pack[k].Gx = a->sign_x * j->Gx;
     s->w.pack[k].Gy = weight + a->sign_y * (j->Gy - weight);
   }
