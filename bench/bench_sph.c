@@ -83,7 +83,7 @@ static struct case_file *dam_break(double resolution) {
                     "tank: {walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]}\n"
                     "water: {regions: [[[0, 0], [2 H, 0], [2 H, H], [0, H]]], pressure: released}\n"
                     "time: {end: 1, every: 1, sample: 1}\nruns:\n");
-#define X(name, delta, strength, frozen, help)                                                     \
+#define X(name, help)                                                                              \
   at += snprintf(text + at, sizeof text - (size_t)at,                                              \
                  "  - {name: %s, solver: sph, resolution: %g, diffusion: %s}\n", #name,            \
                  resolution, #name);

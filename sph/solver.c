@@ -46,7 +46,7 @@ static double reachable_speed(const struct case_file *c) {
   return 2 * sqrt(c->gravity * (w.max[1] - c->tank.min[1])) + hypot(c->velocity[0], c->velocity[1]);
 }
 
-static void warn_of_slow_sound(const struct case_file *c, const struct sph_options *o,
+static void warn_of_slow_sound(const struct case_file *c, const struct sph_scheme *o,
                                struct progress *progress) {
   double mach = reachable_speed(c) / o->c0;
   if (mach > 0.3)
@@ -99,9 +99,9 @@ static void check_thickness(const struct case_file *c, const struct case_run *r,
 }
 
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
-  const struct sph_options *o = r->options;
+  const struct sph_scheme *o = r->options;
   double dx = c->H / r->resolution;
-  double support = SPH_KERNEL_SUPPORT * o->h_over_dx * dx;
+  double support = kernel_support((enum sph_kernel)o->kernel) * o->h_over_dx * dx;
   double width = c->tank.max[0] - c->tank.min[0], height = c->tank.max[1] - c->tank.min[1];
   if (o->delta < 0 && o->delta != -1)
     problems_add(problems, case_run_line(r, "delta"),
@@ -129,7 +129,7 @@ const struct solver sph_solver = {
     .help = "weakly compressible smoothed particle hydrodynamics with density diffusion",
     .params = sph_params,
     .n_params = SPH_N_PARAMS,
-    .options_size = sizeof(struct sph_options),
+    .options_size = sizeof(struct sph_scheme),
     .check = check,
     .estimate = sph_estimate,
     .run = run,

@@ -23,7 +23,7 @@ static enum status sort_and_list(struct sph *s, const unsigned char *drop) {
     f->x_listed[i] = f->w.x[i];
     f->y_listed[i] = f->w.y[i];
   }
-  double reach = SPH_KERNEL_SUPPORT * s->h;
+  double reach = s->support;
   TRY(sph_lists_build(&s->water_water, n, f->w.x, f->w.y, &s->grid, f->w.x, f->w.y,
                       reach + s->skin));
   TRY(s->wall->list(s));
@@ -51,7 +51,7 @@ enum status sph_neighbours_update(struct sph *s) {
 /* Water that cannot come back: below the top of the wall that it has passed over, or beyond the
  * reach of what is inside. */
 static bool is_gone(const struct sph *s, size_t i) {
-  const double far = SPH_KERNEL_SUPPORT * s->h, x = s->f.w.x[i], y = s->f.w.y[i];
+  const double far = s->support, x = s->f.w.x[i], y = s->f.w.y[i];
   const struct geo_box *t = &s->tank;
   if (x < t->min[0] - far || x > t->max[0] + far || y < t->min[1] - far) return true;
   return s->f.over[i] != 0 && y < s->wall_top[x > t->max[0]];
@@ -81,20 +81,21 @@ enum status sph_remove_outside(struct sph *s) {
   return status;
 }
 
-enum status sph_create(const struct case_file *c, double resolution, const struct sph_options *o,
+enum status sph_create(const struct case_file *c, double resolution, const struct sph_scheme *o,
                        struct sph **out) {
   enum status status = OK;
   struct sph *s;
   TRY(sph_allocate(1, sizeof *s, &s));
-  s->o = *o;
-  s->o.delta = sph_options_delta(o);
-  s->o.integrator = sph_integrator_chosen(o);
+  s->scheme = *o;
+  s->scheme.delta = sph_scheme_delta(o);
+  s->scheme.integrator = sph_integrator_chosen(o);
   s->rho0 = c->density;
   s->seen = (struct sph_seen){.lightest = INFINITY};
   s->c0 = o->c0;
   s->g = c->gravity;
   s->dx = c->H / resolution;
   s->h = o->h_over_dx * s->dx;
+  s->support = kernel_support((enum sph_kernel)o->kernel) * s->h;
   s->skin = skin_width * s->dx;
   s->tank = c->tank;
   ATTEMPT(sph_initial_fill(s, c));

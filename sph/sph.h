@@ -2,7 +2,7 @@
  * Colagrossi & Marrone, "On the use of numerical diffusive terms in weakly-compressible SPH
  * schemes"). SI units; energies per metre of width.
  *
- *   p = c0^2 (rho - rho0),  V = m / rho,  r_ji = r_j - r_i,  body force f = (0, -g) */
+ *   V = m / rho,  r_ji = r_j - r_i,  body force f = (0, -g) */
 #pragma once
 #include <stdbool.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #include "common/status.h"
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"
-#include "sph/options.h"
+#include "sph/scheme.h"
 
 struct case_file;
 struct sph_wall;
@@ -54,8 +54,9 @@ struct sph_seen {
 };
 
 struct sph {
-  struct sph_options o;
+  struct sph_scheme scheme;
   double rho0, c0, g, dx, h; /* kg m^-3, m/s, m s^-2, m, m */
+  double support;            /* m, radius of the kernel */
   struct geo_box tank;       /* m; open at the top */
 
   double t; /* s */
@@ -75,11 +76,12 @@ struct sph {
 
   struct sph_grid grid; /* of the water */
   struct sph_lists water_water, water_wall;
-  double skin; /* m: lists reach 3h + skin, and hold until some particle has moved skin/2 */
+  double
+      skin; /* m: lists reach the support + skin, and hold until some particle has moved skin/2 */
 };
 
 /* Makes the state of the case's water at t = 0, walls and neighbour lists included. */
-enum status sph_create(const struct case_file *c, double resolution, const struct sph_options *o,
+enum status sph_create(const struct case_file *c, double resolution, const struct sph_scheme *o,
                        struct sph **out);
 void sph_destroy(struct sph *s); /* NULL is fine */
 

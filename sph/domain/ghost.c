@@ -4,7 +4,8 @@
 #include <stdlib.h>
 
 #include "sph/domain/mls.h"
-#include "sph/pair/kernel.h"
+#include "sph/pair/eos.h"
+#include "sph/pair/loop.h"
 
 /* Nodes in the water are at least half a spacing inside it: d^2 < 1.15 (mls.h). Nodes in the air
  * see it from afar; without a limit the ghosts of noisy sheets on a wall amplify the noise and pump
@@ -33,7 +34,7 @@ static size_t tank_strips(const struct sph *s, const struct geo_lines *walls,
   const double(*p)[2] = (const double(*)[2])walls->p;
   size_t last = walls->points - 1;
   double dx = s->dx, x0 = s->tank.min[0], x1 = s->tank.max[0], y0 = s->tank.min[1];
-  size_t layers = (size_t)ceil(SPH_KERNEL_SUPPORT * s->h / dx - 1e-9);
+  size_t layers = (size_t)ceil(s->support / dx - 1e-9);
   size_t nl = sph_intervals(p[0][1] - y0, dx), nr = sph_intervals(p[last][1] - y0, dx);
   size_t nb = sph_intervals(x1 - x0, dx);
   double dl = (p[0][1] - y0) / (double)nl, dr = (p[last][1] - y0) / (double)nr;
@@ -81,7 +82,7 @@ static enum status ghosts_create(struct sph *s, const struct geo_lines *walls) {
         y[at] = strips[k].y + (double)j * strips[k].dy;
         strip_of[at] = k;
       }
-  double reach = SPH_KERNEL_SUPPORT * s->h + s->dx;
+  double reach = s->support + s->dx;
   struct geo_box box = {{s->tank.min[0] - reach, s->tank.min[1] - reach},
                         {s->tank.max[0] + reach, s->tank.max[1]}};
   ATTEMPT(sph_grid_create(&s->w.grid, &box, s->dx));
@@ -110,10 +111,12 @@ done:
 static enum status ghosts_list(struct sph *s) {
   struct ghosts *g = s->w.data;
   return sph_lists_build(&g->lists, s->w.n, g->x, g->y, &s->grid, s->f.w.x, s->f.w.y,
-                         SPH_KERNEL_SUPPORT * s->h + s->skin / 2);
+                         s->support + s->skin / 2);
 }
 
-SPECIALISE void fill_cluster(struct sph *s, enum sph_kernel kernel, size_t cluster) {
+SPECIALISE void fill_cluster(struct sph *s, enum sph_kernel kernel, const void *how,
+                             size_t cluster) {
+  (void)how;
   const struct ghosts *g = s->w.data;
   size_t n, at = cluster * SPH_LANES;
   const uint32_t *list = sph_lists_of(&g->lists, cluster, &n);
@@ -121,7 +124,9 @@ SPECIALISE void fill_cluster(struct sph *s, enum sph_kernel kernel, size_t clust
   vec x = vec_load(g->x + at), y = vec_load(g->y + at);
   vec rx = vec_load(g->rx + at), ry = vec_load(g->ry + at);
   struct mls_fit f = mls_at(kernel, s->h, farthest2, x, y, n, list, s->pack);
-  vec gravity = (s->rho0 + f.p / (s->c0 * s->c0)) * -s->g; /* rho f */
+  vec gravity; /* rho f */
+  for (size_t l = 0; l < SPH_LANES; l++)
+    gravity[l] = eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, f.p[l]) * -s->g;
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
     struct sph_pack *w = &s->w.pack[at + l];
     w->u = rx[l] * f.u[l];
@@ -132,23 +137,11 @@ SPECIALISE void fill_cluster(struct sph *s, enum sph_kernel kernel, size_t clust
   }
 }
 
-#define X(k)                                                                                       \
-  static void fill_##k(struct sph *s) {                                                            \
-    const struct ghosts *g = s->w.data;                                                            \
-    _Pragma("omp parallel for schedule(dynamic, 16)") for (size_t c = 0; c < g->lists.n_clusters;  \
-                                                           c++)                                    \
-        fill_cluster(s, SPH_KERNEL_##k, c);                                                        \
-  }
-SPH_KERNELS(X)
-#undef X
+SPH_PASS(fill, fill_cluster, void)
 
 static void ghosts_fill(struct sph *s) {
-  static void (*const fills[SPH_N_KERNELS])(struct sph *) = {
-#define X(k) fill_##k,
-      SPH_KERNELS(X)
-#undef X
-  };
-  fills[s->o.kernel](s);
+  const struct ghosts *g = s->w.data;
+  fill(s, g->lists.n_clusters, NULL);
 }
 
 static void ghosts_destroy(struct sph *s) {

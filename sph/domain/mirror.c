@@ -23,7 +23,7 @@ enum { MAX_IMAGES = 5 }; /* of one particle: both sides, the bed, both corners *
 static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
   (void)walls;
   TRY(sph_allocate(1, sizeof(struct mirror), &s->w.data));
-  double reach = SPH_KERNEL_SUPPORT * s->h + s->skin;
+  double reach = s->support + s->skin;
   struct geo_box box = {{s->tank.min[0] - reach, s->tank.min[1] - reach},
                         {s->tank.max[0] + reach, s->tank.max[1]}};
   return sph_grid_create(&s->w.grid, &box, s->dx);
@@ -86,7 +86,7 @@ static size_t images_of(const struct sph *s, uint32_t i, double reach,
  * along it. */
 static enum status mirror_list(struct sph *s) {
   struct mirror *m = s->w.data;
-  const double reach = SPH_KERNEL_SUPPORT * s->h + s->skin;
+  const double reach = s->support + s->skin;
   struct image images[MAX_IMAGES];
   size_t n = 0;
   for (size_t i = 0; i < s->f.n; i++) n += images_of(s, (uint32_t)i, reach, images);

@@ -31,7 +31,7 @@ struct mls_fit {
 SPECIALISE struct mls_fit mls_at(enum sph_kernel kernel, double h, double farthest2, vec xi, vec yi,
                                  size_t n, const uint32_t *list, const struct sph_pack *pack) {
   const double per_h2 = 1 / (h * h);
-  const vec cutoff2 = (vec){0} + kernel_cutoff2(h);
+  const vec cutoff2 = (vec){0} + kernel_cutoff2(kernel, h);
   vec S = {0}, X = {0}, Y = {0}, XX = {0}, XY = {0}, YY = {0};
   vec P = {0}, PX = {0}, PY = {0}, U = {0}, UX = {0}, UY = {0}, V = {0}, VX = {0}, VY = {0},
       UV2 = {0};

@@ -13,7 +13,7 @@ const char *const sph_wall_helps[] = {
     "mirror images of the water with free slip (Colagrossi & Landrini 2003)"};
 
 enum status sph_wall_create(struct sph *s, const struct geo_lines *walls) {
-  s->wall = sph_walls[s->o.walls];
+  s->wall = sph_walls[s->scheme.walls];
   s->wall_top[0] = walls->p[0][1];
   s->wall_top[1] = walls->p[walls->points - 1][1];
   s->lowest_top = fmin(s->wall_top[0], s->wall_top[1]);

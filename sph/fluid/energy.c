@@ -2,17 +2,14 @@
 
 #include <math.h>
 
-static double elastic(const struct sph *s, double rho) {
-  double x = rho / s->rho0 - 1;
-  return s->c0 * s->c0 * (log1p(x) - x / (1 + x));
-}
+#include "sph/pair/eos.h"
 
 static void add(const struct sph *s, size_t i, struct result_energy *e) {
   const struct sph_state *w = &s->f.w;
   double m = s->f.m[i];
   e->kinetic += 0.5 * m * (w->u[i] * w->u[i] + w->v[i] * w->v[i]);
   e->potential += m * s->g * w->y[i];
-  e->internal += m * elastic(s, w->rho[i]);
+  e->internal += m * eos_energy((enum sph_eos)s->scheme.eos, s->rho0, s->c0, w->rho[i]);
 }
 
 struct result_energy sph_energy(const struct sph *s) {

@@ -1,9 +1,4 @@
-/* Energies of the water, J per metre of width.
- *
- * Elastic energy per mass, from de = p / rho^2 d rho with p = c0^2 (rho - rho0) and e(rho0) = 0:
- *   e = c0^2 (ln(rho/rho0) + rho0/rho - 1).
- * With it the discrete momentum and continuity equations of P eq. (1) exchange kinetic and elastic
- * energy without loss (rates.c). */
+/* Energies of the water, J per metre of width; the elastic one is that of eos.h. */
 #pragma once
 #include "common/result.h"
 #include "sph/sph.h"

@@ -16,7 +16,7 @@ enum status sph_allocate(size_t n, size_t size, void *pointer_to_pointer) {
 }
 
 /* Every array of doubles, in one list. */
-enum { MAX_ARRAYS = 5 * (2 + SPH_MAX_STAGES) + 6 };
+enum { MAX_ARRAYS = 5 * (2 + SPH_MAX_STAGES) + 7 };
 
 static size_t arrays(struct sph_particles *p, double **list[MAX_ARRAYS]) {
   size_t n = 0;
@@ -32,6 +32,7 @@ static size_t arrays(struct sph_particles *p, double **list[MAX_ARRAYS]) {
     SPH_STATE(X)
 #undef X
   }
+  list[n++] = &p->p;
   list[n++] = &p->over;
   list[n++] = &p->D;
   list[n++] = &p->x_listed;

@@ -23,6 +23,7 @@ struct sph_particles {
   struct sph_state w;                 /* now */
   struct sph_state w0;                /* at the start of the step */
   struct sph_state k[SPH_MAX_STAGES]; /* rates of the stages */
+  double *p;                          /* pressure of an evaluation, Pa (sph_pack_water) */
   double *over; /* 1 for water that has passed over the top of a wall, else 0; [n] */
   double *D;    /* delta h c0 D_i, kg m^-3 s^-1: kept where an integrator freezes it */
   double *x_listed, *y_listed; /* where the particles were when the lists were built, m */

@@ -8,7 +8,7 @@
 double sph_gauge(const struct sph *s, const struct geo_lines *surface, double x) {
   double left = s->tank.min[0], right = s->tank.max[0], bed = s->tank.min[1];
   double there = gauge_elevation(surface, x, bed);
-  double layer = sph_walls[s->o.walls]->layer * s->dx, away = fmin(x - left, right - x);
+  double layer = sph_walls[s->scheme.walls]->layer * s->dx, away = fmin(x - left, right - x);
   if (!(away < layer)) return there;
   double inwards = x - left < right - x ? layer : -layer, wall = inwards > 0 ? left : right;
   double near = gauge_elevation(surface, wall + inwards, bed);

@@ -8,6 +8,7 @@
 #include "sph/observe/gauge.h"
 #include "sph/observe/probe.h"
 #include "sph/observe/surface.h"
+#include "sph/pair/eos.h"
 #include "sph/pair/rates.h"
 
 struct sph_output {
@@ -111,7 +112,7 @@ static size_t sort_by_id(struct sph_output *o, const struct sph *s) {
     o->u[n] = f->w.u[i];
     o->v[n] = f->w.v[i];
     o->rho[n] = f->w.rho[i];
-    o->p[n] = s->c0 * s->c0 * (f->w.rho[i] - s->rho0);
+    o->p[n] = eos_pressure((enum sph_eos)s->scheme.eos, s->rho0, s->c0, f->w.rho[i]);
     o->m[n] = f->m[i];
     o->V[n] = f->m[i] / f->w.rho[i];
     n++;

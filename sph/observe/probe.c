@@ -36,10 +36,10 @@ static enum status pressure_at(const struct sph *s, vec x, vec y, vec *p) {
   }
   enum status status = OK;
   ATTEMPT(sph_lists_build(&near, SPH_LANES, xs, ys, &s->grid, s->f.x_listed, s->f.y_listed,
-                          SPH_KERNEL_SUPPORT * s->h + s->skin));
+                          s->support + s->skin));
   size_t n;
   const uint32_t *list = sph_lists_of(&near, 0, &n);
-  *p = mls_at((enum sph_kernel)s->o.kernel, s->h, farthest2, x, y, n, list, s->pack).p;
+  *p = mls_at((enum sph_kernel)s->scheme.kernel, s->h, farthest2, x, y, n, list, s->pack).p;
 done:
   sph_lists_destroy(&near);
   return status;

@@ -5,38 +5,65 @@
  * Since r_ji . grad_i W = slope |r|^2 with slope > 0 (kernel.h), D_i is a sum of psi_ji with
  * positive weights: density flows from dense to thin. The equation of state is linear, so density
  * differences are taken as pressure differences over c0^2; psi here is c0^2 times that of the
- * paper, and G the renormalised pressure gradient.
- *
- * Columns: name, default delta, strength, frozen, help. Strength is the largest decay rate of the
- * term relative to Molteni's with the same delta, from the integral of its kernel:
- * int q W dV = sqrt(pi)/2 in Ferrari's, halved by its 1/2h. It scales the time step bound (27).
- *
- * Frozen is the factor of (27) in an integrator that evaluates the term once a step. On a lattice
- * sound and diffusion together are stable up to delta c0 dt/h = 0.698 in classic RK4 and 0.500 when
- * frozen (Ferrari's: 1.42 and 1.02): 0.72 leaves the same room to disordered particles, for which
- * P's 0.44 alone is too little (Ferrari's runs broke down). Antuono's needs none: with its usual
- * delta the acoustic bound is shorter than (27). */
+ * paper, and G the renormalised pressure gradient. */
 #pragma once
+#include "sph/family.h"
 #include "sph/pair/vec.h"
 
 #define SPH_DIFFUSIONS(X, ...)                                                                     \
-  X(none, 0, 0, 1, "no diffusion", ##__VA_ARGS__)                                                  \
-  X(molteni, 0.5, 1, 0.72, "Molteni & Colagrossi 2009, P eq. (7)", ##__VA_ARGS__)                  \
-  X(ferrari, 1, 0.4431, 0.72, "Ferrari et al. 2009, P eq. (10)", ##__VA_ARGS__)                    \
-  X(antuono, 0.2, 1, 1, "Antuono et al. 2010, P eq. (9)", ##__VA_ARGS__)
+  X(none, "no diffusion", ##__VA_ARGS__)                                                           \
+  X(molteni, "Molteni & Colagrossi 2009, P eq. (7)", ##__VA_ARGS__)                                \
+  X(ferrari, "Ferrari et al. 2009, P eq. (10)", ##__VA_ARGS__)                                     \
+  X(antuono, "Antuono et al. 2010, P eq. (9)", ##__VA_ARGS__)
+SPH_FAMILY(sph_diffusion, SPH_DIFFUSION, SPH_DIFFUSIONS);
 
-enum sph_diffusion {
-#define X(name, delta, strength, frozen, help) SPH_DIFFUSION_##name,
-  SPH_DIFFUSIONS(X)
-#undef X
-};
+/* The usual delta of the paper. */
+SPECIALISE double diffusion_delta(enum sph_diffusion d) {
+  switch (d) {
+  case SPH_DIFFUSION_none:
+    return 0;
+  case SPH_DIFFUSION_molteni:
+    return 0.5;
+  case SPH_DIFFUSION_ferrari:
+    return 1;
+  case SPH_DIFFUSION_antuono:
+    return 0.2;
+  }
+  __builtin_unreachable();
+}
 
-enum {
-  SPH_N_DIFFUSIONS = 0
-#define X(name, delta, strength, frozen, help) +1
-  SPH_DIFFUSIONS(X)
-#undef X
-};
+/* The largest decay rate of the term relative to Molteni's with the same delta, from the integral
+ * of its kernel: int q W dV = sqrt(pi)/2 in Ferrari's, halved by its 1/2h. It scales the time step
+ * bound (27). */
+SPECIALISE double diffusion_strength(enum sph_diffusion d) {
+  switch (d) {
+  case SPH_DIFFUSION_none:
+    return 0;
+  case SPH_DIFFUSION_molteni:
+  case SPH_DIFFUSION_antuono:
+    return 1;
+  case SPH_DIFFUSION_ferrari:
+    return 0.4431;
+  }
+  __builtin_unreachable();
+}
+
+/* The factor of (27) in an integrator that evaluates the term once a step. On a lattice sound and
+ * diffusion together are stable up to delta c0 dt/h = 0.698 in classic RK4 and 0.500 when frozen
+ * (Ferrari's: 1.42 and 1.02): 0.72 leaves the same room to disordered particles, for which P's 0.44
+ * alone is too little (Ferrari's runs broke down). Antuono's needs none: with its usual delta the
+ * acoustic bound is shorter than (27). */
+SPECIALISE double diffusion_frozen(enum sph_diffusion d) {
+  switch (d) {
+  case SPH_DIFFUSION_none:
+  case SPH_DIFFUSION_antuono:
+    return 1;
+  case SPH_DIFFUSION_molteni:
+  case SPH_DIFFUSION_ferrari:
+    return 0.72;
+  }
+  __builtin_unreachable();
+}
 
 /* c0^2 psi_ji of a pair: dp = p_j - p_i, (x, y) = r_j - r_i, r2 = |r_ji|^2, G = sum of both
  * renormalised pressure gradients. */

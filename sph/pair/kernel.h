@@ -1,32 +1,32 @@
-/* The smoothing kernels: one list, and two small functions for each.
+/* The smoothing kernels: one list, and a few small functions.
  *
- * The renormalised Gaussian (P, section V; after Landrini et al. 2007): with q = |r|/h and support
- * 3h W = (exp(-q^2) - C0) / (pi h^2 C1),   C0 = exp(-9),  C1 = 1 - 10 C0. C0 makes W vanish at the
- * edge; C1 is 2 int_0^3 (exp(-q^2) - C0) q dq, so that W integrates to one over the plane. Its
- * gradient at i is grad_i W_ij = slope(q^2) (r_j - r_i),   slope = 2 exp(-q^2) / (pi h^4 C1) > 0:
- * it points from i to j, and needs no square root. slope() leaves out the constant factor, which
- * kernel_slope_scale() gives: the pair loops apply it once for each particle. */
+ * The gradient at i is grad_i W_ij = slope(q^2) (r_j - r_i), q = |r_ij|/h, slope > 0: it points
+ * from i to j, and a kernel that is a function of q^2 needs no square root. slope() and value()
+ * leave out constant factors, which the *_scale() give: the pair loops apply them once for each
+ * particle. */
 #pragma once
+#include "sph/family.h"
 #include "sph/pair/vec.h"
 
-#define SPH_KERNELS(X, ...) X(gaussian, ##__VA_ARGS__)
+/* The renormalised Gaussian, W = (exp(-q^2) - C0) / (pi h^2 C1) within 3h with C0 = exp(-9), C1 = 1
+ * - 10 C0: C0 makes W vanish at the edge; C1 is 2 int_0^3 (exp(-q^2) - C0) q dq, so that W
+ * integrates to one over the plane. slope = 2 exp(-q^2) / (pi h^4 C1). */
+#define SPH_GAUSSIAN_C0 1.2340980408667956e-4 /* exp(-9) */
+#define SPH_GAUSSIAN_C1 (1 - 10 * SPH_GAUSSIAN_C0)
 
-enum sph_kernel {
-#define X(k) SPH_KERNEL_##k,
-  SPH_KERNELS(X)
-#undef X
-};
+#define SPH_KERNELS(X, ...)                                                                        \
+  X(gaussian, "renormalised Gaussian, support 3h (P, section V; Landrini et al. 2007)",            \
+    ##__VA_ARGS__)
+SPH_FAMILY(sph_kernel, SPH_KERNEL, SPH_KERNELS);
 
-enum {
-  SPH_N_KERNELS = 0
-#define X(k) +1
-  SPH_KERNELS(X)
-#undef X
-};
-
-#define SPH_KERNEL_SUPPORT 3.0                   /* radius of the support, in h */
-#define SPH_GAUSSIAN_C0    1.2340980408667956e-4 /* exp(-9) */
-#define SPH_GAUSSIAN_C1    (1 - 10 * SPH_GAUSSIAN_C0)
+/* Radius of the support, in h. */
+SPECIALISE double kernel_support(enum sph_kernel k) {
+  switch (k) {
+  case SPH_KERNEL_gaussian:
+    return 3;
+  }
+  __builtin_unreachable();
+}
 
 /* Slope and value inside the support, without their constant factors; the caller cuts them off. */
 SPECIALISE vec kernel_slope(enum sph_kernel k, vec q2) {
@@ -62,7 +62,7 @@ SPECIALISE double kernel_value_scale(enum sph_kernel k, double h) {
 }
 
 /* Pairs count below this squared distance. A square lattice with h/dx = 4/3 has neighbours exactly
- * on the edge; the last factor keeps them out whatever the rounding. */
-SPECIALISE double kernel_cutoff2(double h) {
-  return SPH_KERNEL_SUPPORT * SPH_KERNEL_SUPPORT * h * h * (1 - 1e-10);
+ * on the edge of a support of 3h; the last factor keeps them out whatever the rounding. */
+SPECIALISE double kernel_cutoff2(enum sph_kernel k, double h) {
+  return kernel_support(k) * kernel_support(k) * h * h * (1 - 1e-10);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sph/pair/eos.h"
 #include "sph/start/cells.h"
 #include "sph/start/released.h"
 
@@ -16,7 +17,7 @@ static void place(struct sph *s, double x, double y, const double velocity[2], d
   f->w.y[i] = y;
   f->w.u[i] = velocity[0];
   f->w.v[i] = velocity[1];
-  f->w.rho[i] = s->rho0 + pressure / (s->c0 * s->c0);
+  f->w.rho[i] = eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, pressure);
   f->m[i] = f->w.rho[i] * cell;
 }
 

@@ -39,14 +39,9 @@ const char *const sph_integrator_helps[] = {
     "rk4 with molteni or ferrari, which frozen need shorter steps, else rk4-frozen"};
 const char *const sph_integrator_names[] = {"rk4", "rk4-frozen", "tvd-rk3", "auto", NULL};
 
-int sph_integrator_chosen(const struct sph_options *o) {
-  static const double frozen[] = {
-#define X(name, delta, strength, frozen, help) frozen,
-      SPH_DIFFUSIONS(X)
-#undef X
-  };
+int sph_integrator_chosen(const struct sph_scheme *o) {
   if (o->integrator != SPH_INTEGRATOR_AUTO) return o->integrator;
-  return frozen[o->diffusion] < 1 ? 0 : 1;
+  return diffusion_frozen((enum sph_diffusion)o->diffusion) < 1 ? 0 : 1;
 }
 
 _Static_assert(SPH_MAX_STAGES == 4, "combine adds four terms at most");
@@ -114,7 +109,7 @@ static void dissipate(struct sph *s, double weight) {
 }
 
 enum status sph_step(struct sph *s, double dt) {
-  const struct sph_integrator *method = &sph_integrators[s->o.integrator];
+  const struct sph_integrator *method = &sph_integrators[s->scheme.integrator];
   keep_start(&s->f);
   dissipate(s, method->b[0] * dt);
   for (int r = 1; r < method->stages; r++) {

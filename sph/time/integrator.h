@@ -22,7 +22,7 @@ extern const char *const sph_integrator_helps[]; /* what each is */
 
 /* The index of the one that is asked for. "auto" is the frozen method where freezing the diffusion
  * leaves the time step as it is, the classic one where it would shorten it. */
-int sph_integrator_chosen(const struct sph_options *o);
+int sph_integrator_chosen(const struct sph_scheme *o);
 
 /* Completes a step of length dt (s) whose first stage sph_rates(s, 0, true, ...) has evaluated.
  * Advances the state, s->t, s->steps, and the dissipated energies at the method's own order. */

@@ -10,23 +10,14 @@ static double over(double a, double b) {
 }
 
 struct sph_bounds sph_timestep_bounds(const struct sph *s) {
-  static const double strength[] = {
-#define X(name, delta, strength, frozen, help) strength,
-      SPH_DIFFUSIONS(X)
-#undef X
-  };
-  static const double frozen[] = {
-#define X(name, delta, strength, frozen, help) frozen,
-      SPH_DIFFUSIONS(X)
-#undef X
-  };
-  const struct sph_integrator *method = &sph_integrators[s->o.integrator];
-  const struct sph_options *o = &s->o;
+  const struct sph_integrator *method = &sph_integrators[s->scheme.integrator];
+  const struct sph_scheme *o = &s->scheme;
+  const enum sph_diffusion d = (enum sph_diffusion)o->diffusion;
   double nu = o->alpha * s->h * s->c0 / 8; /* alpha h c0 / (2n + 4), n = 2 */
   return (struct sph_bounds){
       .diffusive = over(o->cfl_diffusive * method->diffusive *
-                            (method->frozen ? frozen[o->diffusion] : 1) * s->h,
-                        o->delta * strength[o->diffusion] * s->c0),
+                            (method->frozen ? diffusion_frozen(d) : 1) * s->h,
+                        o->delta * diffusion_strength(d) * s->c0),
       .viscous = over(o->cfl_viscous * s->h * s->h, nu),
       .acceleration = o->cfl_acceleration * sqrt(over(s->h, sqrt(s->totals.acceleration2))),
       .acoustic = o->cfl_acoustic * method->acoustic * s->h / (s->c0 + s->totals.speed),

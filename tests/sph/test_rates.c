@@ -8,7 +8,7 @@
 #include "tests/sph/pool.h"
 
 static const char *const names[] = {
-#define X(name, delta, strength, frozen, help) #name,
+#define X(name, help) #name,
     SPH_DIFFUSIONS(X)
 #undef X
 };
@@ -59,7 +59,7 @@ static void test_grid_refuses_more_cells_than_it_can_number(void) {
 
 /* Antisymmetric pairs: only rounding is left, relative to the sum of the magnitudes. */
 static void test_momentum_is_conserved_and_diffusion_conserves_density(void) {
-  for (int d = 0; d < SPH_N_DIFFUSIONS; d++) {
+  for (int d = 0; d < SPH_DIFFUSION_COUNT; d++) {
     struct case_file *c;
     struct sph *s = drop(d, 20, 0.1, &c);
     pool_shake(s, 0.3, 2, 3e3);
@@ -88,7 +88,7 @@ static void test_momentum_is_conserved_and_diffusion_conserves_density(void) {
  * diffusion take energy out (Antuono's does in sum only where the field is short-waved: noise is).
  */
 static void test_powers_close_the_energy_budget(void) {
-  for (int d = 0; d < SPH_N_DIFFUSIONS; d++)
+  for (int d = 0; d < SPH_DIFFUSION_COUNT; d++)
     for (int walls = 0; !walls || sph_wall_names[walls - 1]; walls++) {
       char run[200];
       snprintf(run, sizeof run, "resolution: 16, diffusion: %s, alpha: 0.1, walls: %s", names[d],
@@ -126,7 +126,7 @@ static void set_pressure(struct sph *s, double p0, double px, double py) {
  * every pair, where Molteni's does not near the surface (P, eq. (8)). */
 static void test_renormalised_gradient_is_exact_for_linear_pressure(void) {
   double molteni = 0;
-  for (int d = 0; d < SPH_N_DIFFUSIONS; d++) {
+  for (int d = 0; d < SPH_DIFFUSION_COUNT; d++) {
     struct case_file *c;
     struct sph *s = drop(d, 20, 0, &c);
     pool_shake(s, 0.3, 0, 0);
@@ -158,7 +158,7 @@ struct errors {
 static struct errors inner_errors(double resolution) {
   struct errors e = {0};
   const double wave = 2 * M_PI / 0.8, A = 1000;
-  for (int d = SPH_DIFFUSION_molteni; d < SPH_N_DIFFUSIONS; d++) {
+  for (int d = SPH_DIFFUSION_molteni; d < SPH_DIFFUSION_COUNT; d++) {
     struct case_file *c;
     struct sph *s = drop(d, resolution, 0, &c);
     for (size_t i = 0; i < s->f.n; i++) {
@@ -168,7 +168,7 @@ static struct errors inner_errors(double resolution) {
     sph_particles_pad(&s->f);
     for (size_t i = 0; i < s->f.n; i++) s->f.m[i] = s->f.w.rho[i] * s->dx * s->dx;
     if (sph_rates(s, 0, true, false) != OK) exit(1);
-    double factor = s->o.delta * s->h * s->c0, edge = 6 * s->h;
+    double factor = s->scheme.delta * s->h * s->c0, edge = 6 * s->h;
     for (size_t i = 0; i < s->f.n; i++) {
       double x = s->f.w.x[i], y = s->f.w.y[i], rho = s->f.w.rho[i];
       if (fmin(fmin(x - 1, 2 - x), fmin(y - 1, 2 - y)) < edge) continue;

@@ -111,7 +111,7 @@ static void test_water_over_the_top_sees_no_wall(void) {
  * pulls with, up to a factor. */
 static double pull_at(const struct sph *s, double x, double y) {
   struct sph_lip lip;
-  const double cutoff2 = kernel_cutoff2(s->h);
+  const double cutoff2 = kernel_cutoff2((enum sph_kernel)s->scheme.kernel, s->h);
   double pull = 0;
   bool above = sph_lip_at(s, (vec){0} + x, (vec){0} + y, (vec){0}, &lip);
   for (size_t k = 0; k < s->w.n; k++) {

@@ -133,7 +133,7 @@ static void lattice_wave(enum sph_diffusion d, double kx, double ky, double *ome
     for (int i = -3; i <= 3; i++)
       for (int j = -3; j <= 3; j++) {
         double r2 = i * i + j * j, e = F * exp(-r2 / (h * h)), phase = kx * i + ky * j;
-        if (r2 == 0 || r2 >= kernel_cutoff2(h)) continue;
+        if (r2 == 0 || r2 >= kernel_cutoff2(SPH_KERNEL_gaussian, h)) continue;
         if (pass == 0) {
           gx += e * i * sin(phase);
           gy += e * j * sin(phase);
@@ -174,10 +174,10 @@ static double wave_growth(const struct sph_integrator *m, double omega, double r
  * with every integrator: steps a ninth longer than the bounds of water at rest are stable.
  * (Ferrari's frozen ones were not, and broke down where particles are in disorder.) */
 static void test_default_steps_are_stable_with_every_diffusion(void) {
-  for (int d = 1; d < SPH_N_DIFFUSIONS; d++)
+  for (int d = 1; d < SPH_DIFFUSION_COUNT; d++)
     for (int k = 0; k < SPH_N_INTEGRATORS; k++) {
       struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, c0: 50");
-      struct sph_options o = *(const struct sph_options *)c->runs[0].options;
+      struct sph_scheme o = *(const struct sph_scheme *)c->runs[0].options;
       o.diffusion = d;
       o.integrator = k;
       struct sph *s;
@@ -189,7 +189,8 @@ static void test_default_steps_are_stable_with_every_diffusion(void) {
         for (int diagonal = 0; diagonal < 2; diagonal++) {
           double omega, rate, wave = M_PI * n / 32;
           lattice_wave((enum sph_diffusion)d, wave, wave * diagonal, &omega, &rate);
-          most = fmax(most, wave_growth(&sph_integrators[k], omega * dt, rate * s->o.delta * dt));
+          most =
+              fmax(most, wave_growth(&sph_integrators[k], omega * dt, rate * s->scheme.delta * dt));
         }
       EXPECT(most <= 1 + 1e-9);
       sph_destroy(s);
@@ -199,13 +200,13 @@ static void test_default_steps_are_stable_with_every_diffusion(void) {
 
 /* Freezing is for free only where it leaves the step as it is. */
 static void test_auto_freezes_only_what_is_stable_frozen(void) {
-  for (int d = 0; d < SPH_N_DIFFUSIONS; d++) {
+  for (int d = 0; d < SPH_DIFFUSION_COUNT; d++) {
     struct case_file *c = pool_case(POOL_DROP, "resolution: 20, c0: 50");
-    struct sph_options o = *(const struct sph_options *)c->runs[0].options;
+    struct sph_scheme o = *(const struct sph_scheme *)c->runs[0].options;
     o.diffusion = d;
     struct sph *s;
     EXPECT_OK(sph_create(c, 20, &o, &s));
-    bool frozen = sph_integrators[s->o.integrator].frozen;
+    bool frozen = sph_integrators[s->scheme.integrator].frozen;
     EXPECT(frozen == (d != SPH_DIFFUSION_molteni && d != SPH_DIFFUSION_ferrari));
     sph_destroy(s);
     case_destroy(c);

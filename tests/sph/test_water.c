@@ -67,7 +67,7 @@ static void still_water_at(const char *walls) {
   EXPECT_NEAR(worst, 0, 8. / 20 / 400);
   /* the lattice sum's error at the edge of the support (test_rates.c: 4e-4 of p over h) */
   EXPECT_NEAR(away, 0, 4e-4 * 20 * 3 / 4 * 2);
-  EXPECT_NEAR(D / (s->o.delta * s->c0 * s->rho0 * s->g / (s->c0 * s->c0)), 0, 5e-3);
+  EXPECT_NEAR(D / (s->scheme.delta * s->c0 * s->rho0 * s->g / (s->c0 * s->c0)), 0, 5e-3);
   sph_destroy(s);
   case_destroy(c);
 }

@@ -145,10 +145,10 @@ static void test_diffusion_calms_noise(void) {
  * smaller; the work itself is zero for exact images, and falls as dx^2 with the fitted ones. */
 static void test_energy_budget_of_the_dam_break_closes(void) {
   double walls[2];
-  for (int d = 0; d < SPH_N_DIFFUSIONS; d++)
+  for (int d = 0; d < SPH_DIFFUSION_COUNT; d++)
     for (int k = 0; k < 2; k++) {
       static const char *const names[] = {
-#define X(name, delta, strength, frozen, help) #name,
+#define X(name, help) #name,
           SPH_DIFFUSIONS(X)
 #undef X
       };

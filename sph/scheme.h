@@ -1,9 +1,11 @@
-/* What a run of the solver may choose. */
+/* The scheme of a run: one of every family of variants, and the factors. A family of one has no key
+ * yet. */
 #pragma once
 #include "common/params.h"
 
-struct sph_options {
-  int kernel, diffusion, integrator, walls; /* indices into their lists */
+struct sph_scheme {
+  int kernel, eos, momentum, continuity, viscosity, diffusion; /* pair/, enumerations */
+  int integrator, walls;                                       /* indices into their lists */
   double h_over_dx;
   double delta; /* negative: the usual one of the diffusion */
   double alpha;
@@ -15,4 +17,4 @@ enum { SPH_N_PARAMS = 12 };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* delta, or the default of the diffusion when it is negative. */
-double sph_options_delta(const struct sph_options *o);
+double sph_scheme_delta(const struct sph_scheme *o);

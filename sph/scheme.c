@@ -1,4 +1,4 @@
-#include "sph/options.h"
+#include "sph/scheme.h"
 
 #include <stddef.h>
 
@@ -7,28 +7,19 @@
 #include "sph/pair/kernel.h"
 #include "sph/time/integrator.h"
 
-static const char *const kernel_names[] = {
-#define X(k) #k,
-    SPH_KERNELS(X)
-#undef X
-        NULL};
+/* What a case may name, and the help, of each family. */
+#define NAME(name, help) #name,
+#define HELP(name, help) help,
+#define FAMILY(tag, LIST)                                                                          \
+  static const char *const tag##_names[] = {LIST(NAME) NULL};                                      \
+  static const char *const tag##_helps[] = {LIST(HELP)};
+FAMILY(kernel, SPH_KERNELS)
+FAMILY(diffusion, SPH_DIFFUSIONS)
 
-static const char *const diffusion_names[] = {
-#define X(name, delta, strength, frozen, help) #name,
-    SPH_DIFFUSIONS(X)
-#undef X
-        NULL};
-
-static const char *const diffusion_helps[] = {
-#define X(name, delta, strength, frozen, help) help,
-    SPH_DIFFUSIONS(X)
-#undef X
-};
-
-#define AT(member) offsetof(struct sph_options, member)
+#define AT(member) offsetof(struct sph_scheme, member)
 const struct param sph_params[SPH_N_PARAMS] = {
     {"kernel", PARAM_CHOICE, QTY_NUMBER, AT(kernel), 0, 0, "gaussian", kernel_names,
-     "smoothing kernel (renormalised Gaussian, support 3h)", NULL},
+     "smoothing kernel", kernel_helps},
     {"h_over_dx", PARAM_REAL, QTY_NUMBER, AT(h_over_dx), 0.8, 3, "1.3333333333333333", NULL,
      "smoothing length over particle spacing (4/3: paper, III.A)", NULL},
     {"diffusion", PARAM_CHOICE, QTY_NUMBER, AT(diffusion), 0, 0, "antuono", diffusion_names,
@@ -58,11 +49,6 @@ const struct param sph_params[SPH_N_PARAMS] = {
      "factor of the bound from acceleration (paper, eq. 28)", NULL},
 };
 
-double sph_options_delta(const struct sph_options *o) {
-  static const double usual[] = {
-#define X(name, delta, strength, frozen, help) delta,
-      SPH_DIFFUSIONS(X)
-#undef X
-  };
-  return o->delta < 0 ? usual[o->diffusion] : o->delta;
+double sph_scheme_delta(const struct sph_scheme *o) {
+  return o->delta < 0 ? diffusion_delta((enum sph_diffusion)o->diffusion) : o->delta;
 }
