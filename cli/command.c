@@ -1,10 +1,12 @@
 #include "cli/command.h"
 
+#include <argp.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -49,6 +51,16 @@ void command_list_problems(const struct problems *problems) {
     text_show(stderr, problems->text[i], "");
     fputc('\n', stderr);
   }
+}
+
+int command_set_add(struct command_set *set, const char *assignment, struct argp_state *state) {
+  if (!strchr(assignment, '='))
+    argp_error(state, "--set %s: write PATH=VALUE, as in runs.NAME.alpha=0", assignment);
+  const char **more = realloc(set->item, (set->n + 1) * sizeof *more);
+  if (!more) return ENOMEM;
+  set->item = more;
+  set->item[set->n++] = assignment;
+  return 0;
 }
 
 struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set,

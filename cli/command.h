@@ -15,7 +15,7 @@ enum exit_code { EXIT_FINE = 0, EXIT_VERDICT = 1, EXIT_BAD_INPUT = 2, EXIT_RUN_F
   X(check, "CASE.yaml...", "validate case files: every problem with file, line and key")           \
   X(compare, "REF.h5 RUN.h5...", "report from existing result files")                              \
   X(diff, "A.h5 B.h5", "do two results agree? 0 yes, 1 no, 2 trouble")                             \
-  X(info, "FILE.h5...", "what is in a result file, in a screenful")                                \
+  X(info, "FILE.h5...", "what is in a result file")                                                \
   X(list, "", "solvers, their parameters and the measures: what a case may name")
 
 #define X(name, args, help) int command_##name(int argc, char **argv);
@@ -34,6 +34,15 @@ int command_finish(int exit_code);
 
 /* Prints each to stderr, a line each. */
 void command_list_problems(const struct problems *problems);
+
+/* What --set gave, once or more. */
+struct command_set {
+  const char **item; /* [n], owned; the strings are argv's */
+  size_t n;
+};
+struct argp_state;
+/* Takes one; an error of argp when it is no assignment. Returns 0, or ENOMEM. */
+int command_set_add(struct command_set *set, const char *assignment, struct argp_state *state);
 
 /* Loads a case; prints every problem to stderr. NULL when there is any, with the exit code. */
 struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set,

@@ -1,6 +1,7 @@
 #include <argp.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/command.h"
@@ -22,22 +23,35 @@ static void print_estimates(const struct case_file *c) {
   }
 }
 
-static error_t parse(int key, char *arg, struct argp_state *state) {
-  int *exit_code = state->input;
-  switch (key) {
-  case ARGP_KEY_ARG: {
-    int code;
-    struct case_file *c = command_load_case(arg, 0, NULL, &code);
-    code = c ? command_check_room(c, NULL, 0, NULL) : code;
-    if (code == EXIT_FINE) {
-      text_show(stdout, c->path, "");
-      printf(": fine (%zu run%s)\n", c->n_runs, c->n_runs == 1 ? "" : "s");
-      print_estimates(c);
-    } else
-      *exit_code = code;
-    case_destroy(c);
-    return 0;
+static int check(const char *path, const struct command_set *set) {
+  int exit_code;
+  struct case_file *c = command_load_case(path, set->n, set->item, &exit_code);
+  if (!c) return exit_code;
+  exit_code = command_check_room(c, NULL, set->n, set->item);
+  if (exit_code == EXIT_FINE) {
+    text_show(stdout, c->path, "");
+    printf(": fine (%zu run%s)\n", c->n_runs, c->n_runs == 1 ? "" : "s");
+    print_estimates(c);
   }
+  case_destroy(c);
+  return exit_code;
+}
+
+struct check_arguments {
+  struct command_set set;
+  char **paths; /* [n], in argv */
+  size_t n;
+};
+
+static error_t parse(int key, char *arg, struct argp_state *state) {
+  struct check_arguments *a = state->input;
+  switch (key) {
+  case 's':
+    return command_set_add(&a->set, arg, state);
+  case ARGP_KEY_ARGS:
+    a->paths = state->argv + state->next;
+    a->n = (size_t)(state->argc - state->next);
+    return 0;
   case ARGP_KEY_NO_ARGS:
     argp_error(state, "name a case file");
     return 0;
@@ -47,13 +61,23 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
 }
 
 int command_check(int argc, char **argv) {
+  static const struct argp_option options[] = {
+      {"set", 's', "PATH=VALUE", 0, "override a value, as in runs.NAME.alpha=0 or time.end=1.2", 0},
+      {0}};
   static const struct argp argp = {
+      .options = options,
       .parser = parse,
       .args_doc = "CASE.yaml...",
       .doc = "Validates case files and prints every problem with file, line, key, the value found "
              "and what is allowed.",
   };
   int exit_code = EXIT_FINE;
-  argp_parse(&argp, argc, argv, 0, NULL, &exit_code);
+  struct check_arguments a = {0};
+  argp_parse(&argp, argc, argv, 0, NULL, &a);
+  for (size_t i = 0; i < a.n; i++) {
+    int code = check(a.paths[i], &a.set);
+    if (code != EXIT_FINE) exit_code = code;
+  }
+  free(a.set.item);
   return exit_code;
 }

@@ -39,7 +39,7 @@ int command_info(int argc, char **argv) {
   static const struct argp argp = {
       .parser = parse,
       .args_doc = "FILE.h5...",
-      .doc = "Prints what is in a result file, in a screenful.",
+      .doc = "Prints what is in a result file.",
   };
   int exit_code = EXIT_FINE;
   argp_parse(&argp, argc, argv, 0, NULL, &exit_code);

@@ -18,8 +18,7 @@
 struct run_arguments {
   const char *case_path, *out;
   char *only;
-  const char **set; /* [n_set], owned; the strings are argv's */
-  size_t n_set;
+  struct command_set set;
   int threads;
   bool force, quiet, wait;
 };
@@ -35,12 +34,7 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     a->only = arg;
     return 0;
   case 's':
-    if (!strchr(arg, '='))
-      argp_error(state, "--set %s: write PATH=VALUE, as in runs.NAME.alpha=0", arg);
-    a->set = realloc(a->set, (a->n_set + 1) * sizeof *a->set);
-    if (!a->set) return ENOMEM;
-    a->set[a->n_set++] = arg;
-    return 0;
+    return command_set_add(&a->set, arg, state);
   case 't': {
     long threads = strtol(arg, &end, 10);
     if (end == arg || *end || threads < 1 || threads > 1024)
@@ -281,7 +275,7 @@ static int run_case(const struct run_arguments *a, const struct case_file *c,
   ATTEMPT(choose_runs(c, a->only, chosen));
   ATTEMPT(command_lock_folder(folder, a->wait, progress, &lock));
   ATTEMPT(skip_finished(a, c, folder, chosen, progress));
-  exit_code = command_check_room(c, chosen, a->n_set, a->set);
+  exit_code = command_check_room(c, chosen, a->set.n, a->set.item);
   if (exit_code != EXIT_FINE) goto done;
   ATTEMPT(room_take_for_blas());
   ATTEMPT(run_chosen(c, folder, chosen, progress, &exit_code));
@@ -320,7 +314,7 @@ int command_run(int argc, char **argv) {
   argp_parse(&argp, argc, argv, 0, NULL, &a);
   if (a.threads) omp_set_num_threads(a.threads);
   int exit_code;
-  struct case_file *c = command_load_case(a.case_path, a.n_set, a.set, &exit_code);
+  struct case_file *c = command_load_case(a.case_path, a.set.n, a.set.item, &exit_code);
   if (c) {
     struct progress *progress = progress_create(a.quiet ? PROGRESS_QUIET : PROGRESS_AUTO);
     if (progress)
@@ -330,6 +324,6 @@ int command_run(int argc, char **argv) {
     progress_destroy(progress);
   }
   case_destroy(c);
-  free(a.set);
+  free(a.set.item);
   return exit_code;
 }

@@ -135,22 +135,30 @@ static void check_run_names(struct case_draft *d) {
 
 /* ---- compare ---- */
 
+void case_time_words(struct case_draft *d, int node, double seconds, char out[64]) {
+  param_in_unit_of(case_doc_text(&d->doc, node), "s", &d->doc.scales, seconds, out, 64);
+}
+
 /* Comparison times are output times, where every run has its surface; on the dot after this. */
 static void check_times(struct case_draft *d) {
   struct case_file *c = d->c;
   int list = case_doc_member(&d->doc, d->at.compare, "times");
-  char path[CASE_PATH], found[96], allowed[128], todo[96];
+  char path[CASE_PATH], found[64], limit[64], near[64], allowed[128], todo[96];
   for (size_t i = 0; i < c->compare.n_times; i++) {
     double time = c->compare.times[i], n = time / c->every;
-    int line = list ? case_doc_line(&d->doc, case_doc_item(&d->doc, list, i)) : 0;
+    int item = list ? case_doc_item(&d->doc, list, i) : 0;
+    int line = list ? case_doc_line(&d->doc, item) : 0;
     snprintf(path, sizeof path, "compare.times[%zu]", i);
-    snprintf(found, sizeof found, "%.9g s", time);
+    case_time_words(d, item, time, found);
     if (time > c->end * (1 + CASE_SAME)) {
-      snprintf(allowed, sizeof allowed, "at most time.end, %.9g s", c->end);
+      case_time_words(d, item, c->end, limit);
+      snprintf(allowed, sizeof allowed, "at most time.end, %s", limit);
       case_doc_problem(&d->doc, line, path, found, allowed, "compare earlier or compute longer");
     } else if (fabs(n - round(n)) > CASE_SAME * fmax(1, n)) {
-      snprintf(allowed, sizeof allowed, "a multiple of time.every, %.9g s", c->every);
-      snprintf(todo, sizeof todo, "the nearest is %.9g s", round(n) * c->every);
+      case_time_words(d, item, c->every, limit);
+      case_time_words(d, item, round(n) * c->every, near);
+      snprintf(allowed, sizeof allowed, "a multiple of time.every, %s", limit);
+      snprintf(todo, sizeof todo, "the nearest is %s", near);
       case_doc_problem(&d->doc, line, path, found, allowed, todo);
     } else if (i > 0 && time <= c->compare.times[i - 1] * (1 + CASE_SAME)) {
       case_doc_problem(&d->doc, line, path, found, "times that increase", "put them in order");
@@ -181,7 +189,7 @@ void case_check_tolerances(struct case_draft *d) {
       continue;
     }
     snprintf(path, sizeof path, "compare.tolerances[%zu].at", i);
-    snprintf(found, sizeof found, "%.9g s", t->at);
+    case_time_words(d, case_doc_member(&d->doc, item, "at"), t->at, found);
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "at"), path, found,
                      "one of compare.times", "add it there or change it");
   }
@@ -191,16 +199,17 @@ void case_check_tolerances(struct case_draft *d) {
 void case_check_averages(struct case_draft *d, double end, const char *what) {
   const struct case_file *c = d->c;
   int list = case_doc_member(&d->doc, d->at.compare, "averages");
-  char path[CASE_PATH], found[64], allowed[96];
+  char path[CASE_PATH], found[64], limit[64], allowed[128];
   for (size_t i = 0; i < c->compare.n_averages; i++) {
     const struct case_average *a = &c->compare.averages[i];
+    int over = case_doc_member(&d->doc, case_doc_item(&d->doc, list, i), "over");
     if (a->over <= end * (1 + CASE_SAME)) continue;
     snprintf(path, sizeof path, "compare.averages[%zu].over", i);
-    snprintf(found, sizeof found, "%.9g s", a->over);
-    snprintf(allowed, sizeof allowed, "at most %s, %.9g s", what, end);
-    case_doc_problem(&d->doc,
-                     case_doc_member_line(&d->doc, case_doc_item(&d->doc, list, i), "over"), path,
-                     found, allowed, "make it smaller");
+    case_time_words(d, over, a->over, found);
+    case_time_words(d, over, end, limit);
+    snprintf(allowed, sizeof allowed, "at most %s, %s", what, limit);
+    case_doc_problem(&d->doc, case_doc_line(&d->doc, over), path, found, allowed,
+                     "make it smaller");
   }
 }
 

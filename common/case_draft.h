@@ -61,6 +61,8 @@ extern const struct case_table case_section_tables[], case_run_tables[];
 /* case_check.c: whether what was read makes sense together. */
 void case_check(struct case_draft *d);
 void case_check_tolerances(struct case_draft *d); /* their times are among compare.times */
+/* A time in the unit that the one at `node` is written in. */
+void case_time_words(struct case_draft *d, int node, double seconds, char out[64]);
 void case_check_averages(struct case_draft *d, double end, const char *what); /* s */
 void case_check_window(struct case_draft *d);
 double case_tank_size(const struct case_file *c); /* the longer side of the tank's box, m */

@@ -40,9 +40,9 @@ static void check_absent(struct case_draft *d, const char *key, const char *why)
 }
 
 /* Puts a time to the output that it names; that of another one is a problem. */
-static void check_time(struct case_draft *d, const struct case_frame *frame, int line, size_t i) {
+static void check_time(struct case_draft *d, const struct case_frame *frame, int item, size_t i) {
   double *time = &d->c->compare.times[i], nearest = NAN;
-  char path[CASE_PATH], found[64], todo[96];
+  char path[CASE_PATH], found[64], words[64], todo[96];
   for (size_t k = 0; k < frame->n_times; k++)
     if (!(fabs(frame->times[k] - *time) >= fabs(nearest - *time))) nearest = frame->times[k];
   bool near = fabs(nearest - *time) <= 1e-6 * fmax(*time, fabs(nearest));
@@ -50,10 +50,25 @@ static void check_time(struct case_draft *d, const struct case_frame *frame, int
   bool later = !i || *time > d->c->compare.times[i - 1];
   if (near && later) return;
   snprintf(path, sizeof path, "compare.times[%zu]", i);
-  snprintf(found, sizeof found, "%.9g s", *time);
-  snprintf(todo, sizeof todo, near ? "put them in order" : "the nearest is %.9g s", nearest);
-  case_doc_problem(&d->doc, line, path, found,
+  case_time_words(d, item, *time, found);
+  case_time_words(d, item, nearest, words);
+  snprintf(todo, sizeof todo, near ? "put them in order" : "the nearest is %s", words);
+  case_doc_problem(&d->doc, case_doc_line(&d->doc, item), path, found,
                    near ? "times that increase" : "an output time of the reference", todo);
+}
+
+/* The section without its name: one hint for all of its keys. */
+static bool is_bare_section(struct case_draft *d, int root) {
+  static const char *const keys[] = {"times", "window", "tolerances", "averages"};
+  if (case_doc_member(&d->doc, root, "compare")) return false;
+  for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
+    if (!case_doc_member(&d->doc, root, keys[k])) continue;
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, root, keys[k]), keys[k],
+                     "a key of the section `compare`, outside of it", "compare",
+                     "write `compare:` on a line above and indent what follows");
+    return true;
+  }
+  return false;
 }
 
 static enum status read_settings(struct case_draft *d, const struct case_frame *frame) {
@@ -66,6 +81,7 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
   };
   struct case_block block = {rows, ROWS(rows), d};
   int root = case_doc_root(&d->doc);
+  if (is_bare_section(d, root)) return OK;
   case_doc_read(&d->doc, root, "", case_doc_line(&d->doc, root), 1, &block);
   if (!d->at.compare) return OK;
   TRY(case_read_compare(d));
@@ -73,7 +89,7 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
   check_absent(d, "experiments", "none, they are in the reference's file");
   int list = case_doc_member(&d->doc, d->at.compare, "times");
   for (size_t i = 0; i < d->c->compare.n_times; i++)
-    check_time(d, frame, case_doc_line(&d->doc, case_doc_item(&d->doc, list, i)), i);
+    check_time(d, frame, case_doc_item(&d->doc, list, i), i);
   case_check_tolerances(d);
   if (frame->n_times)
     case_check_averages(d, frame->times[frame->n_times - 1], "the reference's last output");

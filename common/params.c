@@ -72,6 +72,22 @@ static const struct unit *unit_find(const char *text) {
   return NULL;
 }
 
+static double unit_size(const struct unit *u, const struct param_scales *scales) {
+  return u->factor * (u->h != 0 ? pow(scales->H, u->h) : 1) *
+         (u->k != 0 ? pow(scales->g, u->k) : 1);
+}
+
+void param_in_unit_of(const char *text, const char *si, const struct param_scales *scales,
+                      double value, char *out, size_t size) {
+  const struct unit *unit = NULL;
+  if (text) {
+    while (isspace((unsigned char)*text)) text++;
+    unit = unit_find(text + number_length(text));
+  }
+  snprintf(out, size, "%.9g %s", unit ? value / unit_size(unit, scales) : value,
+           unit ? unit->name : si);
+}
+
 static bool parse_real(const struct param *p, const char *text, const struct param_scales *scales,
                        double *out, char todo[160]) {
   while (isspace((unsigned char)*text)) text++;
@@ -110,8 +126,7 @@ static bool parse_real(const struct param *p, const char *text, const struct par
       snprintf(todo, 160, "give fluid.gravity first");
       return false;
     }
-    value *= unit->factor * (unit->h != 0 ? pow(scales->H, unit->h) : 1) *
-             (unit->k != 0 ? pow(scales->g, unit->k) : 1);
+    value *= unit_size(unit, scales);
   } else if (!n) {
     return false;
   }

@@ -46,6 +46,11 @@ struct param_scales {
 bool param_fill(const struct param *p, const char *text, const struct param_scales *scales,
                 void *into, char todo[160]);
 
+/* `value`, in SI, in the unit that `text` is written in (a bare number's, and that of NULL, is
+ * `si`): "2.24 sqrt(H/g)". */
+void param_in_unit_of(const char *text, const char *si, const struct param_scales *scales,
+                      double value, char *out, size_t size);
+
 /* What row `p` allows, in words: "a number from 0 to 1", "one of rk4, tvd-rk3". */
 void param_allowed(const struct param *p, char *out, size_t size);
 

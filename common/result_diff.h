@@ -14,5 +14,5 @@
 enum status result_diff(const char *a, const char *b, const struct result_tolerances *tolerances,
                         bool draft, FILE *out, bool *same);
 
-/* What is in the file: at most 24 lines of at most 100 columns. ERR_INPUT. */
+/* What is in the file, in lines of at most 100 columns. ERR_INPUT. */
 enum status result_info(const char *path, FILE *out);

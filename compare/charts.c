@@ -8,16 +8,51 @@
 
 /* ---- distance ---- */
 
-static struct cmp_frame distance_frame(const struct comparison *c, size_t panel) {
+static double distance_top(const struct comparison *c, size_t panel) {
   double top = 0;
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_evolution *e = &c->run[r].evolution;
     const double *value = panel == 0 ? e->mean : panel == 1 ? e->largest : e->area;
-    if (panel == 0) top = fmax(top, c->run[r].noise);
     for (size_t i = 0; i < e->n; i++)
       if (isfinite(value[i])) top = fmax(top, value[i]);
   }
+  return top;
+}
+
+/* The finest and the coarsest run's: levels in between would make a grey bar. Those so high that
+ * the curves would lie on the axis are not drawn, and the caption says where they are. */
+struct noise {
+  double low, high;
+  bool drawn;
+};
+
+static struct noise noise_of(const struct comparison *c) {
+  struct noise noise = {INFINITY, 0, false};
+  double top = distance_top(c, 0);
+  for (size_t r = 0; r < c->n_runs; r++) {
+    noise.low = fmin(noise.low, c->run[r].noise);
+    noise.high = fmax(noise.high, c->run[r].noise);
+  }
+  noise.drawn = noise.high < 8 * top || !(top > 0);
+  return noise;
+}
+
+static struct cmp_frame distance_frame(const struct comparison *c, size_t panel,
+                                       const struct noise *noise) {
+  double top = distance_top(c, panel);
+  if (panel == 0 && noise->drawn) top = fmax(top, noise->high);
   return (struct cmp_frame){0, top > 0 ? 1.06 * top : 1};
+}
+
+static void noise_say(const struct noise *noise, char *out, size_t room) {
+  const char *what = "the noise floor of the mean distance, half a particle spacing";
+  bool one = noise->high - noise->low < 1e-12;
+  if (noise->drawn)
+    snprintf(out, room, " Dashed: %s%s.", what, one ? "" : " (of the finest and the coarsest run)");
+  else if (one)
+    snprintf(out, room, " Far above the frame: %s, %.2g H.", what, noise->high);
+  else
+    snprintf(out, room, " Far above the frame: %s, %.2g to %.2g H.", what, noise->low, noise->high);
 }
 
 static bool distance_known(const struct comparison *c) {
@@ -34,6 +69,8 @@ static void caption_end(const struct comparison *c, struct cmp_figure *fig) {
 
 static enum status distance_chart(const struct comparison *c, struct cmp_figures *f) {
   struct cmp_chart chart;
+  struct noise noise = noise_of(c);
+  char floor[192];
   const struct cmp_chart_plan plan = {.section = CMP_SECTION_DISTANCE,
                                       .name = "distance",
                                       .columns =
@@ -41,12 +78,12 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
                                       .panels = 3,
                                       .panel_height = 190};
   TRY(cmp_chart_begin(c, f, &plan, &chart));
+  noise_say(&noise, floor, sizeof floor);
   snprintf(
       chart.fig->caption, sizeof chart.fig->caption,
       "Distance of each run's free surface from that of %.60s at every common output: mean and "
-      "largest distance of the main surfaces away from walls, and the area between the two. "
-      "Dashed: the noise floor of the mean distance, half a particle spacing.",
-      c->ref.data.label);
+      "largest distance of the main surfaces away from walls, and the area between the two.%s",
+      c->ref.data.label, floor);
   caption_end(c, chart.fig);
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_evolution *e = &c->run[r].evolution;
@@ -56,7 +93,7 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
   }
   static const char *const label[] = {"mean distance / H", "largest distance / H", "area / H^2"};
   for (size_t panel = 0; panel < 3; panel++) {
-    struct cmp_frame frame = distance_frame(c, panel);
+    struct cmp_frame frame = distance_frame(c, panel, &noise);
     cmp_chart_panel(&chart, panel, &frame, label[panel], NULL);
     cmp_chart_others(&chart, panel, true);
     for (size_t r = 0; r < c->n_runs; r++)
@@ -66,9 +103,8 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
                                                     .name = c->run[r].data.label,
                                                     .style = cmp_run_style(c, r),
                                                     .width = 1.3});
-    for (size_t r = 0; r < c->n_runs && panel == 0; r++)
-      if (r == 0 || fabs(c->run[r].noise - c->run[r - 1].noise) > 1e-12)
-        cmp_chart_level(&chart, c->run[r].noise);
+    if (panel == 0 && noise.drawn) cmp_chart_level(&chart, noise.low);
+    if (panel == 0 && noise.drawn && noise.high > noise.low) cmp_chart_level(&chart, noise.high);
     cmp_chart_panel_end(&chart);
   }
   return cmp_chart_end(&chart);

@@ -9,6 +9,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "common/file.h"
 #include "common/progress.h"
 #include "compare/output.h"
 
@@ -90,7 +91,7 @@ static enum status stream_open(const struct cmp_figures *f, const char *name, co
   char file[128], path[PATH_MAX];
   snprintf(file, sizeof file, "%s%s", name, suffix);
   TRY(cmp_path_join(f->temporary, file, path));
-  *stream = fopen(path, "w");
+  *stream = file_create(path);
   CHECK(*stream, ERR_IO, "cannot write %s: %s", path, strerror(errno));
   return OK;
 }

@@ -244,7 +244,10 @@ static void health_row(struct page *p, const struct comparison *c, size_t r) {
 void cmp_html_health(struct page *p, const struct comparison *c) {
   cmp_html_table_open(p);
   cmp_html_headings(p, (const char *const[]){"run", "health", "why", "measured", NULL});
-  for (size_t i = 0; i <= c->n_runs; i++) health_row(p, c, i == 0 ? SIZE_MAX : i - 1);
+  health_row(p, c, SIZE_MAX);
+  for (int v = HEALTH_FAILED; v >= HEALTH_SOUND; v--) /* the worst first */
+    for (size_t r = 0; r < c->n_runs; r++)
+      if (c->run[r].health.verdict == (enum health_verdict)v) health_row(p, c, r);
   cmp_html_table_close(p);
 }
 

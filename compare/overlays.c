@@ -185,7 +185,8 @@ static void panel_title(const struct comparison *c, const struct cmp_run *run, s
 
 static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
                        const struct layout *l, const struct geo_box *view,
-                       const struct cmp_cloud *cloud, size_t time, size_t k, size_t r) {
+                       const struct cmp_cloud *cloud, bool particles, size_t time, size_t k,
+                       size_t r) {
   const struct cmp_run *run = &c->run[r];
   const struct cmp_at *at = &run->at[time];
   FILE *s = fig->script;
@@ -202,7 +203,7 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
   fputs(k % l->columns == 0 ? "set format y\nset ylabel 'y / H'\n"
                             : "set format y ''\nunset ylabel\n",
         s);
-  if (k == 0)
+  if (k == 0 && particles)
     fprintf(s, "set colorbox user origin screen %.5f, screen %.5f size screen 0.016, screen %.5f\n",
             1 - (RIGHT - 16.0) / WIDTH, 1 - (TOP + TITLE + l->height) / fig->height,
             l->height / fig->height);
@@ -242,15 +243,27 @@ static enum status overlay_begin(const struct comparison *c, struct cmp_figures 
   TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, WIDTH, o->layout.total, &fig, "overlay-t%.4g",
                        c->times[time]));
   o->figure = f->n - 1;
-  snprintf(
-      fig->caption, sizeof fig->caption,
-      "t* = %.4g. Particles coloured by pressure (the same colours for every run), the run's own "
-      "free surface in thin orange, that of %.60s in black. Mean: distance between the two; area: "
-      "between them.",
-      c->times[time], c->ref.data.label);
+  return surfaces_write(c, f, fig, time, CMP_PANELS);
+}
+
+static bool any_particles(const struct comparison *c, const struct cmp_cloud *cloud) {
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (cloud[r].n) return true;
+  return false;
+}
+
+static void overlay_caption(const struct comparison *c, size_t time, bool particles,
+                            struct cmp_figure *fig) {
+  snprintf(fig->caption, sizeof fig->caption,
+           "t* = %.4g. %s free surface in thin orange, that of %.60s in black. Mean: distance "
+           "between the two; area: between them.",
+           c->times[time],
+           particles
+               ? "Particles coloured by pressure (the same colours for every run), the run's own"
+               : "The run's",
+           c->ref.data.label);
   size_t used = strlen(fig->caption);
   cmp_picked_say(c, CMP_PANELS, "have no panel", fig->caption + used, sizeof fig->caption - used);
-  return surfaces_write(c, f, fig, time, CMP_PANELS);
 }
 
 static enum status overlay_draw(const struct comparison *c, struct cmp_figures *f, size_t time,
@@ -258,6 +271,8 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
   struct cmp_figure *fig = &f->figure[o->figure];
   const struct geo_box *view = &o->view;
   double top = colour_top(c, cloud);
+  bool particles = any_particles(c, cloud);
+  overlay_caption(c, time, particles, fig);
   layers_draw(fig, &o->layout, view, c, cloud, top);
   cmp_figure_formats(fig);
   fprintf(fig->script,
@@ -267,7 +282,7 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
           palette, top, top / 4, view->min[0], view->max[0], view->min[1], view->max[1]);
   for (size_t r = 0, k = 0; r < c->n_runs; r++)
     if (cmp_run_is_picked(c, r, CMP_PANELS))
-      panel_draw(c, fig, &o->layout, view, &cloud[r], time, k++, r);
+      panel_draw(c, fig, &o->layout, view, &cloud[r], particles, time, k++, r);
   fputs("unset multiplot\n", fig->script);
   return cmp_figure_end(fig);
 }

@@ -59,6 +59,29 @@ settings.yaml:8: compare.tolerances[2].at: found 0.25 s; allowed: one of compare
 settings.yaml:9: compare.averages[1].probe: found 'R'; allowed: one of the probes P
 settings.yaml:9: compare.averages[0].over: found 0.5 s; allowed: at most the reference's last output, 0.4 s; make it smaller
 E2
+# times are answered in the unit that they are asked in
+printf 'compare:\n  times: [0.5 sqrt(H/g), 150 ms]\n' >settings.yaml
+compare 2
+sed -i 's/[0-9.]* sqrt(H.g)$/X sqrt(H\/g)/' log
+diff - log <<'E2' || fail "other messages"
+settings.yaml:2: compare.times[0]: found 0.5 sqrt(H/g); allowed: an output time of the reference; the nearest is X sqrt(H/g)
+settings.yaml:2: compare.times[1]: found 150 ms; allowed: an output time of the reference; the nearest is 100 ms
+E2
+printf 'times: [0.2]\ntolerances: [{measure: mean_distance, max: 1}]\n' >settings.yaml # the section without its name
+compare 2
+diff - log <<'E2' || fail "no one hint"
+settings.yaml:1: times: found a key of the section `compare`, outside of it; allowed: compare; write `compare:` on a line above and indent what follows
+E2
+
+# ---- other water is refused, or compared all the same and said first ----
+sed 's/amplitude: 0.04/amplitude: 0.05/' wave.yaml >other.yaml
+"$program" run other.yaml --out other -q >log 2>&1 || fail "no results: $(cat log)"
+"$program" compare out/a.h5 other/b.h5 --out own >log 2>&1 && fail "other water is compared"
+grep -q "other/b.h5 has another water at t = 0 than the reference out/a.h5.*--anyway compares them" log || fail "refused: $(cat log)"
+"$program" compare out/a.h5 other/b.h5 --anyway --out own >log 2>&1 || fail "--anyway: $(cat log)"
+grep -q "^b .* is not of the tank, water and scales of a, and compared all the same" log || fail "--anyway says: $(cat log)"
+grep -q "is not of the tank, water and scales of a, and compared" own/report.html || fail "the report does not say that the water is another"
+
 for odd in /dev/zero nowhere.yaml; do
   cp /dev/null settings.yaml
   got=0

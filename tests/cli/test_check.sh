@@ -35,6 +35,20 @@ check_folder() {
 check_folder "$source/tests/common/bad" 'runs\.a|solver-refuses|tolerance'
 check_folder "$source/tests/cli/refused" 'one of mean_distance' # that list grows with the comparator
 
+# --set is checked like what stands in the case, and estimated
+for resolution in 20 40; do
+  "$plunge" check "$source/cases/hydrostatic.yaml" --set runs.antuono-fine.resolution=$resolution >"$scratch/$resolution" || failed=1
+done
+if cmp -s "$scratch/20" "$scratch/40"; then
+  echo "FAIL check --set changes nothing"
+  failed=1
+fi
+"$plunge" check "$source/cases/hydrostatic.yaml" --set time.end=-1 >"$scratch/out" 2>"$scratch/err"
+if [ $? != 2 ] || ! grep -q "^--set time.end=-1" "$scratch/err"; then
+  echo "FAIL check --set of a bad value: $(cat "$scratch/out" "$scratch/err")"
+  failed=1
+fi
+
 for odd in /nowhere/case.yaml /dev/null "$source"; do
   "$plunge" check "$odd" >/dev/null 2>&1
   code=$?

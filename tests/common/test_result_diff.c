@@ -184,7 +184,7 @@ static void test_a_text_cannot_forge_a_line(void) {
   EXPECT(!strchr(report, 033) && !strstr(report, "\n0 of"));
 }
 
-static void test_info_fits_a_screen(void) {
+static void test_info_fits_its_columns(void) {
   static char text[20000];
   write_result(path[0], 30); /* as many events, of which not all can be shown */
   FILE *out = fmemopen(text, sizeof text, "w");
@@ -198,12 +198,35 @@ static void test_info_fits_a_screen(void) {
     columns = 0;
     lines++;
   }
-  EXPECT(lines > 10 && lines <= 24);
+  EXPECT(lines > 10 && lines < 40);
   EXPECT(strstr(text, "30 from t = 1e-17 to 2.9 s (t sqrt(g/H) = 4.043e-17 to 11.72)"));
   EXPECT(strstr(text, "40 to 42 in each output, with pressure, velocity"));
   EXPECT(strstr(text, "antuono (sample), complete"));
   EXPECT(strstr(text, "and 24 more"));
   if (getenv("SHOW")) puts(text);
+}
+
+/* Also the last of more than a screen of them. */
+static void test_info_shows_every_statistic(void) {
+  static char text[20000];
+  struct case_file *c = sample_case();
+  struct result *w = NULL;
+  char name[64];
+  EXPECT_OK(result_create(path[0], c, &c->runs[0], &w));
+  EXPECT_OK(sample_output(w, 0, 40));
+  for (int k = 0; k < 90; k++) {
+    snprintf(name, sizeof name, "a_statistic_of_a_long_name_%d", k);
+    EXPECT_OK(result_statistic(w, name, k, "1", "how many"));
+  }
+  result_destroy(w);
+  sample_case_destroy(c);
+  FILE *out = fmemopen(text, sizeof text, "w");
+  EXPECT_OK(result_info(path[0], out));
+  fclose(out);
+  for (int k = 0; k < 90; k++) {
+    snprintf(name, sizeof name, "a_statistic_of_a_long_name_%d = %d", k, k);
+    EXPECT(strstr(text, name));
+  }
 }
 
 static void test_info_tells_a_run_that_goes_on(void) {
@@ -236,7 +259,8 @@ int main(void) {
   RUN(test_wrong_tolerances_are_refused);
   RUN(test_trouble_is_not_a_difference);
   RUN(test_a_text_cannot_forge_a_line);
-  RUN(test_info_fits_a_screen);
+  RUN(test_info_fits_its_columns);
+  RUN(test_info_shows_every_statistic);
   RUN(test_info_tells_a_run_that_goes_on);
   sample_folder_remove();
   return TEST_RESULT;
