@@ -130,6 +130,7 @@ static void serve(void) {
 int LLVMFuzzerInitialize(int *argc, char ***argv) {
   (void)argc, (void)argv;
   load_seed();
+  edit_learn(good, good_size);
   nowhere = fopen("/dev/null", "w");
   fuzz_file_create(FUZZ_FILE);
   fuzz_file_fill(fuzz_file_create(GOOD_FILE), good, good_size);

@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,19 +49,37 @@ static const double numbers[] = {0,     -1,      1,    NAN,          INFINITY, -
                                  1e300, -1e-300, 1e18, 4294967296.0, 65536,    3e9,
                                  255,   0.5,     7,    -9e18};
 
-struct pick { /* the object that an edit is made of */
-  uint32_t left;
-  char name[256];
-  H5O_type_t type;
-};
+enum { MOST_OBJECTS = 256 };
+static uint32_t n_objects;
+static struct object {
+  char name[64];
+  bool set;
+} objects[MOST_OBJECTS];
 
-static herr_t pick_object(hid_t root, const char *name, const H5O_info_t *info, void *data) {
-  struct pick *p = data;
-  (void)root;
-  if (p->left--) return 0;
-  snprintf(p->name, sizeof p->name, "%s", name);
-  p->type = info->type;
-  return 1;
+static herr_t add_object(hid_t root, const char *name, const H5O_info_t *info, void *data) {
+  (void)root, (void)data;
+  struct object *o = &objects[n_objects++];
+  snprintf(o->name, sizeof o->name, "%s", name);
+  o->set = info->type == H5O_TYPE_DATASET;
+  return n_objects == MOST_OBJECTS;
+}
+
+/* In memory from first to last. */
+static hid_t open_image(uint8_t *data, size_t size) {
+  hid_t fapl = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_fapl_core(fapl, 1 << 16, false);
+  H5Pset_fclose_degree(fapl, H5F_CLOSE_STRONG); /* closes what the edits left open */
+  H5Pset_file_image(fapl, data, size - sizeof(struct result_seal));
+  hid_t file = H5Fopen("fuzz", H5F_ACC_RDWR, fapl);
+  H5Pclose(fapl);
+  return file;
+}
+
+void edit_learn(uint8_t *data, size_t size) {
+  hid_t file = open_image(data, size);
+  H5Ovisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, add_object, NULL);
+  H5Fclose(file);
+  if (!n_objects) abort();
 }
 
 static void edit_set(hid_t file, const char *name, uint32_t *state) {
@@ -141,21 +160,20 @@ static void edit_links(hid_t file, const char *name, uint32_t *state) {
 }
 
 static void edit_once(hid_t file, uint32_t *state) {
-  struct pick pick = {.left = draw(state, 60)};
-  if (H5Ovisit(file, H5_INDEX_NAME, H5_ITER_NATIVE, pick_object, &pick) < 1) return;
+  const struct object *o = &objects[draw(state, n_objects)];
   uint32_t way = draw(state, 8);
-  if (way == 0 && strcmp(pick.name, ".")) {
-    edit_links(file, pick.name, state);
-  } else if (way < 4 || pick.type != H5O_TYPE_DATASET) {
-    hid_t object = H5Oopen(file, pick.name, H5P_DEFAULT);
+  if (way == 0 && strcmp(o->name, ".")) {
+    edit_links(file, o->name, state);
+  } else if (way < 4 || !o->set) {
+    hid_t object = H5Oopen(file, o->name, H5P_DEFAULT);
     edit_attribute(object, state);
   } else {
-    edit_set(file, pick.name, state);
+    edit_set(file, o->name, state);
   }
 }
 
 struct edit {
-  uint8_t *data; /* of the file without its seal; what comes of it is from malloc */
+  uint8_t *data; /* of the file; what comes of it is from malloc, without a seal */
   size_t size;
   uint32_t state;
 };
@@ -168,16 +186,10 @@ static void mend_superblock(uint8_t *data) {
   memcpy(data + SUM_AT, &sum, sizeof sum);
 }
 
-/* In memory from first to last. */
 static enum status edit_file(void *data) {
   struct edit *e = data;
   hdf_quiet();
-  hid_t fapl = H5Pcreate(H5P_FILE_ACCESS);
-  H5Pset_fapl_core(fapl, 1 << 16, false);
-  H5Pset_fclose_degree(fapl, H5F_CLOSE_STRONG); /* closes what the edits left open */
-  H5Pset_file_image(fapl, e->data, e->size);
-  hid_t file = H5Fopen("fuzz", H5F_ACC_RDWR, fapl);
-  H5Pclose(fapl);
+  hid_t file = open_image(e->data, e->size);
   for (uint32_t k = 1 + draw(&e->state, 4); file >= 0 && k > 0; k--) edit_once(file, &e->state);
   H5Fflush(file, H5F_SCOPE_GLOBAL);
   ssize_t n = H5Fget_file_image(file, NULL, 0);
@@ -194,7 +206,7 @@ static enum status carry_edit(struct carrier *c, void *data) {
 }
 
 size_t edit_through_hdf5(uint8_t *data, size_t size, size_t most, uint32_t *state) {
-  struct edit e = {data, size - sizeof(struct result_seal), draw(state, UINT32_MAX)};
+  struct edit e = {data, size, draw(state, UINT32_MAX)};
   struct guard guard = {
       .name = {"edit"}, .size = size, .data = &e, .read = edit_file, .carry = carry_edit};
   size_t edited = 0;
