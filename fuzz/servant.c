@@ -70,6 +70,11 @@ static bool is_from_hdf5(const char *text) {
   return memmem(error, n, "libhdf5", 7) || memmem(error, n, "libz.so", 7);
 }
 
+/* Before each attempt, or an error of HDF5's in the one before would excuse one of ours. */
+static void forget_report(void) {
+  if (ftruncate(report, 0)) abort();
+}
+
 static void die(void) {
   static char text[1 << 16];
   if (pread(report, text, sizeof text - 1, 0) < 0 || !is_from_hdf5(text)) kill(fuzzer, SIGABRT);
@@ -117,7 +122,7 @@ static void limit_time(int seconds) {
 
 static _Noreturn void be_worker(void (*serve)(void), int to) {
   fuzz_hasten();
-  for (int n = 0; n < WORKS && hear(to); n++) {
+  while (hear(to)) {
     limit_time(HASTY_TIME);
     serve();
     limit_time(0);
@@ -129,18 +134,14 @@ static _Noreturn void be_worker(void (*serve)(void), int to) {
 /* False when the worker died of it, which says nothing yet. */
 static bool have_worked(void (*serve)(void)) {
   static pid_t worker;
-  static int to;
-  bool done = false;
-  for (int attempt = 0; attempt < 2 && !done; attempt++) {
-    bool fresh = !worker;
-    if (fresh && divide(&worker, &to)) be_worker(serve, to);
-    done = say(to) && hear(to);
-    if (done) break;
-    close(to);
-    waitpid(worker, NULL, 0);
-    worker = 0;
-    if (fresh) break;
-  }
+  static int to, works;
+  forget_report();
+  if (!worker && divide(&worker, &to)) be_worker(serve, to);
+  bool done = say(to) && hear(to);
+  if (done && ++works < WORKS) return true;
+  close(to); /* ends it */
+  waitpid(worker, NULL, 0);
+  worker = 0, works = 0;
   return done;
 }
 
@@ -158,8 +159,10 @@ void fuzz_servant_start(void (*serve)(void)) {
   watch();
   if (pthread_atfork(NULL, NULL, watch)) abort();
   while (hear(to)) {
-    if (ftruncate(report, 0)) abort(); /* what came before was HDF5's */
-    if (!have_worked(serve)) serve();
+    if (!have_worked(serve)) {
+      forget_report();
+      serve();
+    }
     if (!say(to)) break;
   }
   _exit(0);
