@@ -34,7 +34,8 @@ void sph_estimate(const struct case_file *c, const struct case_run *r, struct so
   double dx = c->H / r->resolution, h = o->h_over_dx * dx;
   double wall = length_of(&c->walls) * kernel_support((enum sph_kernel)o->kernel) * h / (dx * dx);
   double cells = (c->tank.max[0] - c->tank.min[0]) * (c->tank.max[1] - c->tank.min[1]) / (dx * dx);
-  double evaluations = c->end / step_of(o, h) * sph_integrators[sph_integrator_chosen(o)].stages;
+  double evaluations =
+      c->end / step_of(o, h) * sph_integrators[sph_integrator_chosen(o)]->evaluations;
   e->points = case_water_area(c) / (dx * dx);
   e->unit = "particles";
   e->bytes = BYTES_ALONE + BYTES_OF_PARTICLE * (e->points + wall) + BYTES_OF_CELL * cells;

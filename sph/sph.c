@@ -33,19 +33,33 @@ static enum status sort_and_list(struct sph *s, const unsigned char *drop) {
   return OK;
 }
 
-static double moved2(const struct sph_particles *f) {
-  double most = 0;
-#pragma omp parallel for simd schedule(static) reduction(max : most)
+/* The longest way (m) since the lists were built, with that of another step of length dt (s). */
+static double longest_way(const struct sph_particles *f, double dt) {
+  double most2 = 0;
+#pragma omp parallel for simd schedule(static) reduction(max : most2)
   for (size_t i = 0; i < f->n; i++) {
     double x = f->w.x[i] - f->x_listed[i], y = f->w.y[i] - f->y_listed[i];
-    most = fmax(most, x * x + y * y);
+    double way = sqrt(x * x + y * y) + dt * sqrt(f->w.u[i] * f->w.u[i] + f->w.v[i] * f->w.v[i]);
+    most2 = fmax(most2, way);
   }
-  return most;
+  return most2;
+}
+
+bool sph_lists_hold(const struct sph *s) {
+  return longest_way(&s->f, 0) <= s->skin / 2;
 }
 
 enum status sph_neighbours_update(struct sph *s) {
-  if (moved2(&s->f) > s->skin * s->skin / 4) TRY(sort_and_list(s, NULL));
-  return OK;
+  if (longest_way(&s->f, s->dt) <= s->skin / 2) return OK;
+  double fastest = 0;
+  for (size_t i = 0; i < s->f.n; i++) fastest = fmax(fastest, hypot(s->f.w.u[i], s->f.w.v[i]));
+  s->skin = fmax(skin_width * s->dx, 2.2 * fastest * s->dt);
+  return sort_and_list(s, NULL);
+}
+
+enum status sph_neighbours_widen(struct sph *s) {
+  s->skin *= 2;
+  return sort_and_list(s, NULL);
 }
 
 /* Water that cannot come back: below the top of the wall that it has passed over, or beyond the

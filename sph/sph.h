@@ -59,7 +59,7 @@ struct sph {
   double support;            /* m, radius of the kernel */
   struct geo_box tank;       /* m; open at the top */
 
-  double t; /* s */
+  double t, dt; /* s; of the last step */
   size_t steps, evaluations, rebuilds, reflections;
   struct sph_budget budget;
   struct sph_totals totals; /* of the last evaluation */
@@ -76,8 +76,8 @@ struct sph {
 
   struct sph_grid grid; /* of the water */
   struct sph_lists water_water, water_wall;
-  double
-      skin; /* m: lists reach the support + skin, and hold until some particle has moved skin/2 */
+  double skin; /* m: lists reach the support + skin, and hold until some particle has moved skin/2;
+                     wider where the water goes farther in a step */
 };
 
 /* Makes the state of the case's water at t = 0, walls and neighbour lists included. */
@@ -85,9 +85,16 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
                        struct sph **out);
 void sph_destroy(struct sph *s); /* NULL is fine */
 
-/* Builds the neighbour lists anew when some particle may have moved too far for the old ones; the
- * particles are then sorted, so their places change. */
+/* Between steps: builds the neighbour lists anew when they may not hold for another step like the
+ * last; the particles are then sorted, so their places change. */
 enum status sph_neighbours_update(struct sph *s);
+
+/* Whether every particle is still where the lists count with it. */
+bool sph_lists_hold(const struct sph *s);
+
+/* Sorts, and builds lists that hold for ways twice as long as the last ones. ERR_DIVERGED beyond
+ * ten particle spacings. */
+enum status sph_neighbours_widen(struct sph *s);
 
 /* Takes particles that cannot come back out of the computation, into the budget: those that have
  * passed over a wall and fallen below its top, and those more than 3h outside the tank. Between

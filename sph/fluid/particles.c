@@ -15,8 +15,9 @@ enum status sph_allocate(size_t n, size_t size, void *pointer_to_pointer) {
   return OK;
 }
 
-/* Every array of doubles, in one list. */
-enum { MAX_ARRAYS = 5 * (2 + SPH_MAX_STAGES) + 7 };
+/* Every array of doubles, in one list; first those that a particle carries with it from step to
+ * step. */
+enum { CARRIED = 5 + 2, MAX_ARRAYS = CARRIED + 5 * (1 + SPH_MAX_STAGES) + 5 };
 
 static size_t arrays(struct sph_particles *p, double **list[MAX_ARRAYS]) {
   size_t n = 0;
@@ -24,6 +25,7 @@ static size_t arrays(struct sph_particles *p, double **list[MAX_ARRAYS]) {
   SPH_STATE(X)
 #undef X
   list[n++] = &p->m;
+  list[n++] = &p->over;
 #define X(a) list[n++] = &p->w0.a;
   SPH_STATE(X)
 #undef X
@@ -33,7 +35,6 @@ static size_t arrays(struct sph_particles *p, double **list[MAX_ARRAYS]) {
 #undef X
   }
   list[n++] = &p->p;
-  list[n++] = &p->over;
   list[n++] = &p->D;
   list[n++] = &p->x_listed;
   list[n++] = &p->y_listed;
@@ -80,9 +81,9 @@ void sph_particles_pad(struct sph_particles *p) {
 
 void sph_particles_permute(struct sph_particles *p, size_t n) {
   double **list[MAX_ARRAYS];
-  size_t n_arrays = arrays(p, list) - 1; /* not the scratch */
+  arrays(p, list);
   const uint32_t *order = p->order;
-  for (size_t a = 0; a < n_arrays; a++) {
+  for (size_t a = 0; a < CARRIED; a++) {
     double *from = *list[a], *to = p->scratch;
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < n; i++) to[i] = from[order[i]];

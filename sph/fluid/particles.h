@@ -35,7 +35,8 @@ enum status sph_particles_create(struct sph_particles *p, size_t n);
 void sph_particles_destroy(struct sph_particles *p);
 void sph_particles_pad(struct sph_particles *p);
 
-/* Puts particle order[i] at place i of every array, for i < n; n may be smaller than before. */
+/* Puts particle order[i] at place i of the arrays that particles carry from step to step (w, m,
+ * over, id), for i < n; n may be smaller than before. The others are to be computed anew. */
 void sph_particles_permute(struct sph_particles *p, size_t n);
 
 /* Zeroed memory aligned to 64 bytes, freed with free(); ERR_MEMORY. */

@@ -197,7 +197,7 @@ static void add_totals(struct sph *s) {
 
 enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
   const struct evaluation how = {stage, diffuse, bounds};
-  TRY(sph_neighbours_update(s));
+  if (stage == 0) TRY(sph_neighbours_update(s));
   sph_pack_water(s);
   s->wall->fill(s);
   if (diffuse && diffusion_needs_gradient(s->scheme.diffusion)) {

@@ -1,22 +1,46 @@
-/* Explicit Runge-Kutta methods as tables that share one step (P, section IV). */
+/* Time integration. A variant is a struct sph_integrator in a file of its own, or a table in rk.c,
+ * and a line in SPH_INTEGRATORS. */
 #pragma once
 #include <stdbool.h>
 
 #include "sph/sph.h"
 
+struct rk_table;
+
 struct sph_integrator {
-  const char *name;
-  int stages, order;
-  bool frozen; /* the diffusive term of the first stage serves all (P eq. (25)) */
-  double a[SPH_MAX_STAGES][SPH_MAX_STAGES], b[SPH_MAX_STAGES];
+  int order, evaluations; /* of the right-hand side, in a step */
+  bool frozen;            /* the diffusive term of the first evaluation serves all (P eq. (25)) */
   /* Limits of stability on the imaginary and the negative real axis, relative to those of classic
    * RK4 (2.828 and 2.785), for which P found its time step factors. What freezing the diffusion
    * costs depends on the term (diffusion.h). */
   double acoustic, diffusive;
+  const struct rk_table *table; /* of a Runge-Kutta method, else NULL */
+  /* From the state s->f.w0 and the rates of stage 0: the state after dt into s->f.w, what the step
+   * dissipates into *spent. *held becomes false, and all else is void, when the neighbour lists do
+   * not hold for a state in between. */
+  enum status (*step)(struct sph *s, const struct sph_integrator *method, double dt,
+                      struct sph_totals *spent, bool *held);
 };
 
-enum { SPH_N_INTEGRATORS = 3, SPH_INTEGRATOR_AUTO = SPH_N_INTEGRATORS };
-extern const struct sph_integrator sph_integrators[SPH_N_INTEGRATORS];
+/* X(variant, what a case calls it, help). */
+#define SPH_INTEGRATORS(X)                                                                         \
+  X(rk4, "rk4", "classic Runge-Kutta of order 4")                                                  \
+  X(rk4_frozen, "rk4-frozen",                                                                      \
+    "classic Runge-Kutta, diffusion evaluated once a step (paper, eq. 25)")                        \
+  X(tvd_rk3, "tvd-rk3", "total-variation diminishing Runge-Kutta of order 3 (Gottlieb & Shu 1998)")
+
+enum {
+#define X(variant, name, help) SPH_INTEGRATOR_##variant,
+  SPH_INTEGRATORS(X)
+#undef X
+      SPH_INTEGRATOR_COUNT,
+  SPH_INTEGRATOR_AUTO = SPH_INTEGRATOR_COUNT
+};
+#define X(variant, name, help) extern const struct sph_integrator sph_##variant;
+SPH_INTEGRATORS(X)
+#undef X
+
+extern const struct sph_integrator *const sph_integrators[SPH_INTEGRATOR_COUNT];
 extern const char *const sph_integrator_names[]; /* those, "auto", NULL */
 extern const char *const sph_integrator_helps[]; /* what each is */
 
@@ -24,6 +48,9 @@ extern const char *const sph_integrator_helps[]; /* what each is */
  * leaves the time step as it is, the classic one where it would shorten it. */
 int sph_integrator_chosen(const struct sph_scheme *o);
 
-/* Completes a step of length dt (s) whose first stage sph_rates(s, 0, true, ...) has evaluated.
- * Advances the state, s->t, s->steps, and the dissipated energies at the method's own order. */
+/* Advances the state and s->t by dt (s), from rates and totals that sph_rates(s, 0, true, ...) has
+ * left, and the dissipated energies at the method's own order; water that has crossed a wall is
+ * brought back. The places of particles do not change, unless some move so far within the step that
+ * the neighbour lists do not hold: then the lists are made anew for faster water and the step is
+ * done again. ERR_DIVERGED when that does not help. */
 enum status sph_step(struct sph *s, double dt);

@@ -10,7 +10,7 @@ static double over(double a, double b) {
 }
 
 struct sph_bounds sph_timestep_bounds(const struct sph *s) {
-  const struct sph_integrator *method = &sph_integrators[s->scheme.integrator];
+  const struct sph_integrator *method = sph_integrators[s->scheme.integrator];
   const struct sph_scheme *o = &s->scheme;
   const enum sph_diffusion d = (enum sph_diffusion)o->diffusion;
   double nu = o->alpha * s->h * s->c0 / 8; /* alpha h c0 / (2n + 4), n = 2 */
