@@ -407,34 +407,83 @@ static enum status probe_chart(const struct comparison *c, struct cmp_figures *f
   return cmp_chart_end(&chart);
 }
 
-static enum status probe_charts(const struct comparison *c, struct cmp_figures *f) {
-  for (size_t k = 0; k < c->ref.data.n_probes; k++) {
-    const struct cmp_series *probe = &c->ref.data.probes[k];
-    struct family family = {.label = probe->average > 0 ? "mean p / (ρ g H)" : "p / (ρ g H)"};
-    enum status status = family_pick(c, pick_probe, probe->name, &family);
-    if (status == OK && !family_empty(c, &family)) status = probe_chart(c, f, probe, &family);
-    free(family.run);
-    TRY(status);
+/* ---- sensors: those of the reference, and then those that only runs have ---- */
+
+static void sensors_of(const struct cmp_data *d, bool gauges, size_t *n,
+                       const struct cmp_series **list) {
+  const struct cmp_series *own = gauges ? d->gauges : d->probes;
+  for (size_t k = 0; k < (gauges ? d->n_gauges : d->n_probes); k++) {
+    bool known = false;
+    for (size_t i = 0; i < *n && !known; i++) known = !strcmp(list[i]->name, own[k].name);
+    if (!known) list[(*n)++] = &own[k];
   }
+}
+
+static enum status sensors_list(const struct comparison *c, bool gauges, size_t *n,
+                                const struct cmp_series ***list) {
+  size_t room = 1;
+  for (size_t r = 0; r <= c->n_runs; r++) {
+    const struct cmp_data *d = &cmp_run_or_ref(c, r < c->n_runs ? r : SIZE_MAX)->data;
+    room += gauges ? d->n_gauges : d->n_probes;
+  }
+  *n = 0;
+  *list = calloc(room, sizeof **list);
+  CHECK(*list, ERR_MEMORY, "no memory for %zu sensors", room);
+  sensors_of(&c->ref.data, gauges, n, *list);
+  for (size_t r = 0; r < c->n_runs; r++) sensors_of(&c->run[r].data, gauges, n, *list);
+  return OK;
+}
+
+static void reference_lacks(const struct comparison *c, const struct cmp_series *of_reference,
+                            struct cmp_figure *fig) {
+  size_t used = strlen(fig->caption);
+  if (!of_reference)
+    snprintf(fig->caption + used, sizeof fig->caption - used,
+             " %.60s has none of that name: nothing is compared.", c->ref.data.label);
+}
+
+static enum status probe_charts(const struct comparison *c, struct cmp_figures *f) {
+  size_t n;
+  const struct cmp_series **probes;
+  enum status status = sensors_list(c, false, &n, &probes);
+  for (size_t k = 0; status == OK && k < n; k++) {
+    struct family family = {.label = probes[k]->average > 0 ? "mean p / (ρ g H)" : "p / (ρ g H)"};
+    status = family_pick(c, pick_probe, probes[k]->name, &family);
+    if (status == OK && !family_empty(c, &family)) {
+      status = probe_chart(c, f, probes[k], &family);
+      reference_lacks(c, family.run[c->n_runs], &f->figure[f->n - 1]);
+    }
+    free(family.run);
+  }
+  free(probes);
+  return status;
+}
+
+static enum status gauge_chart(const struct comparison *c, struct cmp_figures *f,
+                               const struct cmp_series *g) {
+  char slug[40], file[64], caption[256];
+  cmp_slug(g->name, slug, sizeof slug);
+  snprintf(file, sizeof file, "gauge-%s", slug);
+  snprintf(caption, sizeof caption, "Height of the water standing at %.60s (x = %.4g H).", g->name,
+           g->x);
+  struct family family = {.label = "y / H",
+                          .plan = {.section = CMP_SECTION_GAUGE,
+                                   .name = file,
+                                   .columns = "elevation [H]",
+                                   .target = g->name}};
+  size_t before = f->n;
+  TRY(picked_chart(c, f, caption, pick_gauge, g->name, family));
+  if (f->n > before) reference_lacks(c, pick_gauge(&c->ref.data, g->name), &f->figure[f->n - 1]);
   return OK;
 }
 
 static enum status gauge_charts(const struct comparison *c, struct cmp_figures *f) {
-  for (size_t k = 0; k < c->ref.data.n_gauges; k++) {
-    char slug[40], file[64], caption[256];
-    const struct cmp_series *g = &c->ref.data.gauges[k];
-    cmp_slug(g->name, slug, sizeof slug);
-    snprintf(file, sizeof file, "gauge-%s", slug);
-    snprintf(caption, sizeof caption, "Height of the water standing at %.60s (x = %.4g H).",
-             g->name, g->x);
-    struct family family = {.label = "y / H",
-                            .plan = {.section = CMP_SECTION_GAUGE,
-                                     .name = file,
-                                     .columns = "elevation [H]",
-                                     .target = g->name}};
-    TRY(picked_chart(c, f, caption, pick_gauge, g->name, family));
-  }
-  return OK;
+  size_t n;
+  const struct cmp_series **gauges;
+  enum status status = sensors_list(c, true, &n, &gauges);
+  for (size_t k = 0; status == OK && k < n; k++) status = gauge_chart(c, f, gauges[k]);
+  free(gauges);
+  return status;
 }
 
 static enum status front_chart(const struct comparison *c, struct cmp_figures *f) {

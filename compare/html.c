@@ -34,11 +34,15 @@ static bool has_front(const struct comparison *c) {
 }
 
 static bool has_probes(const struct comparison *c) {
-  return c->ref.data.n_probes > 0;
+  bool any = c->ref.data.n_probes > 0;
+  for (size_t r = 0; r < c->n_runs; r++) any = any || c->run[r].data.n_probes > 0;
+  return any;
 }
 
 static bool has_gauges(const struct comparison *c) {
-  return c->ref.data.n_gauges > 0;
+  bool any = c->ref.data.n_gauges > 0;
+  for (size_t r = 0; r < c->n_runs; r++) any = any || c->run[r].data.n_gauges > 0;
+  return any;
 }
 
 /* X(name, title, has): the report's sections, in order. */

@@ -145,6 +145,16 @@ static char *script_of(const char *figure) {
   return bytes ? bytes : text("");
 }
 
+static bool file_says(const char *name, const char *words) {
+  char path[PATH_MAX], *bytes = NULL;
+  size_t n;
+  path_in(name, path);
+  EXPECT_OK(cmp_file_read(path, &bytes, &n));
+  bool said = bytes && strstr(bytes, words);
+  free(bytes);
+  return said;
+}
+
 static size_t count(const char *in, const char *what) {
   size_t n = 0;
   for (const char *at = in; (at = strstr(at, what)); at += strlen(what)) n++;
@@ -226,6 +236,24 @@ static void test_curves_beyond_the_frame(void) {
   }
 }
 
+/* A gauge that the reference has not is drawn, and said to stand alone. */
+static void test_sensor_of_a_run_alone_is_drawn(void) {
+  struct case_file c;
+  settings_make(&c);
+  struct result_file *a = made_up("a", "alone", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "alone", (struct flaws){.until = end});
+  free(b->gauges->name);
+  b->gauges->name = text("own");
+  compare(&c, a, 1, &b);
+  char *script = script_of("gauge-own");
+  EXPECT(count(script, "title 'b'") == 1 && count(script, "title 'a'") == 0);
+  free(script);
+  EXPECT(file_says("report.html", "a has none of that name: nothing is compared."));
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
 /* In a picture, gnuplot's own marks and escapes are text as well, and what cannot be shown is
  * visible. */
 static void picture_shows(const char *figure, const char *words) {
@@ -276,16 +304,6 @@ static void test_names_stay_text(void) {
   result_file_destroy(a);
   result_file_destroy(b);
   result_file_destroy(d);
-}
-
-static bool file_says(const char *name, const char *words) {
-  char path[PATH_MAX], *bytes = NULL;
-  size_t n;
-  path_in(name, path);
-  EXPECT_OK(cmp_file_read(path, &bytes, &n));
-  bool said = bytes && strstr(bytes, words);
-  free(bytes);
-  return said;
 }
 
 /* Ten periods of ringing at a probe, of which the mean over a period leaves a bump at either end:
@@ -386,6 +404,7 @@ int main(void) {
   RUN(test_sentence_groups_runs);
   RUN(test_page_without_figures);
   RUN(test_many_runs);
+  RUN(test_sensor_of_a_run_alone_is_drawn);
   json_decref(report);
   folder_remove(folder);
   return TEST_RESULT;
