@@ -2,6 +2,7 @@
 # A run that ends well and is nonsense is a failure: exit code 3 and the reason, now and when it is
 # found there again; `info` and the file say so too. A sound run says what it is judged by.
 source "$2/tests/cli/begin"
+pretend_gnuplot
 
 cat >case.yaml <<'END'
 scales: {H: 1}

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Result files as users mishandle them: runs killed and short of room, files damaged or not results.
 source "$2/tests/cli/begin"
+pretend_gnuplot
 # Wanted exit code, words that the one line of talk must have, then the command.
 refuse() {
   local wanted=$1 words=$2 got=0

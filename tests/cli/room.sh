@@ -3,6 +3,7 @@
 # of address space the program ends soon, with a result or a sentence.
 nm "$1" | grep -q __asan_init && exit 77 # sanitizers take terabytes of address space
 source "$2/tests/cli/begin"
+pretend_gnuplot
 
 cat >dam.yaml <<'E2'
 title: A small dam

@@ -2,6 +2,7 @@
 # plunge compare --settings: times, window, tolerances and averages of one's own, checked with line numbers against
 # the results; and what `plunge list` says of variants.
 source "$2/tests/cli/begin"
+pretend_gnuplot
 compare() { # wanted exit code
   local wanted=$1 got=0
   "$program" compare out/a.h5 out/b.h5 --settings settings.yaml --out own >log 2>&1 || got=$?

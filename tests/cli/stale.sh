@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A report is made of files that belong to one case as it is now: others are left out and named.
 source "$2/tests/cli/begin"
+pretend_gnuplot
 run() { # wanted exit code, then the arguments; what is said is in `log`
   local wanted=$1 got=0
   shift
