@@ -92,8 +92,7 @@ enum status sph_neighbours_update(struct sph *s);
 /* Whether every particle is still where the lists count with it. */
 bool sph_lists_hold(const struct sph *s);
 
-/* Sorts, and builds lists that hold for ways twice as long as the last ones. ERR_DIVERGED beyond
- * ten particle spacings. */
+/* Sorts, and builds lists that hold for ways twice as long as the last ones. */
 enum status sph_neighbours_widen(struct sph *s);
 
 /* Takes particles that cannot come back out of the computation, into the budget: those that have

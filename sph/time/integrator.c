@@ -1,5 +1,7 @@
 #include "sph/time/integrator.h"
 
+#include <math.h>
+
 #include "sph/domain/wall.h"
 #include "sph/pair/diffusion.h"
 #include "sph/pair/rates.h"
@@ -36,10 +38,29 @@ static void copy_state(size_t n, const struct sph_state *to, const struct sph_st
   }
 }
 
+/* Names the particle that goes farthest. */
+static enum status refuse(const struct sph *s) {
+  const struct sph_particles *f = &s->f;
+  size_t far = 0;
+  double most = 0;
+  for (size_t i = 0; i < f->n; i++) {
+    double way = hypot(f->w.x[i] - f->x_listed[i], f->w.y[i] - f->y_listed[i]);
+    if (way <= most) continue;
+    most = way;
+    far = i;
+  }
+  return status_raise(ERR_DIVERGED,
+                      "particle %u at (%g, %g) m moves %.3g particle spacings within a step at t = "
+                      "%g s: raise c0, alpha or delta, or lower cfl_acoustic",
+                      f->id[far], f->w0.x[far], f->w0.y[far], most / s->dx, s->t);
+}
+
 /* Back to the start of the step, with lists that hold for longer ways. */
 static enum status start_again(struct sph *s) {
+  enum status status = s->skin > 20 * s->dx ? refuse(s) : OK;
   copy_state(s->f.n, &s->f.w, &s->f.w0);
   sph_particles_pad(&s->f);
+  TRY(status);
   TRY(sph_neighbours_widen(s));
   TRY(sph_rates(s, 0, true, false));
   copy_state(s->f.n, &s->f.w0, &s->f.w); /* in their new places */
