@@ -9,6 +9,8 @@
 #include "sph/pair/rates.h"
 #include "sph/solver.h"
 #include "sph/sph.h"
+#include "sph/time/integrator.h"
+#include "sph/time/timestep.h"
 
 /* The case of a text whose run is made of `run` (what follows "solver: sph, "). */
 static inline struct case_file *pool_case(const char *head, const char *run) {
@@ -34,6 +36,17 @@ static inline struct sph *pool_create(const struct case_file *c) {
     exit(1);
   }
   return s;
+}
+
+static inline enum status pool_march(struct sph *s, double t) {
+  while (s->t < t) {
+    TRY(sph_remove_outside(s));
+    TRY(sph_rates(s, 0, true, true));
+    double dt = sph_timestep(s, t);
+    TRY(sph_step(s, dt));
+    if (t - s->t < 1e-9 * dt) s->t = t;
+  }
+  return OK;
 }
 
 #define POOL_TIMES "time: {end: 1, every: 1, sample: 1}\n"
