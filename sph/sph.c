@@ -66,9 +66,9 @@ enum status sph_neighbours_widen(struct sph *s) {
  * reach of what is inside. */
 static bool is_gone(const struct sph *s, size_t i) {
   const double far = s->support, x = s->f.w.x[i], y = s->f.w.y[i];
-  const struct geo_box *t = &s->tank;
+  const struct geo_box *t = &s->tank.box;
   if (x < t->min[0] - far || x > t->max[0] + far || y < t->min[1] - far) return true;
-  return s->f.over[i] != 0 && y < s->wall_top[x > t->max[0]];
+  return s->f.over[i] != 0 && y < s->tank.top[x > t->max[0]];
 }
 
 static void book_removal(struct sph *s, size_t i) {
@@ -111,11 +111,11 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   s->h = o->h_over_dx * s->dx;
   s->support = kernel_support((enum sph_kernel)o->kernel) * s->h;
   s->skin = skin_width * s->dx;
-  s->tank = c->tank;
+  s->tank = sph_tank_of(&c->walls);
   ATTEMPT(sph_initial_fill(s, c));
   ATTEMPT(sph_allocate(s->f.room, sizeof *s->pack, &s->pack));
   ATTEMPT(sph_allocate(s->f.room / SPH_LANES, sizeof *s->cluster_totals, &s->cluster_totals));
-  ATTEMPT(sph_grid_create(&s->grid, &s->tank, s->dx));
+  ATTEMPT(sph_grid_create(&s->grid, &s->tank.box, s->dx));
   ATTEMPT(sph_wall_create(s, &c->walls));
   ATTEMPT(sort_and_list(s, NULL));
 done:

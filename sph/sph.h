@@ -10,6 +10,7 @@
 
 #include "common/geometry.h"
 #include "common/status.h"
+#include "sph/domain/tank.h"
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"
 #include "sph/scheme.h"
@@ -57,7 +58,7 @@ struct sph {
   struct sph_scheme scheme;
   double rho0, c0, g, dx, h; /* kg m^-3, m/s, m s^-2, m, m */
   double support;            /* m, radius of the kernel */
-  struct geo_box tank;       /* m; open at the top */
+  struct sph_tank tank;
 
   double t, dt; /* s; of the last step */
   size_t steps, evaluations, rebuilds, reflections;
@@ -70,8 +71,6 @@ struct sph {
   struct sph_totals *cluster_totals; /* [f.room / SPH_LANES], owned */
 
   const struct sph_wall *wall;
-  double wall_top[2]; /* m: upper ends of the left and the right wall */
-  double lowest_top;  /* m: the lower of both */
   struct sph_wall_particles w;
 
   struct sph_grid grid; /* of the water */

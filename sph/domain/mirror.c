@@ -24,8 +24,7 @@ static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
   (void)walls;
   TRY(sph_allocate(1, sizeof(struct mirror), &s->w.data));
   double reach = s->support + s->skin;
-  struct geo_box box = {{s->tank.min[0] - reach, s->tank.min[1] - reach},
-                        {s->tank.max[0] + reach, s->tank.max[1]}};
+  struct geo_box box = sph_tank_around(&s->tank, reach);
   return sph_grid_create(&s->w.grid, &box, s->dx);
 }
 
@@ -68,15 +67,15 @@ static enum status make_room(struct sph *s, size_t n) {
 static size_t images_of(const struct sph *s, uint32_t i, double reach,
                         struct image out[MAX_IMAGES]) {
   double x = s->f.w.x[i], y = s->f.w.y[i];
-  const struct geo_box *t = &s->tank;
-  bool bed = y < t->min[1] + reach;
+  const struct sph_tank *t = &s->tank;
+  bool bed = y < t->box.min[1] + reach;
   size_t n = 0;
-  if (bed) out[n++] = (struct image){i, 0, 2 * t->min[1], 1, -1};
-  for (int side = 0; side < 2; side++) {
-    double wall = side ? t->max[0] : t->min[0];
-    if (y >= s->wall_top[side] + s->skin || (side ? wall - x : x - wall) >= reach) continue;
+  if (bed) out[n++] = (struct image){i, 0, 2 * t->box.min[1], 1, -1};
+  for (int side = SPH_LEFT; side <= SPH_RIGHT; side++) {
+    double wall = sph_tank_wall(t, side);
+    if (y >= t->top[side] + s->skin || sph_tank_inside(t, side, x) >= reach) continue;
     out[n++] = (struct image){i, 2 * wall, 0, -1, 1};
-    if (bed) out[n++] = (struct image){i, 2 * wall, 2 * t->min[1], -1, -1};
+    if (bed) out[n++] = (struct image){i, 2 * wall, 2 * t->box.min[1], -1, -1};
   }
   return n;
 }
@@ -112,7 +111,8 @@ static enum status mirror_list(struct sph *s) {
 /* Water above the top of a side wall has no image in it; water that has passed over has none. */
 static bool has_image(const struct sph *s, const struct image *a) {
   if (s->f.over[a->of] != 0) return false;
-  return a->sign_x > 0 || s->pack[a->of].y < s->wall_top[a->x0 > s->tank.min[0] + s->tank.max[0]];
+  return a->sign_x > 0 ||
+         s->pack[a->of].y < s->tank.top[a->x0 > s->tank.box.min[0] + s->tank.box.max[0]];
 }
 
 static void mirror_fill(struct sph *s) {

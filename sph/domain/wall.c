@@ -14,9 +14,6 @@ const char *const sph_wall_helps[] = {
 
 enum status sph_wall_create(struct sph *s, const struct geo_lines *walls) {
   s->wall = sph_walls[s->scheme.walls];
-  s->wall_top[0] = walls->p[0][1];
-  s->wall_top[1] = walls->p[walls->points - 1][1];
-  s->lowest_top = fmin(s->wall_top[0], s->wall_top[1]);
   return s->wall->create(s, walls);
 }
 
@@ -30,9 +27,9 @@ static bool went_over(const struct sph *s, size_t i, double wall, double top) {
 
 static bool confine_sides(struct sph *s, size_t i) {
   const struct sph_state *w = &s->f.w;
-  bool right = w->x[i] > s->tank.max[0];
-  double wall = right ? s->tank.max[0] : s->tank.min[0];
-  if (went_over(s, i, wall, s->wall_top[right])) {
+  int side = sph_tank_nearer(&s->tank, w->x[i]);
+  double wall = sph_tank_wall(&s->tank, side);
+  if (went_over(s, i, wall, s->tank.top[side])) {
     s->f.over[i] = 1;
     return false;
   }
@@ -43,7 +40,7 @@ static bool confine_sides(struct sph *s, size_t i) {
 
 static void confine_bed(struct sph *s, size_t i) {
   const struct sph_state *w = &s->f.w;
-  double lift = 2 * (s->tank.min[1] - w->y[i]);
+  double lift = 2 * (s->tank.box.min[1] - w->y[i]);
   w->y[i] += lift;
   w->v[i] = -w->v[i];
   s->budget.walls -= s->f.m[i] * s->g * lift;
@@ -51,7 +48,7 @@ static void confine_bed(struct sph *s, size_t i) {
 
 void sph_wall_confine(struct sph *s) {
   const struct sph_state *w = &s->f.w;
-  const struct geo_box *t = &s->tank;
+  const struct geo_box *t = &s->tank.box;
   size_t reflections = 0;
   for (size_t i = 0; i < s->f.n; i++) {
     bool beside = w->x[i] < t->min[0] || w->x[i] > t->max[0];

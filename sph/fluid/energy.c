@@ -30,7 +30,7 @@ double sph_energy_of(const struct sph *s, size_t i) {
 }
 
 double sph_rest_potential(const struct sph *s) {
-  double mass = 0, width = s->tank.max[0] - s->tank.min[0], potential = 0;
+  double mass = 0, width = s->tank.box.max[0] - s->tank.box.min[0], potential = 0;
   for (size_t i = 0; i < s->f.n; i++) mass += s->f.m[i];
   /* with p = rho0 g (D - y), the mass is rho0 (D + q D^2) times the width, q = g/2c0^2 */
   double q = s->g / (2 * s->c0 * s->c0), A = mass / (s->rho0 * width);
@@ -39,7 +39,7 @@ double sph_rest_potential(const struct sph *s) {
   double dy = D / (double)n;
   for (size_t j = 0; j < n; j++) {
     double Y = ((double)j + 0.5) * dy, rho = s->rho0 * (1 + 2 * q * (D - Y));
-    potential += rho * dy * width * s->g * (s->tank.min[1] + Y);
+    potential += rho * dy * width * s->g * (s->tank.box.min[1] + Y);
   }
   return potential;
 }

@@ -50,8 +50,7 @@ static enum status head_create(const struct sph *s, const struct case_file *c, s
   if (c->pressure != CASE_PRESSURE_RELEASED) return OK;
   h->column = find_column(c, h->near, h);
   if (h->column) return OK;
-  struct sph_released_tank tank = {c->tank, {c->walls.p[0][1], c->walls.p[c->walls.points - 1][1]}};
-  return sph_released_create(&c->water, &tank, s->dx, h->near, &h->released);
+  return sph_released_create(&c->water, &s->tank, s->dx, h->near, &h->released);
 }
 
 static void head_destroy(struct head *h) {
@@ -140,7 +139,7 @@ done:
  * that the particle would have in still water. */
 static enum status fill_standing_wave(struct sph *s, const struct case_file *c) {
   const double rest[2] = {0, 0};
-  double width = s->tank.max[0] - s->tank.min[0], d = c->wave.depth, a = c->wave.amplitude;
+  double width = s->tank.box.max[0] - s->tank.box.min[0], d = c->wave.depth, a = c->wave.amplitude;
   double k = 2 * M_PI / c->wave.wavelength;
   size_t nx = sph_intervals(width, s->dx), ny = sph_intervals(d, s->dx);
   TRY(sph_particles_create(&s->f, nx * ny));
@@ -152,7 +151,8 @@ static enum status fill_standing_wave(struct sph *s, const struct case_file *c) 
       double y = ((double)j + 0.5) * dy, Y = ((double)j + 0.5) * d / (double)ny;
       double decay = exp(k * (Y - d)) * (1 + exp(-2 * k * Y)) / (1 + exp(-2 * k * d));
       double head = d + eta - y - eta * (1 - decay);
-      place(s, s->tank.min[0] + x, s->tank.min[1] + y, rest, s->rho0 * s->g * head, dx * dy);
+      place(s, s->tank.box.min[0] + x, s->tank.box.min[1] + y, rest, s->rho0 * s->g * head,
+            dx * dy);
     }
   }
   return OK;

@@ -37,7 +37,7 @@ struct node {
 };
 
 struct sph_released {
-  struct sph_released_tank tank;
+  struct sph_tank tank;
   double near, h[2]; /* m: spacing of the lattice in x and y */
   int n[2];          /* nodes in x and y, half a spacing inside the tank */
   int n_unknowns;
@@ -85,8 +85,8 @@ static enum status see_along(struct sph_released *r, const struct geo_lines *wat
                              int line, struct geo_cut *cut) {
   const struct geo_box *box = &r->tank.box;
   double at = place(r, axis, line);
-  bool low_wall = axis == 0 || at <= r->tank.wall_top[0];
-  bool high_wall = axis == 1 && at <= r->tank.wall_top[1];
+  bool low_wall = axis == 0 || at <= r->tank.top[0];
+  bool high_wall = axis == 1 && at <= r->tank.top[1];
   TRY(geo_lines_cut(water, axis, at, r->near, cut));
   for (int k = 0; k < r->n[!axis]; k++) {
     struct node *p = axis == 0 ? node_at(r, line, k) : node_at(r, k, line);
@@ -204,7 +204,7 @@ static enum status solve_heads(struct sph_released *r) {
   return OK;
 }
 
-enum status sph_released_create(const struct geo_lines *water, const struct sph_released_tank *tank,
+enum status sph_released_create(const struct geo_lines *water, const struct sph_tank *tank,
                                 double spacing, double near, struct sph_released **out) {
   enum status status = OK;
   struct sph_released *r;

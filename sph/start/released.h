@@ -4,17 +4,11 @@
  * divergence: laplace p = 0, with p = 0 on every free surface, dp/dx = 0 on the side walls and
  * dp/dy = -rho g on the bed. Water that falls free has none. */
 #pragma once
-#include "common/geometry.h"
+#include "sph/domain/tank.h"
 
 /* In a column of width L and height H that stands at a wall, x from that wall and y from the bed:
  * H - y minus a Fourier series that makes the other side free of pressure. */
 double sph_released_head(double x, double y, double L, double H);
-
-/* A tank with upright sides, up to their tops, on a flat bed. */
-struct sph_released_tank {
-  struct geo_box box; /* m */
-  double wall_top[2]; /* y of the upper ends of the left and the right wall, m */
-};
 
 /* Any water in such a tank, by finite volumes on a lattice of about `spacing`: five-point stencils
  * with the distance of the surface where it comes between two nodes (Gibou, Fedkiw, Cheng & Kang,
@@ -23,7 +17,7 @@ struct sph_released_tank {
 struct sph_released;
 
 /* `near`: regions within this distance (m) are one body. ERR_MEMORY, ERR_SOLVER. */
-enum status sph_released_create(const struct geo_lines *water, const struct sph_released_tank *tank,
+enum status sph_released_create(const struct geo_lines *water, const struct sph_tank *tank,
                                 double spacing, double near, struct sph_released **out);
 void sph_released_destroy(struct sph_released *r); /* NULL is fine */
 double sph_released_at(const struct sph_released *r, double x, double y);
