@@ -66,6 +66,7 @@ void health_watch_statistic(struct health_watch *w, const char *name, double val
                {"highest_density", &w->heaviest},
                {"steps_cut", &w->cut},
                {"steps", &w->steps},
+               {"cvode_steps", &w->steps},
                {"spilled_volume", &w->spilled},
                {"lost_volume", &w->lost},
                {"theory_error", &w->theory}};
@@ -102,6 +103,13 @@ static void measure(const struct health_watch *w, double *value) {
   value[HEALTH_theory_error] = w->theory;
 }
 
+/* Of a theory, what energy rises and the budget is off by is its own error: it is judged as that.
+ */
+static size_t judged_as(size_t k, const struct health *h) {
+  bool energy = k == HEALTH_energy_gained || k == HEALTH_budget;
+  return energy && isfinite(h->value[HEALTH_theory_error]) ? HEALTH_theory_error : k;
+}
+
 static enum health_verdict verdict_of(size_t k, double value) {
   return value > health_measures[k].failed     ? HEALTH_FAILED
          : value > health_measures[k].doubtful ? HEALTH_DOUBTFUL
@@ -122,9 +130,11 @@ append(char *text, size_t room, const char *separator, const char *format, ...) 
 
 static void judge_measure(size_t k, struct health *h) {
   const struct health_measure *m = &health_measures[k];
-  enum health_verdict verdict = verdict_of(k, h->value[k]);
+  const struct health_measure *limits = &health_measures[judged_as(k, h)];
+  enum health_verdict verdict = verdict_of(judged_as(k, h), h->value[k]);
   double value = h->value[k] * (m->percent ? 100 : 1);
-  double limit = (verdict == HEALTH_FAILED ? m->failed : m->doubtful) * (m->percent ? 100 : 1);
+  double limit =
+      (verdict == HEALTH_FAILED ? limits->failed : limits->doubtful) * (m->percent ? 100 : 1);
   const char *unit = m->percent ? " %" : k == HEALTH_mach ? "" : " E0";
   if (value > 0) append(h->facts, sizeof h->facts, ", ", "%s %.3g%s", m->label, value, unit);
   if (verdict == HEALTH_SOUND) return;

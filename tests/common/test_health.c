@@ -30,7 +30,8 @@ static void watch_make(struct health_watch *w, size_t k, double value) {
   health_watch_statistic(w, "lost_volume", of[HEALTH_lost] * VOLUME);
   health_watch_statistic(w, "steps", 1000);
   health_watch_statistic(w, "steps_cut", of[HEALTH_steps_cut] * 1000);
-  health_watch_statistic(w, "theory_error", of[HEALTH_theory_error]);
+  if (of[HEALTH_theory_error] > 0) /* of a theory only */
+    health_watch_statistic(w, "theory_error", of[HEALTH_theory_error]);
 }
 
 static struct health judged(size_t k, double value) {
@@ -46,7 +47,7 @@ static void test_nothing_wrong_is_sound(void) {
   EXPECT(h.verdict == HEALTH_SOUND);
   EXPECT_STR(h.reasons, "");
   EXPECT_STR(h.missing, "");
-  for (size_t k = 0; k < HEALTH_N; k++) EXPECT(h.value[k] == 0);
+  for (size_t k = 0; k < HEALTH_N; k++) EXPECT(h.value[k] == 0 || k == HEALTH_theory_error);
 }
 
 /* One measure after another just below and above its limits; its words say so, and no other's. */
@@ -73,6 +74,21 @@ static void test_words_are_plain(void) {
              "the budget of energy is off by 17.4 E0 (failed beyond 0.1 E0)");
   EXPECT_STR(judged(HEALTH_spilled, 0.02).reasons,
              "over the walls spilled 2 % of the water (doubtful beyond 0.1 %)");
+}
+
+/* The shipped standing wave: its theory leaves out 1.1 %, in its energies too, where 2 % are
+ * allowed; it is not doubtful for the one and sound for the other. */
+static void test_energy_of_a_theory_is_judged_as_its_error(void) {
+  struct health_watch w;
+  struct health h;
+  watch_make(&w, HEALTH_energy_gained, 0.0113);
+  health_watch_statistic(&w, "theory_error", 0.0112);
+  health_judge(&w, "", &h);
+  EXPECT(h.verdict == HEALTH_SOUND && strstr(h.facts, "energy gained 0.0113 E0"));
+  watch_make(&w, HEALTH_budget, 0.03);
+  health_watch_statistic(&w, "theory_error", 0.0112);
+  health_judge(&w, "", &h);
+  EXPECT_STR(h.reasons, "the budget of energy is off by 0.03 E0 (doubtful beyond 0.02 E0)");
 }
 
 static void test_what_is_no_number_fails(void) {
@@ -175,6 +191,7 @@ int main(void) {
   RUN(test_nothing_wrong_is_sound);
   RUN(test_each_measure_has_its_limits);
   RUN(test_words_are_plain);
+  RUN(test_energy_of_a_theory_is_judged_as_its_error);
   RUN(test_what_is_no_number_fails);
   RUN(test_water_at_rest_is_measured_by_its_column);
   RUN(test_older_file_is_judged_by_what_it_has);
