@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "common/gauge.h"
+#include "common/record.h"
 
 /* H: with a gap no wider than the panels' own curvature psi is wrong; 0.002 sqrt(H/g) remain then
  */
@@ -81,20 +82,22 @@ static enum status write_surface(struct bem_output *o, double seconds) {
   return result_flush(o->file);
 }
 
-/* Mean over the length of the sensor along its wall. */
-static double probe_pressure(const struct bem_output *o, const struct case_probe *p) {
-  enum { PARTS = 16 };
+static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
+  const struct bem_output *o = solver;
   const struct case_file *c = o->c;
-  double near = 1e-6 * (c->tank.max[0] - c->tank.min[0]), sum = 0;
-  bool upright = fabs(p->x - c->tank.min[0]) < near || fabs(p->x - c->tank.max[0]) < near;
-  int parts = p->size > 0 ? PARTS : 1;
-  for (int i = 0; i < parts; i++) {
-    double s = p->size * ((i + 0.5) / parts - 0.5);
-    double x = p->x - c->tank.min[0] + (upright ? 0 : s),
-           y = p->y - c->tank.min[1] + (upright ? s : 0);
-    sum += bem_pressure_at(&o->pressure, &o->view, o->view.surface.state, x / c->H, y / c->H);
-  }
-  return c->density * c->gravity * c->H * sum / parts;
+  double p[RECORD_PARTS][2], sum = 0;
+  size_t parts = record_sensor(c, probe, p);
+  for (size_t i = 0; i < parts; i++)
+    sum += bem_pressure_at(&o->pressure, &o->view, o->view.surface.state,
+                           (p[i][0] - c->tank.min[0]) / c->H, (p[i][1] - c->tank.min[1]) / c->H);
+  *pressure = c->density * c->gravity * c->H * sum / (double)parts;
+  return OK;
+}
+
+static enum status elevation_of(void *solver, double x, double *elevation) {
+  const struct bem_output *o = solver;
+  *elevation = gauge_elevation(&o->line, x, o->c->tank.min[1]);
+  return OK;
 }
 
 void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double time, double dt) {
@@ -106,7 +109,8 @@ void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double ti
   o->damped.start = start;
 }
 
-static enum status write_energy(struct bem_output *o, double seconds, const struct bem_totals *t) {
+static struct result_energy energy_of(struct bem_output *o, double seconds,
+                                      const struct bem_totals *t) {
   const struct case_file *c = o->c;
   double damped = o->damped.until + o->damped.rate * (seconds / o->time_scale - o->damped.start);
   double energy = t->kinetic + t->potential + damped + o->removed_energy;
@@ -121,7 +125,7 @@ static enum status write_energy(struct bem_output *o, double seconds, const stru
                             .viscosity = joule * damped,
                             .removed = joule * o->removed_energy + lift * o->removed_volume};
   e.total = e.kinetic + e.potential;
-  return result_energy(o->file, &e);
+  return e;
 }
 
 /* A row of every series. */
@@ -130,22 +134,19 @@ static enum status write_row(struct bem_output *o, const struct bem_stepper *ste
   const struct case_file *c = o->c;
   struct bem_flow *f = &o->view;
   struct bem_totals t = bem_surface_totals(&f->surface, f->psi);
-  struct result_step step = {.time = seconds,
-                             .dt = dt * o->time_scale,
-                             .evaluations = stepper ? bem_stepper_count(stepper).evaluations : 0,
-                             .wall_time = progress_wall_clock() - o->start,
-                             .volume = c->H * c->H * t.volume,
-                             .removed_volume = c->H * c->H * o->removed_volume};
-  TRY(write_energy(o, seconds, &t));
-  TRY(result_step(o->file, &step));
+  struct record r = {.energy = energy_of(o, seconds, &t),
+                     .step = {.time = seconds,
+                              .dt = dt * o->time_scale,
+                              .evaluations = stepper ? bem_stepper_count(stepper).evaluations : 0,
+                              .wall_time = progress_wall_clock() - o->start,
+                              .volume = c->H * c->H * t.volume,
+                              .removed_volume = c->H * c->H * o->removed_volume},
+                     .solver = o,
+                     .pressure = pressure_of,
+                     .elevation = elevation_of};
   if (c->n_probes > 0) TRY(bem_pressure_solve(&o->pressure, f, f->surface.state));
-  for (size_t i = 0; i < c->n_probes; i++)
-    TRY(result_probe(o->file, i, seconds, probe_pressure(o, &c->probes[i])));
   if (c->n_gauges > 0) TRY(polyline(o));
-  for (size_t i = 0; i < c->n_gauges; i++)
-    TRY(result_gauge(o->file, i, seconds,
-                     gauge_elevation(&o->line, c->gauges[i].x, c->tank.min[1])));
-  return OK;
+  return record_row(o->file, c, &r);
 }
 
 /* The state at a time within the last step, and its psi and velocities, in o->view. */

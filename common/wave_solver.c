@@ -8,6 +8,7 @@
 
 #include "common/case.h"
 #include "common/progress.h"
+#include "common/record.h"
 #include "common/result.h"
 #include "common/waves.h"
 
@@ -58,18 +59,26 @@ static void wave_check(const struct case_file *c, const struct case_run *r,
                  r->name, error, MOST_ERROR);
 }
 
-/* Mean over the length of the sensor along its wall. */
-static double probe_pressure(const struct case_file *c, const struct wave_standing *w,
-                             const struct case_probe *p, double t) {
-  enum { PARTS = 16 };
-  double near = 1e-6 * tank_width(c), sum = 0;
-  bool upright = fabs(p->x - c->tank.min[0]) < near || fabs(p->x - c->tank.max[0]) < near;
-  for (int i = 0; i < PARTS; i++) {
-    double s = p->size * ((i + 0.5) / PARTS - 0.5);
-    double x = upright ? p->x : p->x + s, y = upright ? p->y + s : p->y;
-    sum += wave_standing_pressure(w, x, y, t);
-  }
-  return c->density * sum / PARTS;
+/* An instant of the theory. */
+struct moment {
+  const struct case_file *c;
+  const struct wave_standing *w;
+  double t; /* s */
+};
+
+static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
+  const struct moment *m = solver;
+  double p[RECORD_PARTS][2], sum = 0;
+  size_t parts = record_sensor(m->c, probe, p);
+  for (size_t i = 0; i < parts; i++) sum += wave_standing_pressure(m->w, p[i][0], p[i][1], m->t);
+  *pressure = m->c->density * sum / (double)parts;
+  return OK;
+}
+
+static enum status elevation_of(void *solver, double x, double *elevation) {
+  const struct moment *m = solver;
+  *elevation = wave_standing_elevation(m->w, x, m->t);
+  return OK;
 }
 
 static enum status write_series(const struct case_file *c, const struct wave_standing *w, double t,
@@ -77,20 +86,20 @@ static enum status write_series(const struct case_file *c, const struct wave_sta
   double width = tank_width(c);
   double kinetic = c->density * wave_standing_kinetic(w, width, t);
   double potential = c->density * wave_standing_potential_energy(w, width, t);
-  struct result_energy e = {
-      .time = t, .kinetic = kinetic, .potential = potential, .total = kinetic + potential};
-  struct result_step step = {.time = t,
-                             .dt = c->sample,
-                             .evaluations = (double)row,
-                             .wall_time = progress_wall_clock() - start,
-                             .volume = width * c->wave.depth};
-  TRY(result_energy(out, &e));
-  TRY(result_step(out, &step));
-  for (size_t i = 0; i < c->n_probes; i++)
-    TRY(result_probe(out, i, t, probe_pressure(c, w, &c->probes[i], t)));
-  for (size_t i = 0; i < c->n_gauges; i++)
-    TRY(result_gauge(out, i, t, wave_standing_elevation(w, c->gauges[i].x, t)));
-  return OK;
+  struct moment moment = {c, w, t};
+  struct record r = {.energy = {.time = t,
+                                .kinetic = kinetic,
+                                .potential = potential,
+                                .total = kinetic + potential},
+                     .step = {.time = t,
+                              .dt = c->sample,
+                              .evaluations = (double)row,
+                              .wall_time = progress_wall_clock() - start,
+                              .volume = width * c->wave.depth},
+                     .solver = &moment,
+                     .pressure = pressure_of,
+                     .elevation = elevation_of};
+  return record_row(out, c, &r);
 }
 
 struct surface_points {

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "common/progress.h"
+#include "common/record.h"
 #include "sph/fluid/energy.h"
 #include "sph/observe/gauge.h"
 #include "sph/observe/probe.h"
@@ -141,28 +142,39 @@ static enum status write_state(struct sph_output *o, const struct sph *s) {
   return result_flush(o->result);
 }
 
-static enum status write_series(struct sph_output *o, struct sph *s, double dt) {
-  struct result_energy e = sph_energy(s);
-  o->budget = budget_of(&e);
-  TRY(result_energy(o->result, &e));
-  struct result_step row = {.time = s->t,
-                            .dt = dt,
-                            .evaluations = (double)s->evaluations,
-                            .wall_time = progress_wall_clock() - o->started,
-                            .volume = sph_volume(s),
-                            .removed_volume = s->budget.removed_volume};
-  TRY(result_step(o->result, &row));
-  if (o->c->n_probes) sph_pack_water(s);
-  for (size_t k = 0; k < o->c->n_probes; k++) {
-    double p;
-    TRY(sph_probe(s, &o->c->probes[k], &o->c->walls, &p));
-    TRY(result_probe(o->result, k, s->t, p));
-  }
-  if (!o->c->n_gauges) return OK;
-  TRY(find_surface(o, s));
-  for (size_t k = 0; k < o->c->n_gauges; k++)
-    TRY(result_gauge(o->result, k, s->t, sph_gauge(s, &o->surface, o->c->gauges[k].x)));
+/* The water and what its surface is, for the record. */
+struct moment {
+  struct sph_output *o;
+  const struct sph *s;
+};
+
+static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
+  const struct moment *m = solver;
+  return sph_probe(m->s, probe, &m->o->c->walls, pressure);
+}
+
+static enum status elevation_of(void *solver, double x, double *elevation) {
+  const struct moment *m = solver;
+  *elevation = sph_gauge(m->s, &m->o->surface, x);
   return OK;
+}
+
+static enum status write_series(struct sph_output *o, struct sph *s, double dt) {
+  struct moment moment = {o, s};
+  struct record r = {.energy = sph_energy(s),
+                     .step = {.time = s->t,
+                              .dt = dt,
+                              .evaluations = (double)s->evaluations,
+                              .wall_time = progress_wall_clock() - o->started,
+                              .volume = sph_volume(s),
+                              .removed_volume = s->budget.removed_volume},
+                     .solver = &moment,
+                     .pressure = pressure_of,
+                     .elevation = elevation_of};
+  o->budget = budget_of(&r.energy);
+  if (o->c->n_probes) sph_pack_water(s);
+  if (o->c->n_gauges) TRY(find_surface(o, s));
+  return record_row(o->result, o->c, &r);
 }
 
 /* The instant at which the foremost particle touches the wall, from its velocity now. */

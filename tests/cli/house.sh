@@ -23,7 +23,7 @@ exported() { # library, allowed prefixes
     grep -vE "^(_|\.)" | grep -vE "^($2)_" | sort -u)
   [ -z "$strangers" ] || complain "libplunge_$1 exports names without its prefix: $strangers"
 }
-exported common 'case|text|TEXT|file|result|health|guard|carry|geo|gauge|wave|progress|status|params?|problems|vtkhdf|xdmf|hdf|CASE'
+exported common 'case|record|text|TEXT|file|result|health|guard|carry|geo|gauge|wave|progress|status|params?|problems|vtkhdf|xdmf|hdf|CASE'
 exported sph 'sph'
 exported bem 'bem'
 exported compare cmp
