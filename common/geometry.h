@@ -35,6 +35,24 @@ double geo_piece_area(const struct geo_lines *l, size_t piece);
 double geo_piece_length(const struct geo_lines *l, size_t piece); /* m */
 struct geo_box geo_lines_box(const struct geo_lines *l);          /* of no points: all zero */
 
+/* How many segments a piece has. */
+static inline size_t geo_piece_segments(const struct geo_lines *l, size_t piece) {
+  size_t n = l->first[piece + 1] - l->first[piece];
+  return l->closed[piece] ? n : n ? n - 1 : 0;
+}
+
+/* The point of the segment from a to b that is nearest to p, into foot; returns how far along it
+ * is, 0 at a and 1 at b. */
+static inline double geo_segment_foot(const double a[2], const double b[2], const double p[2],
+                                      double foot[2]) {
+  double d[2] = {b[0] - a[0], b[1] - a[1]}, square = d[0] * d[0] + d[1] * d[1];
+  double u = square > 0 ? ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / square : 0;
+  u = u < 0 ? 0 : u > 1 ? 1 : u;
+  foot[0] = a[0] + u * d[0];
+  foot[1] = a[1] + u * d[1];
+  return u;
+}
+
 /* Whether (x, y) is inside the union of the closed pieces (even-odd rule per piece). */
 bool geo_lines_contain(const struct geo_lines *l, double x, double y);
 

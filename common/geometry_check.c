@@ -12,14 +12,13 @@ double geo_lines_distance(const struct geo_lines *l, double x, double y, double 
     for (size_t i = a; i < b; i++) {
       if (i + 1 == b && !l->closed[k]) break;
       const double *p = l->p[i], *q = l->p[i + 1 < b ? i + 1 : a];
-      double u = q[0] - p[0], v = q[1] - p[1], square = u * u + v * v;
-      double t = square > 0 ? ((x - p[0]) * u + (y - p[1]) * v) / square : 0;
-      t = fmin(fmax(t, 0), 1);
-      double d = hypot(x - p[0] - t * u, y - p[1] - t * v);
+      double foot[2];
+      geo_segment_foot(p, q, (double[2]){x, y}, foot);
+      double d = hypot(x - foot[0], y - foot[1]);
       if (d < best) {
         best = d;
-        nearest[0] = p[0] + t * u;
-        nearest[1] = p[1] + t * v;
+        nearest[0] = foot[0];
+        nearest[1] = foot[1];
         *piece = k;
       }
     }

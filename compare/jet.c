@@ -154,14 +154,11 @@ static void cavity_measure(const double (*p)[2], size_t n, size_t tip, size_t ro
   jet->gap = INFINITY;
   for (size_t i = root; i != last; i += (size_t)step) {
     const double *a = p[i], *b = p[i + (size_t)step];
-    double d[2] = {b[0] - a[0], b[1] - a[1]}, l2 = d[0] * d[0] + d[1] * d[1];
-    if (!(l2 > 0)) continue;
-    double u = ((p[tip][0] - a[0]) * d[0] + (p[tip][1] - a[1]) * d[1]) / l2;
-    u = fmin(1, fmax(0, u));
-    double near[2] = {a[0] + u * d[0], a[1] + u * d[1]};
+    double near[2];
+    geo_segment_foot(a, b, p[tip], near);
     jet->gap = fmin(jet->gap, distance(near, p[tip]));
     bool crosses = (a[0] - p[tip][0]) * (b[0] - p[tip][0]) <= 0 && a[0] != b[0];
-    double y = a[1] + (p[tip][0] - a[0]) / (b[0] - a[0]) * d[1];
+    double y = a[1] + (p[tip][0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
     if (!crosses || y > p[tip][1] || isfinite(jet->foot[0])) continue;
     jet->foot[0] = p[tip][0];
     jet->foot[1] = y;

@@ -72,7 +72,7 @@ enum status cmp_lines_clip(const struct geo_lines *in, const struct geo_box *box
       continue;
     }
     size_t a = in->first[k], n = in->first[k + 1] - a;
-    size_t segments = in->closed[k] ? n : n ? n - 1 : 0;
+    size_t segments = geo_piece_segments(in, k);
     bool open = false;
     for (size_t i = 0; i < segments; i++) {
       const double *p = in->p[a + i], *q = in->p[a + (i + 1) % n];
@@ -97,7 +97,7 @@ enum status cmp_lines_sample(const struct geo_lines *in, double step, struct geo
   for (size_t k = 0; k < in->pieces; k++) {
     double length = geo_piece_length(in, k);
     size_t a = in->first[k], n = in->first[k + 1] - a;
-    size_t segments = in->closed[k] ? n : n ? n - 1 : 0;
+    size_t segments = geo_piece_segments(in, k);
     if (!(length > 0)) continue;
     size_t parts = (size_t)ceil(length / step);
     double h = length / (double)parts, walked = 0;
@@ -118,20 +118,15 @@ enum status cmp_lines_sample(const struct geo_lines *in, double step, struct geo
   return OK;
 }
 
-static double segment_distance(const double *p, const double *a, const double *b) {
-  double d[2] = {b[0] - a[0], b[1] - a[1]}, l2 = d[0] * d[0] + d[1] * d[1];
-  double u = l2 > 0 ? ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / l2 : 0;
-  u = fmin(1, fmax(0, u));
-  return hypot(p[0] - a[0] - u * d[0], p[1] - a[1] - u * d[1]);
-}
-
 double cmp_wall_distance(const struct geo_lines *walls, const double *p) {
   double nearest = INFINITY;
   for (size_t k = 0; k < walls->pieces; k++) {
     size_t a = walls->first[k], n = walls->first[k + 1] - a;
-    size_t segments = walls->closed[k] ? n : n ? n - 1 : 0;
-    for (size_t j = 0; j < segments; j++)
-      nearest = fmin(nearest, segment_distance(p, walls->p[a + j], walls->p[a + (j + 1) % n]));
+    for (size_t j = 0; j < geo_piece_segments(walls, k); j++) {
+      double foot[2];
+      geo_segment_foot(walls->p[a + j], walls->p[a + (j + 1) % n], p, foot);
+      nearest = fmin(nearest, hypot(p[0] - foot[0], p[1] - foot[1]));
+    }
   }
   return nearest;
 }
@@ -188,15 +183,12 @@ static double ring_project(const struct ring *r, const double *p, double *foot) 
   size_t n = r->line.points;
   for (size_t i = 0; i < n; i++) {
     const double *a = r->line.p[i], *b = r->line.p[(i + 1) % n];
-    double d[2] = {b[0] - a[0], b[1] - a[1]}, l2 = d[0] * d[0] + d[1] * d[1];
-    if (!(l2 > 0)) continue;
-    double u = fmin(1, fmax(0, ((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1]) / l2));
-    double x = a[0] + u * d[0], y = a[1] + u * d[1], distance = hypot(p[0] - x, p[1] - y);
+    double q[2], u = geo_segment_foot(a, b, p, q), distance = hypot(p[0] - q[0], p[1] - q[1]);
     if (distance < nearest) {
       nearest = distance;
-      at = r->at[i] + u * sqrt(l2);
-      foot[0] = x;
-      foot[1] = y;
+      at = r->at[i] + u * hypot(b[0] - a[0], b[1] - a[1]);
+      foot[0] = q[0];
+      foot[1] = q[1];
     }
   }
   return at;

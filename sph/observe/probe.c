@@ -17,8 +17,9 @@ static void wall_direction(const struct geo_lines *walls, double x, double y, do
       const double *a = walls->p[k], *b = walls->p[k + 1];
       double ex = b[0] - a[0], ey = b[1] - a[1], l2 = ex * ex + ey * ey;
       if (l2 == 0) continue;
-      double s = fmin(1, fmax(0, ((x - a[0]) * ex + (y - a[1]) * ey) / l2));
-      double away = hypot(x - a[0] - s * ex, y - a[1] - s * ey);
+      double foot[2];
+      geo_segment_foot(a, b, (double[2]){x, y}, foot);
+      double away = hypot(x - foot[0], y - foot[1]);
       if (away >= nearest) continue;
       nearest = away;
       t[0] = ex / sqrt(l2);

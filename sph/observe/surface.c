@@ -167,11 +167,6 @@ static void deposit(struct sph_surface *s, double x, double y, double volume) {
 
 /* ---- walls ---- */
 
-static size_t segments(const struct geo_lines *l, size_t piece) {
-  size_t points = l->first[piece + 1] - l->first[piece];
-  return l->closed[piece] ? points : points ? points - 1 : 0;
-}
-
 static const double *segment_end(const struct geo_lines *l, size_t piece, size_t segment) {
   size_t i = l->first[piece] + segment + 1;
   return l->p[i < l->first[piece + 1] ? i : l->first[piece]];
@@ -193,7 +188,7 @@ static void deposit_images(struct sph_surface *s, const struct geo_lines *walls,
                            double volume) {
   double reach = (REACH + 1) * s->spacing;
   for (size_t k = 0; k < walls->pieces; k++) {
-    size_t m = segments(walls, k);
+    size_t m = geo_piece_segments(walls, k);
     bool before = false, on_first = false;
     for (size_t i = 0; i < m; i++) {
       const double *a = walls->p[walls->first[k] + i], *b = segment_end(walls, k, i);
@@ -218,7 +213,7 @@ static void deposit_images(struct sph_surface *s, const struct geo_lines *walls,
 static double nearest_wall(const struct geo_lines *walls, double x, double y, double *nearest) {
   double best = INFINITY, side = INFINITY;
   for (size_t k = 0; k < walls->pieces; k++)
-    for (size_t i = 0; i < segments(walls, k); i++) {
+    for (size_t i = 0; i < geo_piece_segments(walls, k); i++) {
       const double *a = walls->p[walls->first[k] + i], *b = segment_end(walls, k, i);
       double d, t = fmin(fmax(foot(a, b, x, y, &d), 0), 1);
       double p[2] = {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
