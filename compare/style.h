@@ -26,7 +26,7 @@ static const char report_style[] =
     "border:1px solid var(--line);border-left:4px solid var(--accent);border-radius:6px}\n"
     ".lead.fail{border-left-color:var(--fail)}.lead.pass{border-left-color:var(--pass)}"
     ".soft,figcaption,.why{color:var(--soft);font-size:.9rem}\n"
-    ".scroll{overflow:auto;max-height:42rem;margin:.6rem 0 1rem}"
+    ".scroll{overflow:auto;margin:.6rem 0 1rem}.scroll:has(tr:nth-child(41)){max-height:42rem}"
     "table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums;"
     "background:var(--card)}\n"
     "th,td{padding:.28rem .45rem;border:1px solid var(--line);text-align:right;white-space:nowrap;"
