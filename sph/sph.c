@@ -12,7 +12,7 @@
 
 /* Wider lists last longer but hold more pairs; measured best for the dam break, in particle
  * spacings. */
-static const double skin_width = 0.6;
+static const double skin_width = 0.6, widest_skin = 20;
 
 static enum status sort_and_list(struct sph *s, const unsigned char *drop) {
   struct sph_particles *f = &s->f;
@@ -33,32 +33,48 @@ static enum status sort_and_list(struct sph *s, const unsigned char *drop) {
   return OK;
 }
 
-/* The longest way (m) since the lists were built, with that of another step of length dt (s). */
-static double longest_way(const struct sph_particles *f, double dt) {
-  double most2 = 0;
-#pragma omp parallel for simd schedule(static) reduction(max : most2)
+/* How far the water has gone since the lists were built (m), and how far in the next step, if it is
+ * as long as the last. */
+struct ways {
+  double gone, going; /* each the longest of all */
+  double both;        /* the longest sum */
+};
+
+static struct ways ways_of(const struct sph *s) {
+  const struct sph_particles *f = &s->f;
+  double gone = 0, fastest = 0, both = 0, dt = s->dt;
+#pragma omp parallel for simd schedule(static) reduction(max : gone, fastest, both)
   for (size_t i = 0; i < f->n; i++) {
     double x = f->w.x[i] - f->x_listed[i], y = f->w.y[i] - f->y_listed[i];
-    double way = sqrt(x * x + y * y) + dt * sqrt(f->w.u[i] * f->w.u[i] + f->w.v[i] * f->w.v[i]);
-    most2 = fmax(most2, way);
+    double way = sqrt(x * x + y * y);
+    double speed = sqrt(f->w.u[i] * f->w.u[i] + f->w.v[i] * f->w.v[i]);
+    gone = fmax(gone, way);
+    fastest = fmax(fastest, speed);
+    both = fmax(both, way + 1.1 * dt * speed); /* a step may be longer, and its stages faster */
   }
-  return most2;
+  return (struct ways){gone, fastest * dt, both};
+}
+
+/* Wider for water that goes far in a step; not without end, since a kicked particle may be faster
+ * than the last step allows for. */
+static double skin_for(const struct sph *s, const struct ways *w) {
+  return fmin(fmax(skin_width * s->dx, 2.4 * w->going), widest_skin * s->dx);
 }
 
 bool sph_lists_hold(const struct sph *s) {
-  return longest_way(&s->f, 0) <= s->skin / 2;
+  return ways_of(s).gone <= s->skin / 2;
 }
 
 enum status sph_neighbours_update(struct sph *s) {
-  if (longest_way(&s->f, s->dt) <= s->skin / 2) return OK;
-  double fastest = 0;
-  for (size_t i = 0; i < s->f.n; i++) fastest = fmax(fastest, hypot(s->f.w.u[i], s->f.w.v[i]));
-  s->skin = fmax(skin_width * s->dx, 2.2 * fastest * s->dt);
+  const struct ways w = ways_of(s);
+  double skin = skin_for(s, &w);
+  if (w.both <= s->skin / 2 && s->skin <= 2 * skin) return OK;
+  s->skin = skin;
   return sort_and_list(s, NULL);
 }
 
 enum status sph_neighbours_widen(struct sph *s) {
-  s->skin *= 2;
+  s->skin = fmin(2 * fmax(s->skin, skin_width * s->dx), widest_skin * s->dx);
   return sort_and_list(s, NULL);
 }
 

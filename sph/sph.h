@@ -95,6 +95,6 @@ bool sph_lists_hold(const struct sph *s);
 enum status sph_neighbours_widen(struct sph *s);
 
 /* Takes particles that cannot come back out of the computation, into the budget: those that have
- * passed over a wall and fallen below its top, and those more than 3h outside the tank. Between
+ * passed over a wall and fallen below its top, and those more than the support outside the tank. Between
  * steps only. ERR_DIVERGED when none is left. */
 enum status sph_remove_outside(struct sph *s);

@@ -2,7 +2,7 @@
  * Graziani, Comput. Methods Appl. Mech. Engrg. 200, 2011), for a tank with upright sides and a flat
  * bed.
  *
- * Ghosts fill the walls to the depth 3h on a fixed lattice. Each has an interpolation node, its
+ * Ghosts fill the walls to the depth of the support on a fixed lattice. Each has an interpolation node, its
  * mirror image in the wall (in a corner: mirrored in both walls, which is through the corner
  * point). At the node, p and u are fitted to the water by moving least squares (mls.h), and the
  * ghost takes u_g = u* with the normal component reversed, the tangential one kept; p_g = p* + rho*

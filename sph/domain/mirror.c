@@ -80,7 +80,7 @@ static size_t images_of(const struct sph *s, uint32_t i, double reach,
   return n;
 }
 
-/* A pair of water and image is at most 3h apart, so that either is at most that far from the wall
+/* A pair of water and image is at most the support apart, so that either is at most that far from the wall
  * when the other is inside it; the skin covers the ways until the next lists, through the wall and
  * along it. */
 static enum status mirror_list(struct sph *s) {

@@ -83,7 +83,7 @@ SPECIALISE struct sums sum_pairs(const struct sph *s, enum sph_kernel kernel, en
       a.vx += drag * q.x;
       a.vy += drag * q.y;
     }
-    if (bounds) {
+    if (bounds && j->V > 0) { /* what has no volume is not there */
       vec soft = approach / (q.r2 + soft2);
       a.pi_most = vec_max(a.pi_most, vec_where_less(vec_abs(soft), q.r2, range.cutoff2));
     }

@@ -44,7 +44,7 @@ static enum status refuse(const struct sph *s) {
   size_t far = 0;
   double most = 0;
   for (size_t i = 0; i < f->n; i++) {
-    double way = hypot(f->w.x[i] - f->x_listed[i], f->w.y[i] - f->y_listed[i]);
+    double way = hypot(f->w.x[i] - f->w0.x[i], f->w.y[i] - f->w0.y[i]);
     if (way <= most) continue;
     most = way;
     far = i;
@@ -55,9 +55,12 @@ static enum status refuse(const struct sph *s) {
                       f->id[far], f->w0.x[far], f->w0.y[far], most / s->dx, s->t);
 }
 
+/* From the usual skin to the widest one (sph.c) it takes six. */
+enum { MOST_ATTEMPTS = 7 };
+
 /* Back to the start of the step, with lists that hold for longer ways. */
-static enum status start_again(struct sph *s) {
-  enum status status = s->skin > 20 * s->dx ? refuse(s) : OK;
+static enum status start_again(struct sph *s, int attempt) {
+  enum status status = attempt > MOST_ATTEMPTS ? refuse(s) : OK;
   copy_state(s->f.n, &s->f.w, &s->f.w0);
   sph_particles_pad(&s->f);
   TRY(status);
@@ -72,8 +75,8 @@ enum status sph_step(struct sph *s, double dt) {
   struct sph_totals spent;
   bool held = false;
   copy_state(s->f.n, &s->f.w0, &s->f.w);
-  for (int again = 0; !held; again++) {
-    if (again > 0) TRY(start_again(s));
+  for (int attempt = 1; !held; attempt++) {
+    if (attempt > 1) TRY(start_again(s, attempt));
     spent = (struct sph_totals){0};
     held = true;
     TRY(method->step(s, method, dt, &spent, &held));

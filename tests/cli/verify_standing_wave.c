@@ -76,6 +76,8 @@ static struct oscillation measure(const struct result_file *f, size_t left, size
     extreme[n] = fmax(extreme[n], fabs(b)); /* between the crossings n - 1 and n */
     if (a * b < 0) crossing[n++] = l->t[i - 1] + a / (a - b) * (l->t[i] - l->t[i - 1]);
   }
+  EXPECT(n > 5);
+  if (n <= 5) exit(1);
   size_t whole = (n - 1) / 2 * 2;
   double omega = M_PI * (double)whole / (crossing[whole] - crossing[0]);
 #define MEAN(k) (extreme[(k)-1] / 4 + extreme[k] / 2 + extreme[(k) + 1] / 4)
@@ -111,6 +113,7 @@ static double meniscus(const struct result_file *f, int resolution) {
   double largest = 0;
   for (size_t i = 0; i < wall->n; i++) {
     double level = depth + (inner->value[i] - depth) / cos(2 * M_PI / wavelength * 0.15);
+    EXPECT(isfinite(wall->value[i]) && isfinite(level));
     largest = fmax(largest, fabs(wall->value[i] - level) * resolution);
   }
   return largest;

@@ -159,8 +159,11 @@ static void test_gauge_on_a_wall_shows_the_level(void) {
         keys);
     double worst = 0;
     for (size_t i = 0; i < 4; i++)
-      for (size_t t = 0; t < a.f->gauges[i].n; t++)
+      for (size_t t = 0; t < a.f->gauges[i].n; t++) {
+        EXPECT(isfinite(a.f->gauges[i].value[t]));
         worst = fmax(worst, fabs(a.f->gauges[i].value[t] - 1) * 16);
+      }
+    EXPECT(a.f->gauges[3].n > 80);
     printf("     walls: %s: off by %.3f spacings at worst\n", walls[k], worst);
     EXPECT(worst < (k == 0 ? 0.2 : 0.02));
     finished_destroy(&a);
