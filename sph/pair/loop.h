@@ -2,9 +2,9 @@
  * meets the neighbours j of its list one at a time; each i sums over its own j and writes only
  * itself, so the bits do not depend on the number of threads.
  *
- * A pass (rates.c, gradient.c, the fit of ghost.c) is a function of one cluster. It is compiled
- * once for each kernel; its other choices do not change inside the loops and are made at run time,
- * for eight lanes at once. */
+ * A pass (rates.c, gradient.c, the fit of ghost.c) is a function of one cluster, compiled once for
+ * each kernel. Its other choices do not change inside the loops: a pass makes them at run time, for
+ * all lanes at once, or has a loop for each where that was measured to pay (rates.c). */
 #pragma once
 #include "sph/domain/wall.h"
 #include "sph/pair/kernel.h"
