@@ -1,5 +1,5 @@
 /* What a run will take. */
 #pragma once
-#include "common/case.h"
+#include "common/case/case.h"
 
 void bem_estimate(const struct case_file *c, const struct case_run *r, struct solver_estimate *e);

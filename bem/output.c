@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/gauge.h"
-#include "common/record.h"
+#include "common/base/gauge.h"
+#include "common/result/record.h"
 
 /* H: with a gap no wider than the panels' own curvature psi is wrong; 0.002 sqrt(H/g) remain then
  */

@@ -4,9 +4,9 @@
 #include "bem/flow.h"
 #include "bem/pressure.h"
 #include "bem/stepper.h"
-#include "common/case.h"
-#include "common/progress.h"
-#include "common/result.h"
+#include "common/base/progress.h"
+#include "common/case/case.h"
+#include "common/result/result.h"
 
 struct bem_output {
   const struct case_file *c;

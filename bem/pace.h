@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "common/status.h"
+#include "common/base/status.h"
 
 struct bem_pace {
   size_t steps, settled, room; /* settled: steps that an integrator long started took */

@@ -11,7 +11,7 @@
 #include <complex.h>
 #include <stddef.h>
 
-#include "common/status.h"
+#include "common/base/status.h"
 
 enum {
   BEM_STENCIL = 4,    /* nodes that carry the polynomial of a panel */

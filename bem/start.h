@@ -1,7 +1,7 @@
 /* From the case to the surface at t = 0, and what this solver cannot start from. */
 #pragma once
 #include "bem/flow.h"
-#include "common/case.h"
+#include "common/case/case.h"
 
 void bem_start_check(const struct case_file *c, const struct case_run *r,
                      struct problems *problems);

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "common/status.h"
+#include "common/base/status.h"
 
 enum bem_end { BEM_END_WALL, BEM_END_BED }; /* what the last node slides along */
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 
 #include "bench/bench.h"
-#include "common/case.h"
+#include "common/case/case.h"
 #include "sph/domain/wall.h"
 #include "sph/pair/diffusion.h"
 #include "sph/pair/gradient.h"

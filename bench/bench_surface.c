@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "common/progress.h"
+#include "common/base/progress.h"
 #include "sph/observe/surface.h"
 
 static enum status measure(int k) {

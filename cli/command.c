@@ -14,7 +14,7 @@
 
 #include "cli/registry.h"
 #include "cli/room.h"
-#include "common/text.h"
+#include "common/base/text.h"
 #include "compare/output.h"
 
 static void print_line(const char *text) {

@@ -2,10 +2,10 @@
 #pragma once
 #include <stdbool.h>
 
-#include "common/case.h"
-#include "common/progress.h"
-#include "common/result.h"
-#include "common/status.h"
+#include "common/base/progress.h"
+#include "common/base/status.h"
+#include "common/case/case.h"
+#include "common/result/result.h"
 
 enum exit_code { EXIT_FINE = 0, EXIT_VERDICT = 1, EXIT_BAD_INPUT = 2, EXIT_RUN_FAILED = 3 };
 

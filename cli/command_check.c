@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "cli/command.h"
-#include "common/text.h"
+#include "common/base/text.h"
 
 /* One line a run: how large, how much memory, how long. */
 static void print_estimates(const struct case_file *c) {

@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/registry.h"
-#include "common/text.h"
+#include "common/base/text.h"
 #include "compare/report.h"
 
 int command_report(const struct case_file *c, const struct result_file *ref, size_t n,

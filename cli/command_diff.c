@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "cli/command.h"
-#include "common/result_diff.h"
-#include "common/text.h"
+#include "common/base/text.h"
+#include "common/result/result_diff.h"
 
 struct diff_arguments {
   const char *file[2], *tolerances;

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 
 #include "cli/command.h"
-#include "common/result_diff.h"
-#include "common/text.h"
+#include "common/base/text.h"
+#include "common/result/result_diff.h"
 
 /* What stands in a file goes to the terminal as text and nothing else. */
 static enum status print_info(const char *path) {

@@ -3,7 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/registry.h"
-#include "common/params.h"
+#include "common/base/params.h"
 
 int command_list(int argc, char **argv) {
   static const struct argp argp = {

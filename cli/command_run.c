@@ -13,7 +13,7 @@
 #include "cli/command.h"
 #include "cli/room.h"
 #include "cli/traps.h"
-#include "common/health.h"
+#include "common/result/health.h"
 
 struct run_arguments {
   const char *case_path, *out;

@@ -1,7 +1,7 @@
 #include "cli/registry.h"
 
 #include "bem/solver.h"
-#include "common/wave_solver.h"
+#include "common/flow/wave_solver.h"
 #include "compare/measure.h"
 #include "sph/solver.h"
 

@@ -1,7 +1,7 @@
 /* Whether there is memory for what is to be done, asked before any of it is taken. */
 #pragma once
-#include "common/case.h"
-#include "common/status.h"
+#include "common/base/status.h"
+#include "common/case/case.h"
 
 /* Memory that this process may still take, bytes, and in words what sets that limit. */
 double room_available(const char **limit);

@@ -3,8 +3,8 @@
 #pragma once
 #include <stddef.h>
 
-#include "common/params.h"
-#include "common/status.h"
+#include "common/base/params.h"
+#include "common/base/status.h"
 
 struct case_file;
 struct case_run;

@@ -1,8 +1,8 @@
 /* Everything that is measured between runs and the reference; all dimensionless (compare/data.h).
  */
 #pragma once
-#include "common/case.h"
-#include "common/health.h"
+#include "common/case/case.h"
+#include "common/result/health.h"
 #include "compare/data.h"
 
 /* A pressure of this many rho g H marks the arrival of the water at a probe, an elevation of this

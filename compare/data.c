@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/gauge.h"
-#include "common/health.h"
+#include "common/base/gauge.h"
+#include "common/result/health.h"
 #include "compare/text.h"
 
 enum status cmp_scales_set(const struct result_file *reference, struct cmp_scales *s) {

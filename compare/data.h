@@ -3,7 +3,7 @@
  * its own water at rest, or rho g H^3 where it starts at rest. Dimensionless times are written t*
  * in what users read. */
 #pragma once
-#include "common/result.h"
+#include "common/result/result.h"
 #include "compare/jet.h"
 #include "compare/series.h"
 

@@ -11,7 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "common/progress.h"
+#include "common/base/progress.h"
 #include "compare/output.h"
 
 enum { WORKERS = 2, NOT_THERE = 127 }; /* gnuplots at a time; the exit code without one */

@@ -9,8 +9,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "common/file.h"
-#include "common/progress.h"
+#include "common/base/file.h"
+#include "common/base/progress.h"
 #include "compare/output.h"
 
 #define TEMPORARY ".drawing-"

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "common/status.h"
+#include "common/base/status.h"
 
 enum cmp_section { /* of the report, in its order */
                    CMP_SECTION_DISTANCE,

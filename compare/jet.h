@@ -2,7 +2,7 @@
 #pragma once
 #include <stdbool.h>
 
-#include "common/geometry.h"
+#include "common/base/geometry.h"
 #include "compare/value.h"
 
 /* Thickness is taken where circles of these radii (in H) about the tip cut the jet's two sides. */

@@ -1,7 +1,7 @@
 /* The free surface and the water below it at one instant, ready to be measured against another,
  * through the reentrant C interface of GEOS. Lengths in m, areas in m^2. */
 #pragma once
-#include "common/geometry.h"
+#include "common/base/geometry.h"
 #include "compare/value.h"
 
 /* Pieces shorter than this fraction of the longest one are spray and bubbles: they count in the

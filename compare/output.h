@@ -3,7 +3,7 @@
 #include <limits.h>
 #include <stdio.h>
 
-#include "common/status.h"
+#include "common/base/status.h"
 
 struct cmp_output {
   FILE *stream;

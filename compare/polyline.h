@@ -2,7 +2,7 @@
 #pragma once
 #include <stdbool.h>
 
-#include "common/geometry.h"
+#include "common/base/geometry.h"
 
 /* The longest piece; SIZE_MAX when there is none with two points. */
 size_t cmp_piece_longest(const struct geo_lines *surface);

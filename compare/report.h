@@ -1,7 +1,7 @@
 /* The comparator: result files in; report.html, report.json, figures/ and a verdict out. */
 #pragma once
-#include "common/case.h"
-#include "common/result.h"
+#include "common/case/case.h"
+#include "common/result/result.h"
 #include "compare/measure.h"
 
 struct cmp_verdict {

@@ -3,7 +3,7 @@
 #pragma once
 #include <stddef.h>
 
-#include "common/status.h"
+#include "common/base/status.h"
 #include "compare/value.h"
 
 struct cmp_signal {

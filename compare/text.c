@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/text.h"
+#include "common/base/text.h"
 
 char *cmp_text_copy(const char *text) {
   return text_visible(text ? text : "", "\n\t\r");

@@ -1,5 +1,5 @@
 /* Text from files on its way into other formats: whatever it holds, it stays text, and what cannot
- * be shown is made visible (common/text.h). */
+ * be shown is made visible (common/base/text.h). */
 #pragma once
 #include <stddef.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "cli/registry.h"
-#include "common/case.h"
+#include "common/case/case.h"
 #include "fuzz/fuzz.h"
 
 enum { CASE_FILE = 101 };

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <sys/resource.h>
 
-#include "common/result_diff.h"
+#include "common/result/result_diff.h"
 #include "fuzz/fuzz.h"
 #include "fuzz/result_edit.h"
 #include "fuzz/servant.h"

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "cli/registry.h"
-#include "common/case.h"
+#include "common/case/case.h"
 #include "fuzz/fuzz.h"
 
 static const char base[] =

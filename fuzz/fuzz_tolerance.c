@@ -1,7 +1,7 @@
 /* A tolerance file of `plunge diff`. */
 #include <math.h>
 
-#include "common/result_tolerance.h"
+#include "common/result/result_tolerance.h"
 #include "fuzz/fuzz.h"
 
 int LLVMFuzzerInitialize(int *argc, char ***argv) {

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <sys/resource.h>
 
-#include "common/result_guard.h"
+#include "common/result/result_guard.h"
 #include "fuzz/fuzz.h"
 
 enum { HASTY_FILE = 102, MORE_MEMORY = 512 << 20, MOST_RECEIVED = 256 << 20 /* bytes */ };

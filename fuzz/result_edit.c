@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/result_guard.h"
-#include "common/result_hdf.h"
-#include "common/result_seal.h"
+#include "common/result/result_guard.h"
+#include "common/result/result_hdf.h"
+#include "common/result/result_seal.h"
 
 uint32_t draw(uint32_t *state, uint32_t n) {
   *state = *state * 1664525u + 1013904223u;

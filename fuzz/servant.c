@@ -14,7 +14,7 @@
 #include <sys/time.h>
 #include <sys/wait.h>
 
-#include "common/file.h"
+#include "common/base/file.h"
 #include "fuzz/fuzz.h"
 #include "fuzz/hasty.h"
 

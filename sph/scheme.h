@@ -1,7 +1,7 @@
 /* The scheme of a run: one of every family of variants, and the factors. A family of one has no key
  * yet. */
 #pragma once
-#include "common/params.h"
+#include "common/base/params.h"
 
 struct sph_scheme {
   int kernel, eos, momentum, continuity, viscosity, diffusion; /* pair/, enumerations */

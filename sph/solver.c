@@ -4,10 +4,10 @@
 
 #include <math.h>
 
-#include "common/case.h"
-#include "common/geometry_check.h"
-#include "common/progress.h"
-#include "common/result.h"
+#include "common/base/geometry_check.h"
+#include "common/base/progress.h"
+#include "common/case/case.h"
+#include "common/result/result.h"
 #include "sph/domain/ghost.h"
 #include "sph/estimate.h"
 #include "sph/observe/output.h"

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "common/case.h"
+#include "common/case/case.h"
 #include "sph/domain/wall.h"
 #include "sph/fluid/energy.h"
 #include "sph/pair/kernel.h"

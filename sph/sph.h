@@ -8,8 +8,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "common/geometry.h"
-#include "common/status.h"
+#include "common/base/geometry.h"
+#include "common/base/status.h"
 #include "sph/domain/tank.h"
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "common/status.h"
+#include "common/base/status.h"
 
 static int test_failures, test_failed_here;
 

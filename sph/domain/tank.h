@@ -3,7 +3,7 @@
 #pragma once
 #include <math.h>
 
-#include "common/geometry.h"
+#include "common/base/geometry.h"
 
 enum { SPH_LEFT, SPH_RIGHT };
 

@@ -1,6 +1,6 @@
 /* Energies of the water, J per metre of width; the elastic one is that of eos.h. */
 #pragma once
-#include "common/result.h"
+#include "common/result/result.h"
 #include "sph/sph.h"
 
 struct result_energy sph_energy(const struct sph *s);

@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "common/geometry.h"
-#include "common/status.h"
+#include "common/base/geometry.h"
+#include "common/base/status.h"
 
 struct sph_grid {
   double x0, y0;       /* m, lower left corner; points outside count to the nearest cell */

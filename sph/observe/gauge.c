@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "common/gauge.h"
+#include "common/base/gauge.h"
 #include "sph/domain/wall.h"
 
 double sph_gauge(const struct sph *s, const struct geo_lines *surface, double x) {

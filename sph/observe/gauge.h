@@ -1,10 +1,10 @@
 /* Wave gauges. */
 #pragma once
-#include "common/geometry.h"
+#include "common/base/geometry.h"
 #include "sph/sph.h"
 
 /* Elevation (m) of the water that stands on the bed at x (m), on the free surface that was
- * extracted from the particles; NaN where the bed is dry (common/gauge.h).
+ * extracted from the particles; NaN where the bed is dry (common/base/gauge.h).
  *
  * Beside a wall whose particles keep their place and volume where the water ends (sph_wall.layer),
  * the topmost particles are pressed down and away: in still water by half a spacing, 0.8 at worst.

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "common/progress.h"
-#include "common/record.h"
+#include "common/base/progress.h"
+#include "common/result/record.h"
 #include "sph/fluid/energy.h"
 #include "sph/observe/gauge.h"
 #include "sph/observe/probe.h"

@@ -1,8 +1,8 @@
 /* What a run writes: particles and surfaces at the multiples of time.every, series after each
  * multiple of time.sample, events. */
 #pragma once
-#include "common/case.h"
-#include "common/result.h"
+#include "common/case/case.h"
+#include "common/result/result.h"
 #include "sph/sph.h"
 
 struct sph_output;

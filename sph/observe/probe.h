@@ -1,6 +1,6 @@
 /* Pressure sensors on the walls. */
 #pragma once
-#include "common/case.h"
+#include "common/case/case.h"
 #include "sph/sph.h"
 
 /* Pressure (Pa) fitted to the water by moving least squares (mls.h), from the packs of the last

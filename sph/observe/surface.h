@@ -1,7 +1,7 @@
 /* The free surface of a particle cloud, as oriented polylines. */
 #pragma once
-#include "common/geometry.h"
-#include "common/status.h"
+#include "common/base/geometry.h"
+#include "common/base/status.h"
 
 struct sph_surface; /* the grid and other scratch memory; it grows when needed and is then kept */
 

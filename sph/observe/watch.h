@@ -1,7 +1,7 @@
 /* What the health of a run is judged by: looked at after every step, written when the run ends,
  * however it ends. */
 #pragma once
-#include "common/result.h"
+#include "common/result/result.h"
 #include "sph/sph.h"
 
 /* Largest values of the state; ERR_DIVERGED for values that are not finite, or a density that is

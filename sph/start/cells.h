@@ -16,7 +16,7 @@
  * that is a function of x. Most of the error at a surface is the cut kernel's, in any lattice.
  */
 #pragma once
-#include "common/geometry.h"
+#include "common/base/geometry.h"
 
 struct sph_cell {
   double x, y; /* centroid, m */

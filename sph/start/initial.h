@@ -1,6 +1,6 @@
 /* The water at t = 0. */
 #pragma once
-#include "common/case.h"
+#include "common/case/case.h"
 #include "sph/sph.h"
 
 /* Fills s->f: positions, velocities, densities, masses.

@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include "bem/solver.h"
-#include "common/case.h"
-#include "common/progress.h"
-#include "common/result.h"
+#include "common/base/progress.h"
+#include "common/case/case.h"
+#include "common/result/result.h"
 #include "tests/test.h"
 
 static const struct solver *const run_solvers[] = {&bem_solver};

@@ -13,6 +13,9 @@ forbidden() { # folder, what it must not include
   grep -nE "#include \"($2)/" -r "$1" && complain "$1/ includes what docs/architecture.md forbids"
 }
 forbidden common 'sph|bem|compare|cli'
+forbidden common/base 'common/(case|result|flow)'
+forbidden common/case 'common/(result|flow)'
+forbidden common/result 'common/flow'
 forbidden sph 'bem|compare|cli'
 forbidden bem 'sph|compare|cli'
 forbidden compare 'sph|bem|cli'

@@ -4,10 +4,10 @@
 #include <unistd.h>
 
 #include "cli/registry.h"
-#include "common/case.h"
-#include "common/progress.h"
-#include "common/result.h"
-#include "common/waves.h"
+#include "common/base/progress.h"
+#include "common/case/case.h"
+#include "common/flow/waves.h"
+#include "common/result/result.h"
 #include "tests/test.h"
 
 static const double g = 9.81, depth = 1, wavelength = 2;

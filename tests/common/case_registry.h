@@ -2,7 +2,7 @@
 #pragma once
 #include <stddef.h>
 
-#include "common/case.h"
+#include "common/case/case.h"
 
 struct fake_sph {
   int diffusion, order;

@@ -2,7 +2,7 @@
 #pragma once
 #include <string.h>
 
-#include "common/result_seal.h"
+#include "common/result/result_seal.h"
 
 /* Overwrites the last bytes, where a seal stands, with the right one for those before. */
 static inline void bytes_seal(unsigned char *bytes, size_t size) {

@@ -7,8 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "common/case.h"
-#include "common/result.h"
+#include "common/case/case.h"
+#include "common/result/result.h"
 
 struct sample_options {
   double alpha;

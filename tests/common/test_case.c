@@ -1,5 +1,5 @@
 /* Good case files: what the reader makes of them. Bad ones: test_case_bad.c. */
-#include "common/case.h"
+#include "common/case/case.h"
 
 #include <stdlib.h>
 

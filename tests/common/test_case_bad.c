@@ -5,7 +5,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "common/case.h"
+#include "common/case/case.h"
 #include "tests/common/case_registry.h"
 #include "tests/test.h"
 

@@ -1,7 +1,7 @@
 /* Overrides: --set PATH=VALUE. */
 #include <stdlib.h>
 
-#include "common/case.h"
+#include "common/case/case.h"
 #include "tests/common/case_registry.h"
 #include "tests/test.h"
 

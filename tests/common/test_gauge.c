@@ -1,4 +1,4 @@
-#include "common/gauge.h"
+#include "common/base/gauge.h"
 
 #include "tests/test.h"
 

@@ -1,5 +1,5 @@
-#include "common/geometry.h"
-#include "common/geometry_check.h"
+#include "common/base/geometry.h"
+#include "common/base/geometry_check.h"
 #include "tests/test.h"
 
 static void square(struct geo_lines *l, double x, double y, double side) {

@@ -1,5 +1,5 @@
 /* Which runs are sound, doubtful or failed, and why. */
-#include "common/health.h"
+#include "common/result/health.h"
 
 #include "tests/common/result_sample.h"
 #include "tests/test.h"

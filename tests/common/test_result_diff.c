@@ -2,8 +2,8 @@
  * info` stays within a screen. */
 #include <hdf5.h>
 
-#include "common/result_diff.h"
-#include "common/result_hdf.h"
+#include "common/result/result_diff.h"
+#include "common/result/result_hdf.h"
 #include "tests/common/result_sample.h"
 #include "tests/test.h"
 

@@ -2,7 +2,7 @@
  * sentence that says why, and nothing in it can make the reader allocate or wait for long. */
 #include <hdf5.h>
 
-#include "common/result_diff.h"
+#include "common/result/result_diff.h"
 #include "tests/common/result_sample.h"
 #include "tests/test.h"
 

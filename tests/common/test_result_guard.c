@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "common/result_guard.h"
+#include "common/result/result_guard.h"
 #include "tests/test.h"
 
 static enum status carry_nothing(struct carrier *c, void *data) {

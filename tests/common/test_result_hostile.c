@@ -7,8 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "common/result_carry.h"
-#include "common/result_diff.h"
+#include "common/result/result_carry.h"
+#include "common/result/result_diff.h"
 #include "tests/common/result_bytes.h"
 #include "tests/common/result_sample.h"
 #include "tests/test.h"

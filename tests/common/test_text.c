@@ -1,5 +1,5 @@
 /* Texts from outside: what is read of them and what is refused; lines; control characters. */
-#include "common/text.h"
+#include "common/base/text.h"
 
 #include <stdlib.h>
 #include <sys/stat.h>

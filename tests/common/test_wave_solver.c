@@ -1,12 +1,12 @@
-#include "common/wave_solver.h"
+#include "common/flow/wave_solver.h"
 
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "common/case.h"
-#include "common/progress.h"
-#include "common/result.h"
-#include "common/waves.h"
+#include "common/base/progress.h"
+#include "common/case/case.h"
+#include "common/flow/waves.h"
+#include "common/result/result.h"
 #include "tests/test.h"
 
 static const struct solver *const solvers[] = {&wave_solver};

@@ -1,4 +1,4 @@
-#include "common/waves.h"
+#include "common/flow/waves.h"
 
 #include <stdlib.h>
 

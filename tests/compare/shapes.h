@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "common/geometry.h"
+#include "common/base/geometry.h"
 
 static inline void shape_open(struct geo_lines *l) {
   if (geo_lines_begin(l, false) != OK) abort();

@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "common/progress.h"
+#include "common/base/progress.h"
 #include "compare/output.h"
 #include "tests/test.h"
 

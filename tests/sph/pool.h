@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/case.h"
+#include "common/case/case.h"
 #include "sph/pair/diffusion.h"
 #include "sph/pair/rates.h"
 #include "sph/solver.h"

@@ -3,8 +3,8 @@
 
 #include <unistd.h>
 
-#include "common/progress.h"
-#include "common/result.h"
+#include "common/base/progress.h"
+#include "common/result/result.h"
 #include "sph/fluid/energy.h"
 #include "sph/observe/gauge.h"
 #include "tests/sph/pool.h"

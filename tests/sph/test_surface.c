@@ -3,7 +3,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "common/gauge.h"
+#include "common/base/gauge.h"
 #include "tests/test.h"
 
 static const double dx = 0.0123;

@@ -2,7 +2,7 @@
  */
 #include "tests/test.h"
 
-#include "common/waves.h"
+#include "common/flow/waves.h"
 #include "sph/fluid/energy.h"
 #include "sph/observe/probe.h"
 #include "tests/sph/pool.h"

@@ -1,0 +1,183 @@
+#include "common/base/geometry.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void geo_lines_destroy(struct geo_lines *l) {
+  if (!l) return;
+  free(l->first);
+  free(l->closed);
+  free(l->p);
+  *l = (struct geo_lines){0};
+}
+
+void geo_lines_clear(struct geo_lines *l) {
+  l->pieces = l->points = 0;
+}
+
+static enum status reserve(struct geo_lines *l, size_t pieces, size_t points) {
+  if (!l->first || pieces > l->piece_room) {
+    size_t room = pieces > 2 * l->piece_room ? pieces : 2 * l->piece_room;
+    size_t *first = realloc(l->first, (room + 1) * sizeof *first);
+    if (first) l->first = first;
+    unsigned char *closed = realloc(l->closed, room ? room : 1);
+    if (closed) l->closed = closed;
+    CHECK(first && closed, ERR_MEMORY, "no memory for %zu polylines", room);
+    l->piece_room = room;
+  }
+  if (points > l->point_room) {
+    size_t room = points > 2 * l->point_room ? points : 2 * l->point_room;
+    double(*p)[2] = realloc(l->p, room * sizeof *p);
+    CHECK(p, ERR_MEMORY, "no memory for %zu points", room);
+    l->p = p;
+    l->point_room = room;
+  }
+  return OK;
+}
+
+enum status geo_lines_begin(struct geo_lines *l, bool closed) {
+  TRY(reserve(l, l->pieces + 1, l->points));
+  l->first[0] = 0;
+  l->closed[l->pieces++] = closed;
+  l->first[l->pieces] = l->points;
+  return OK;
+}
+
+enum status geo_lines_add(struct geo_lines *l, double x, double y) {
+  TRY(reserve(l, l->pieces, l->points + 1));
+  l->p[l->points][0] = x;
+  l->p[l->points][1] = y;
+  l->first[l->pieces] = ++l->points;
+  return OK;
+}
+
+enum status geo_lines_copy(struct geo_lines *to, const struct geo_lines *from) {
+  geo_lines_clear(to);
+  TRY(reserve(to, from->pieces, from->points));
+  to->pieces = from->pieces;
+  to->points = from->points;
+  to->first[0] = 0;
+  if (from->pieces) {
+    memcpy(to->first, from->first, (from->pieces + 1) * sizeof *to->first);
+    memcpy(to->closed, from->closed, from->pieces);
+  }
+  if (from->points) memcpy(to->p, from->p, from->points * sizeof *to->p);
+  return OK;
+}
+
+double geo_piece_area(const struct geo_lines *l, size_t piece) {
+  double area = 0;
+  size_t a = l->first[piece], b = l->first[piece + 1];
+  for (size_t i = a; i < b; i++) {
+    const double *p = l->p[i], *q = l->p[i + 1 < b ? i + 1 : a];
+    /* relative to the first point, so that a small piece far from the origin keeps its digits */
+    area += (p[0] - l->p[a][0]) * (q[1] - l->p[a][1]) - (q[0] - l->p[a][0]) * (p[1] - l->p[a][1]);
+  }
+  return area / 2;
+}
+
+double geo_piece_length(const struct geo_lines *l, size_t piece) {
+  double length = 0;
+  size_t a = l->first[piece], b = l->first[piece + 1];
+  for (size_t i = a; i + 1 < b; i++)
+    length += hypot(l->p[i + 1][0] - l->p[i][0], l->p[i + 1][1] - l->p[i][1]);
+  if (l->closed[piece] && b > a)
+    length += hypot(l->p[a][0] - l->p[b - 1][0], l->p[a][1] - l->p[b - 1][1]);
+  return length;
+}
+
+struct geo_box geo_lines_box(const struct geo_lines *l) {
+  if (!l->points) return (struct geo_box){{0, 0}, {0, 0}};
+  struct geo_box box = {{l->p[0][0], l->p[0][1]}, {l->p[0][0], l->p[0][1]}};
+  for (size_t i = 1; i < l->points; i++)
+    for (int k = 0; k < 2; k++) {
+      box.min[k] = fmin(box.min[k], l->p[i][k]);
+      box.max[k] = fmax(box.max[k], l->p[i][k]);
+    }
+  return box;
+}
+
+bool geo_lines_contain(const struct geo_lines *l, double x, double y) {
+  for (size_t k = 0; k < l->pieces; k++) {
+    if (!l->closed[k]) continue;
+    bool inside = false;
+    size_t a = l->first[k], b = l->first[k + 1];
+    for (size_t i = a, j = b - 1; i < b; j = i++) {
+      const double *p = l->p[i], *q = l->p[j];
+      if ((p[1] > y) != (q[1] > y) && x < (q[0] - p[0]) * (y - p[1]) / (q[1] - p[1]) + p[0])
+        inside = !inside;
+    }
+    if (inside) return true;
+  }
+  return false;
+}
+
+/* ---- cuts ---- */
+
+static int ascending(const void *a, const void *b) {
+  double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+static enum status cut_reserve(struct geo_cut *cut, size_t n) {
+  if (n <= cut->room) return OK;
+  double(*span)[2] = realloc(cut->span, n * sizeof *span);
+  CHECK(span, ERR_MEMORY, "no memory for %zu spans of a cut", n);
+  cut->span = span;
+  cut->room = n;
+  return OK;
+}
+
+/* Adds the spans of one piece: its crossings with the line, in order, go in and out of it in turn.
+ */
+static void cut_piece(const struct geo_lines *l, size_t piece, int axis, double at,
+                      struct geo_cut *cut) {
+  double *crossing = cut->span[cut->n];
+  size_t a = l->first[piece], b = l->first[piece + 1], n = 0;
+  for (size_t i = a; i < b; i++) {
+    const double *p = l->p[i], *q = l->p[i + 1 < b ? i + 1 : a];
+    if ((p[axis] > at) == (q[axis] > at)) continue;
+    double t = (at - p[axis]) / (q[axis] - p[axis]);
+    crossing[n++] = p[!axis] + (q[!axis] - p[!axis]) * t;
+  }
+  qsort(crossing, n, sizeof *crossing, ascending);
+  cut->n += n / 2;
+}
+
+enum status geo_lines_cut(const struct geo_lines *l, int axis, double at, double near,
+                          struct geo_cut *cut) {
+  cut->n = 0;
+  TRY(cut_reserve(cut, l->points + 1)); /* a piece is crossed as often as it has sides */
+  for (size_t k = 0; k < l->pieces; k++)
+    if (l->closed[k]) cut_piece(l, k, axis, at, cut);
+  qsort(cut->span, cut->n, sizeof *cut->span, ascending);
+  size_t joined = 0;
+  for (size_t k = 0; k < cut->n; k++) {
+    double *last = joined ? cut->span[joined - 1] : NULL;
+    if (last && cut->span[k][0] <= last[1] + near)
+      last[1] = fmax(last[1], cut->span[k][1]);
+    else
+      memmove(cut->span[joined++], cut->span[k], sizeof *cut->span);
+  }
+  cut->n = joined;
+  return OK;
+}
+
+void geo_cut_destroy(struct geo_cut *cut) {
+  if (!cut) return;
+  free(cut->span);
+  *cut = (struct geo_cut){0};
+}
+
+const double *geo_cut_span(const struct geo_cut *cut, double along) {
+  const double *best = NULL;
+  double nearest = INFINITY;
+  for (size_t k = 0; k < cut->n; k++) {
+    double away = fmax(cut->span[k][0] - along, along - cut->span[k][1]);
+    if (away >= nearest) continue;
+    nearest = away;
+    best = cut->span[k];
+  }
+  return best;
+}

@@ -1,0 +1,165 @@
+/* The case file: YAML in, one checked struct out. Everything is in SI units here. */
+#pragma once
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "common/base/geometry.h"
+#include "common/base/status.h"
+#include "common/solver.h"
+
+enum case_pressure { CASE_PRESSURE_HYDROSTATIC, CASE_PRESSURE_RELEASED };
+
+/* Waves that may fill the tank instead of regions. */
+enum case_wave { CASE_WAVE_NONE, CASE_WAVE_STANDING };
+
+struct case_probe { /* wall pressure sensor */
+  char *name;
+  double x, y; /* centre, m, on a wall */
+  double size; /* length along the wall over which it averages, m; 0 is a point */
+};
+
+struct case_gauge { /* vertical wire */
+  char *name;
+  double x; /* m */
+};
+
+struct case_run {
+  char *name;
+  const struct solver *solver;
+  double resolution; /* H/dx for SPH, nodes per H for BEM; dx = H/resolution */
+  void *options;     /* the solver's own struct, filled from its table; owned */
+  int line;          /* of the run in the file, for messages */
+  int *key_line;     /* of its keys: see case_run_line; owned */
+};
+
+struct case_tolerance {
+  char *measure; /* one of the registry's measures */
+  double at;     /* s; NaN: every comparison time */
+  double max;    /* in the measure's own units: FAIL above it */
+  size_t n_runs; /* 0: every run but the reference */
+  size_t *runs;  /* indices into case_file.runs, [n_runs], owned */
+};
+
+struct case_average { /* a probe's signals are compared by their running means */
+  size_t probe;       /* index into case_file.probes */
+  double over;        /* s; 0: none */
+};
+
+struct case_experiment { /* a measured series laid over a probe's or a gauge's plot */
+  char *label;           /* "Buchner 2002, digitisation a" */
+  char *source;          /* the citation */
+  char *target;          /* name of a probe or gauge, or "front" */
+  size_t n;
+  double *t, *value; /* s, and Pa or m, [n], owned */
+};
+
+struct case_file {
+  char *path; /* as given by the user, "stdin" for "-"; "" when read from a result file */
+  char *text; /* the case as run: the file with the overrides applied, still valid YAML */
+  char *title;
+  double density; /* rho_0, kg m^-3 */
+  double gravity; /* g, m s^-2, downwards (0, -g) */
+  double H; /* scale of length, m; times are reported as t sqrt(g/H), pressures as p/(rho g H) */
+
+  struct geo_lines walls; /* water lies on the left of every wall (down the left side, along the
+                             bed, up the right side) */
+  struct geo_box tank;    /* box of the walls */
+  bool rectangular;       /* one open piece: left wall, flat bed, right wall */
+
+  struct geo_lines water; /* closed counter-clockwise regions, or the initial outline of the wave */
+  double velocity[2];     /* of the regions at t = 0, m/s */
+  enum case_pressure pressure;
+  struct {
+    enum case_wave kind;
+    double amplitude, wavelength, depth; /* m; y is measured upwards from the bed at tank.min[1] */
+  } wave;
+
+  double end;    /* s, last output time */
+  double every;  /* s: surfaces and particles are written at exactly the multiples of it */
+  double sample; /* s: series (energy, probes, gauges, run) get a row at the first step after each
+                    multiple of it; default every/10 */
+
+  size_t n_probes, n_gauges, n_runs;
+  struct case_probe *probes;
+  struct case_gauge *gauges;
+  struct case_run *runs;
+
+  struct {
+    size_t reference; /* index into runs; n_runs when the case compares nothing */
+    size_t n_times;
+    double *times;         /* s */
+    struct geo_box window; /* the part of the surface that is compared; default: everything */
+    size_t n_tolerances;
+    struct case_tolerance *tolerances;
+    size_t n_averages;
+    struct case_average *averages;
+    size_t n_experiments;
+    struct case_experiment *experiments;
+  } compare;
+};
+
+/* One problem a line: "dam.yaml:12: runs.antuono.alpha: found '-1'; allowed: a number from 0 to 1".
+ * problems_add takes the part after the place; case_load puts "FILE:LINE: " before it and sorts. */
+struct problems {
+  size_t n, room;
+  size_t unlisted; /* further ones, beyond the first hundred */
+  bool out_of_memory;
+  char **text; /* [n], owned */
+  int *line;   /* [n], from 1; 0: the file as a whole; -k: the k-th --set */
+};
+void problems_add(struct problems *p, int line, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+void problems_destroy(struct problems *p);
+
+/* Sorts the problems and puts their place before each. */
+void problems_finish(struct problems *p, const char *file, size_t n_set, const char *const *set);
+
+/* Where to point when value `key` of a run is wrong: the line of the key, of the run without it. */
+int case_run_line(const struct case_run *r, const char *key);
+
+/* Reads, overrides and checks a case; `path` "-" is standard input. `set` holds "path=value"
+ * strings (runs.NAME.key=value, time.end=...). On ERR_INPUT *problems lists every problem found
+ * (file, line, key, value found, what is allowed, what to do) and *c is NULL. Data files are taken
+ * relative to the case file. */
+enum status case_load(const char *path, size_t n_set, const char *const *set,
+                      const struct registry *registry, struct problems *problems,
+                      struct case_file **c);
+
+/* The same from the text in a result file (`name` stands for the file in messages); experiments
+ * are left empty: they are in the result file itself. */
+enum status case_parse(const char *name, const char *text, const struct registry *registry,
+                       struct problems *problems, struct case_file **c);
+
+/* What is known of results that are there already, for settings that stand by themselves. */
+struct case_frame {
+  double H, gravity;   /* m, m s^-2 */
+  struct geo_box tank; /* m */
+  size_t n_times, n_runs, n_probes;
+  const double *times;       /* s, of the reference's outputs, [n_times] */
+  const char *const *runs;   /* names, the reference's first, [n_runs] */
+  const char *const *probes; /* names, of the reference's, [n_probes] */
+};
+
+/* Settings of a comparison (the section `compare` alone) from a YAML file: *c has runs and probes
+ * with names and nothing else, and `compare` filled. Problems as case_load. */
+enum status case_load_settings(const char *path, const struct case_frame *frame,
+                               const struct registry *registry, struct problems *problems,
+                               struct case_file **c);
+void case_destroy(struct case_file *c);
+
+/* Every section with its keys: what is allowed, the default, what it is (for `plunge list`). */
+void case_print_keys(FILE *out);
+
+/* Identifies everything that a run's result depends on: program version and revision, the case
+ * without other runs and without `compare`, and the run's options (hex digits, 32 + NUL). */
+void case_fingerprint(const struct case_file *c, const struct case_run *r, char out[33]);
+
+/* Identifies what results must share to be compared at all: the tank, the water at t = 0, the fluid
+ * and the scales, whatever solves them how finely for how long (hex digits, 32 + NUL). */
+void case_water_fingerprint(const struct case_file *c, char out[33]);
+
+double case_water_area(const struct case_file *c); /* m^2, at t = 0 */
+
+/* Potential energy (J per metre of width, y from 0) of the same water at rest in the tank. */
+double case_rest_potential(const struct case_file *c);

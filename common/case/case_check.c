@@ -1,0 +1,234 @@
+/* Whether what a case says makes sense together: each section is checked when it, and what it is
+ * checked against, was read without a fault. */
+#include <math.h>
+#include <string.h>
+
+#include "common/base/geometry_check.h"
+#include "common/case/case_draft.h"
+
+enum { MOST_OUTPUTS = 100000, MOST_SAMPLES = 10000000 };
+
+const double CASE_SAME = 1e-9;
+
+double case_tank_size(const struct case_file *c) {
+  return fmax(c->tank.max[0] - c->tank.min[0], c->tank.max[1] - c->tank.min[1]);
+}
+
+/* ---- time ---- */
+
+static void check_time(struct case_draft *d) {
+  const struct case_file *c = d->c;
+  char found[96], allowed[96];
+  size_t faults = d->doc.faults;
+  if (c->every > c->end * (1 + CASE_SAME)) {
+    snprintf(found, sizeof found, "%.6g s", c->every);
+    snprintf(allowed, sizeof allowed, "at most time.end, %.6g s", c->end);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.time, "every"), "time.every",
+                     found, allowed, "make it smaller");
+  } else if (c->end / c->every > MOST_OUTPUTS) {
+    snprintf(found, sizeof found, "%.6g outputs up to time.end", c->end / c->every);
+    snprintf(allowed, sizeof allowed, "at most %d", MOST_OUTPUTS);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.time, "every"), "time.every",
+                     found, allowed, "make it larger");
+  }
+  if (c->sample > c->every * (1 + CASE_SAME)) {
+    snprintf(found, sizeof found, "%.6g s", c->sample);
+    snprintf(allowed, sizeof allowed, "at most time.every, %.6g s", c->every);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.time, "sample"), "time.sample",
+                     found, allowed, "make it smaller");
+  } else if (c->end / c->sample > MOST_SAMPLES) {
+    snprintf(found, sizeof found, "%.6g samples up to time.end", c->end / c->sample);
+    snprintf(allowed, sizeof allowed, "at most %d", MOST_SAMPLES);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.time, "sample"), "time.sample",
+                     found, allowed, "make it larger");
+  }
+  d->good.time = d->doc.faults == faults;
+}
+
+/* ---- probes, gauges, names ---- */
+
+/* Every name must be fit for a file or a series, and nobody else's. */
+static void check_name(struct case_draft *d, int item, const char *path, const char *name,
+                       const char *const *others, size_t n) {
+  char found[96], shown[72], full[CASE_PATH + 8];
+  int line = case_doc_member_line(&d->doc, item, "name");
+  if (!name) return;
+  snprintf(full, sizeof full, "%s.name", path);
+  case_quote(name, strlen(name), shown, sizeof shown);
+  snprintf(found, sizeof found, "'%s'", shown);
+  if (!case_name_fits(name)) {
+    case_doc_problem(&d->doc, line, full, found,
+                     "1 to 64 of the characters A-Z a-z 0-9 . _ - and no '.' in front",
+                     "it names a file or a series");
+    return;
+  }
+  for (size_t i = 0; i < n; i++)
+    if (others[i] && !strcmp(others[i], name)) {
+      snprintf(found, sizeof found, "'%s' a second time", shown);
+      case_doc_problem(&d->doc, line, full, found, "a name of its own", "rename one");
+      return;
+    }
+}
+
+static void check_probe(struct case_draft *d, size_t i, int item, const char *path) {
+  const struct case_file *c = d->c;
+  const struct case_probe *p = &c->probes[i];
+  double nearest[2] = {0};
+  size_t piece = 0;
+  char full[CASE_PATH + 8], found[96], todo[96];
+  double distance = geo_lines_distance(&c->walls, p->x, p->y, nearest, &piece);
+  if (distance > 1e-6 * case_tank_size(c)) {
+    snprintf(full, sizeof full, "%s.at", path);
+    snprintf(found, sizeof found, "(%.6g, %.6g) m, %.3g m from the nearest wall", p->x, p->y,
+             distance);
+    snprintf(todo, sizeof todo, "the nearest is (%.6g, %.6g) m", nearest[0], nearest[1]);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "at"), full, found,
+                     "a point on a wall", todo);
+  } else if (p->size > geo_piece_length(&c->walls, piece)) {
+    snprintf(full, sizeof full, "%s.size", path);
+    snprintf(found, sizeof found, "%.6g m", p->size);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "size"), full, found,
+                     "at most the length of its wall", "make it smaller");
+  }
+}
+
+static void check_instruments(struct case_draft *d) {
+  const struct case_file *c = d->c;
+  size_t n = 0;
+  const char *names[2 * CASE_MOST_ITEMS + 1] = {"front"}; /* what an experiment may name besides */
+  char path[CASE_PATH], full[CASE_PATH + 8], found[64], allowed[96];
+  n = 1;
+  for (size_t i = 0; i < c->n_probes; i++) {
+    int item = case_doc_item(&d->doc, d->at.probes, i);
+    case_doc_item_path(&d->doc, "probes", item, i, path);
+    check_name(d, item, path, c->probes[i].name, names, n);
+    names[n++] = c->probes[i].name;
+    if (d->good.probes && d->good.tank) check_probe(d, i, item, path);
+  }
+  for (size_t i = 0; i < c->n_gauges; i++) {
+    int item = case_doc_item(&d->doc, d->at.gauges, i);
+    double x = c->gauges[i].x;
+    case_doc_item_path(&d->doc, "gauges", item, i, path);
+    check_name(d, item, path, c->gauges[i].name, names, n);
+    names[n++] = c->gauges[i].name;
+    if (!d->good.gauges || !d->good.tank || (x >= c->tank.min[0] && x <= c->tank.max[0])) continue;
+    snprintf(full, sizeof full, "%s.x", path);
+    snprintf(found, sizeof found, "%.6g m", x);
+    snprintf(allowed, sizeof allowed, "inside the tank, from %.6g to %.6g m", c->tank.min[0],
+             c->tank.max[0]);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "x"), full, found, allowed,
+                     "move the gauge");
+  }
+}
+
+static void check_run_names(struct case_draft *d) {
+  const struct case_file *c = d->c;
+  const char *names[CASE_MOST_ITEMS];
+  char path[CASE_PATH];
+  for (size_t i = 0; i < c->n_runs; i++) {
+    int item = case_doc_item(&d->doc, d->at.runs, i);
+    case_doc_item_path(&d->doc, "runs", item, i, path);
+    check_name(d, item, path, c->runs[i].name, names, i);
+    names[i] = c->runs[i].name;
+  }
+}
+
+/* ---- compare ---- */
+
+void case_time_words(struct case_draft *d, int node, double seconds, char out[64]) {
+  param_in_unit_of(case_doc_text(&d->doc, node), "s", &d->doc.scales, seconds, out, 64);
+}
+
+/* Comparison times are output times, where every run has its surface; on the dot after this. */
+static void check_times(struct case_draft *d) {
+  struct case_file *c = d->c;
+  int list = case_doc_member(&d->doc, d->at.compare, "times");
+  char path[CASE_PATH], found[64], limit[64], near[64], allowed[128], todo[96];
+  for (size_t i = 0; i < c->compare.n_times; i++) {
+    double time = c->compare.times[i], n = time / c->every;
+    int item = list ? case_doc_item(&d->doc, list, i) : 0;
+    int line = list ? case_doc_line(&d->doc, item) : 0;
+    snprintf(path, sizeof path, "compare.times[%zu]", i);
+    case_time_words(d, item, time, found);
+    if (time > c->end * (1 + CASE_SAME)) {
+      case_time_words(d, item, c->end, limit);
+      snprintf(allowed, sizeof allowed, "at most time.end, %s", limit);
+      case_doc_problem(&d->doc, line, path, found, allowed, "compare earlier or compute longer");
+    } else if (fabs(n - round(n)) > CASE_SAME * fmax(1, n)) {
+      case_time_words(d, item, c->every, limit);
+      case_time_words(d, item, round(n) * c->every, near);
+      snprintf(allowed, sizeof allowed, "a multiple of time.every, %s", limit);
+      snprintf(todo, sizeof todo, "the nearest is %s", near);
+      case_doc_problem(&d->doc, line, path, found, allowed, todo);
+    } else if (i > 0 && time <= c->compare.times[i - 1] * (1 + CASE_SAME)) {
+      case_doc_problem(&d->doc, line, path, found, "times that increase", "put them in order");
+    } else {
+      c->compare.times[i] = round(n) * c->every;
+    }
+  }
+}
+
+void case_check_tolerances(struct case_draft *d) {
+  struct case_file *c = d->c;
+  int list = case_doc_member(&d->doc, d->at.compare, "tolerances");
+  char path[CASE_PATH], found[64];
+  for (size_t i = 0; i < c->compare.n_tolerances; i++) {
+    struct case_tolerance *t = &c->compare.tolerances[i];
+    int item = case_doc_item(&d->doc, list, i);
+    if (c->n_runs == 1) {
+      case_doc_problem(&d->doc, case_doc_line(&d->doc, item), "compare.tolerances",
+                       "a tolerance in a case of one run", "a reference and one more run",
+                       "add a run or remove the tolerances");
+      return;
+    }
+    if (isnan(t->at) || !t->measure) continue;
+    size_t k = 0;
+    while (k < c->compare.n_times && fabs(c->compare.times[k] - t->at) > CASE_SAME * t->at) k++;
+    if (k < c->compare.n_times) {
+      t->at = c->compare.times[k];
+      continue;
+    }
+    snprintf(path, sizeof path, "compare.tolerances[%zu].at", i);
+    case_time_words(d, case_doc_member(&d->doc, item, "at"), t->at, found);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "at"), path, found,
+                     "one of compare.times", "add it there or change it");
+  }
+}
+
+/* A mean over more than there is would be one number, whatever the time. */
+void case_check_averages(struct case_draft *d, double end, const char *what) {
+  const struct case_file *c = d->c;
+  int list = case_doc_member(&d->doc, d->at.compare, "averages");
+  char path[CASE_PATH], found[64], limit[64], allowed[128];
+  for (size_t i = 0; i < c->compare.n_averages; i++) {
+    const struct case_average *a = &c->compare.averages[i];
+    int over = case_doc_member(&d->doc, case_doc_item(&d->doc, list, i), "over");
+    if (a->over <= end * (1 + CASE_SAME)) continue;
+    snprintf(path, sizeof path, "compare.averages[%zu].over", i);
+    case_time_words(d, over, a->over, found);
+    case_time_words(d, over, end, limit);
+    snprintf(allowed, sizeof allowed, "at most %s, %s", what, limit);
+    case_doc_problem(&d->doc, case_doc_line(&d->doc, over), path, found, allowed,
+                     "make it smaller");
+  }
+}
+
+void case_check_window(struct case_draft *d) {
+  const struct geo_box *w = &d->c->compare.window, *tank = &d->c->tank;
+  if (w->min[0] >= w->max[0] || w->min[1] >= w->max[1]) return; /* reported when it was read */
+  if (w->min[0] < tank->max[0] && w->max[0] > tank->min[0] && w->max[1] > tank->min[1]) return;
+  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.compare, "window"),
+                   "compare.window", "a window without any of the tank in it", "part of the tank",
+                   "move it");
+}
+
+void case_check(struct case_draft *d) {
+  case_check_geometry(d);
+  if (d->good.time) check_time(d);
+  check_instruments(d);
+  check_run_names(d);
+  if (d->good.time) check_times(d);
+  if (d->good.time && d->good.runs) case_check_tolerances(d);
+  if (d->good.time) case_check_averages(d, d->c->end, "time.end");
+  if (d->good.tank) case_check_window(d);
+}

@@ -1,0 +1,242 @@
+/* Whether tank and water make sense: walls and regions that do not meet themselves or each other,
+ * water in the tank, waves that fit into it. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/base/geometry_check.h"
+#include "common/case/case_draft.h"
+
+/* Left wall down, flat bed, right wall up; further points along them are no matter. */
+static bool is_rectangular(const struct case_file *c) {
+  const struct geo_lines *w = &c->walls;
+  const struct geo_box *box = &c->tank;
+  double near = CASE_SAME * case_tank_size(c);
+  enum { LEFT, BED, RIGHT } part = LEFT;
+  if (w->pieces != 1 || w->closed[0] || w->points < 4) return false;
+  for (size_t i = 0; i + 1 < w->points; i++) {
+    const double *p = w->p[i], *q = w->p[i + 1];
+    if (part == LEFT && i > 0 && fabs(p[1] - box->min[1]) <= near) part = BED;
+    if (part == BED && fabs(p[0] - box->max[0]) <= near) part = RIGHT;
+    double side = part == LEFT ? box->min[0] : box->max[0];
+    bool along = part == BED ? fabs(p[1] - box->min[1]) <= near &&
+                                   fabs(q[1] - box->min[1]) <= near && q[0] > p[0]
+                             : fabs(p[0] - side) <= near && fabs(q[0] - side) <= near &&
+                                   (part == LEFT ? q[1] < p[1] : q[1] > p[1]);
+    if (!along) return false;
+  }
+  return part == RIGHT;
+}
+
+/* ---- geometry ---- */
+
+static int item_line(struct case_draft *d, int section, const char *key, size_t i) {
+  int list = case_doc_member(&d->doc, section, key);
+  return case_doc_line(&d->doc,
+                       i < case_doc_size(&d->doc, list) ? case_doc_item(&d->doc, list, i) : list);
+}
+
+/* Two equal points in a row, and a piece that meets itself. True when there is neither. */
+static bool check_piece(struct case_draft *d, const struct geo_lines *l, size_t k, int line,
+                        const char *path, const char *noun) {
+  char found[128];
+  bool simple;
+  double at[2] = {0};
+  size_t a = l->first[k], b = l->first[k + 1];
+  for (size_t i = a; i + !l->closed[k] < b; i++) {
+    const double *p = l->p[i], *q = l->p[i + 1 < b ? i + 1 : a];
+    if (p[0] != q[0] || p[1] != q[1]) continue;
+    snprintf(found, sizeof found, "the point (%.6g, %.6g) m twice in a row", p[0], p[1]);
+    case_doc_problem(&d->doc, line, path, found, "points that differ", "remove one");
+    return false;
+  }
+  if (geo_piece_simple(l, k, l->closed[k], &simple, at) != OK) {
+    d->doc.problems->out_of_memory = true;
+    return false;
+  }
+  if (simple) return true;
+  snprintf(found, sizeof found, "a %s that crosses or touches itself at (%.6g, %.6g) m", noun,
+           at[0], at[1]);
+  char allowed[64];
+  snprintf(allowed, sizeof allowed, "a %s that does not meet itself", noun);
+  case_doc_problem(&d->doc, line, path, found, allowed, "correct its points or their order");
+  return false;
+}
+
+/* The wall that makes the tank leaves a room between itself and the line from end to end. */
+static bool check_vessel(struct case_draft *d, size_t k) {
+  const struct geo_lines *w = &d->c->walls;
+  bool simple;
+  double at[2] = {0};
+  char path[CASE_PATH], found[128];
+  int line = item_line(d, d->at.tank, "walls", k);
+  snprintf(path, sizeof path, "tank.walls[%zu]", k);
+  if (geo_piece_simple(w, k, true, &simple, at) != OK) {
+    d->doc.problems->out_of_memory = true;
+    return false;
+  }
+  if (!simple) {
+    snprintf(found, sizeof found, "a wall that meets the line between its ends at (%.6g, %.6g) m",
+             at[0], at[1]);
+    case_doc_problem(&d->doc, line, path, found, "a wall that is open to one side",
+                     "extend its ends");
+    return false;
+  }
+  if (geo_piece_area(w, k) > 0) return true;
+  case_doc_problem(&d->doc, line, path, "a wall with the tank on its right",
+                   "water on the left: down the left side, along the bed, up the right side",
+                   "reverse the order of its points");
+  return false;
+}
+
+static void check_walls(struct case_draft *d) {
+  const struct geo_lines *w = &d->c->walls;
+  char path[CASE_PATH], found[96];
+  bool good = true;
+  for (size_t k = 0; k < w->pieces; k++) {
+    snprintf(path, sizeof path, "tank.walls[%zu]", k);
+    good &= check_piece(d, w, k, item_line(d, d->at.tank, "walls", k), path, "wall");
+  }
+  for (size_t k = 1; good && k < w->pieces; k++)
+    for (size_t j = 0; j < k; j++) {
+      bool cross;
+      if (geo_pieces_cross(w, j, k, &cross) != OK)
+        d->doc.problems->out_of_memory = true;
+      else if (cross) {
+        snprintf(path, sizeof path, "tank.walls[%zu]", k);
+        snprintf(found, sizeof found, "a wall that crosses or covers walls[%zu]", j);
+        case_doc_problem(&d->doc, item_line(d, d->at.tank, "walls", k), path, found,
+                         "walls that meet at their ends at most", "correct its points");
+        good = false;
+      }
+    }
+  size_t vessel = geo_lines_vessel(w);
+  if (good && vessel < w->pieces) good = check_vessel(d, vessel);
+  if (good && !(d->c->tank.max[0] > d->c->tank.min[0])) {
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.tank, "walls"), "tank.walls",
+                     "a tank without width", "walls that span some width", "add the bed");
+    good = false;
+  }
+  d->good.tank = good;
+}
+
+static void check_region_in_tank(struct case_draft *d, size_t k, int line, const char *path) {
+  const struct case_file *c = d->c;
+  double part = 0, at[2] = {0};
+  char found[128];
+  enum status status = geo_piece_outside(&c->water, k, &c->walls, &part, at);
+  if (status == OK && part > CASE_SAME * geo_piece_area(&c->water, k)) {
+    snprintf(found, sizeof found, "water outside the tank, at (%.6g, %.6g) m for one", at[0],
+             at[1]);
+    case_doc_problem(&d->doc, line, path, found, "regions inside tank.walls",
+                     "move the region or the walls");
+    return;
+  }
+  if (status == OK) status = geo_piece_crossed(&c->water, k, &c->walls, &part, at);
+  if (status != OK)
+    d->doc.problems->out_of_memory = true;
+  else if (part > CASE_SAME * case_tank_size(c)) {
+    snprintf(found, sizeof found, "a wall through the water, at (%.6g, %.6g) m for one", at[0],
+             at[1]);
+    case_doc_problem(&d->doc, line, path, found, "walls along the rim of a region at most",
+                     "move the region or the wall");
+  }
+}
+
+static void check_regions(struct case_draft *d) {
+  struct geo_lines *w = &d->c->water;
+  char path[CASE_PATH], found[128];
+  bool good = true;
+  for (size_t k = 0; k < w->pieces; k++) {
+    int line = item_line(d, d->at.water, "regions", k);
+    snprintf(path, sizeof path, "water.regions[%zu]", k);
+    if (!check_piece(d, w, k, line, path, "region")) {
+      good = false;
+      continue;
+    }
+    double area = geo_piece_area(w, k);
+    if (area < 0) geo_piece_reverse(w, k); /* either sense says the same water */
+    if (d->good.tank) check_region_in_tank(d, k, line, path);
+  }
+  for (size_t k = 1; good && k < w->pieces; k++)
+    for (size_t j = 0; j < k; j++) {
+      double area;
+      if (geo_pieces_overlap(w, j, k, &area) != OK)
+        d->doc.problems->out_of_memory = true;
+      else if (area > CASE_SAME * geo_piece_area(w, k)) {
+        snprintf(path, sizeof path, "water.regions[%zu]", k);
+        snprintf(found, sizeof found, "%.6g m^2 in common with regions[%zu]", area, j);
+        case_doc_problem(&d->doc, item_line(d, d->at.water, "regions", k), path, found,
+                         "regions that do not overlap", "join them or move one");
+        good = false;
+      }
+    }
+  d->good.water = good;
+}
+
+/* The released pressure is solved for between upright walls and a flat bed. */
+static void check_pressure(struct case_draft *d) {
+  const struct case_file *c = d->c;
+  if (c->pressure != CASE_PRESSURE_RELEASED || (!c->wave.kind && c->rectangular)) return;
+  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "pressure"),
+                   "water.pressure",
+                   c->wave.kind ? "'released' with a wave" : "'released' in another tank",
+                   "released for regions of water in a rectangular tank", "write hydrostatic");
+}
+
+static void check_wave(struct case_draft *d) {
+  const struct case_file *c = d->c;
+  int wave = case_doc_member(&d->doc, d->at.water, "wave");
+  double a = c->wave.amplitude, lambda = c->wave.wavelength, depth = c->wave.depth;
+  double length = c->tank.max[0] - c->tank.min[0], height = c->tank.max[1] - c->tank.min[1];
+  double halves = 2 * length / lambda;
+  char found[96], allowed[128];
+  int line = case_doc_member_line(&d->doc, wave, "amplitude");
+  /* Mercer & Roberts (Phys. Fluids A 4, 1992): the steepest standing wave in deep water is 0.2
+   * wavelengths high, trough to crest */
+  if (a > 0.1 * lambda || a > 0.5 * depth) {
+    snprintf(found, sizeof found, "an amplitude of %.6g m", a);
+    snprintf(allowed, sizeof allowed,
+             "up to a tenth of the wavelength and half the depth, here %.6g m",
+             fmin(0.1 * lambda, 0.5 * depth));
+    case_doc_problem(&d->doc, line, "water.wave.amplitude", found, allowed,
+                     "a steeper standing wave breaks at once");
+  }
+  if (!d->good.tank) return;
+  if (!c->rectangular) {
+    case_doc_problem(&d->doc, case_doc_line(&d->doc, wave), "water.wave",
+                     "a wave in a tank that is not rectangular",
+                     "one wall: down the left side, along a flat bed, up the right side",
+                     "change tank.walls or give water.regions");
+    return;
+  }
+  if (fabs(halves - round(halves)) > 1e-6 * halves || halves < 0.5) {
+    snprintf(found, sizeof found, "%.6g half wavelengths between the walls", halves);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, wave, "wavelength"),
+                     "water.wave.wavelength", found, "a whole number of them",
+                     "change the wavelength or the tank's length");
+  }
+  if (depth + a > height * (1 + CASE_SAME)) {
+    snprintf(found, sizeof found, "crests %.6g m above the bed", depth + a);
+    snprintf(allowed, sizeof allowed, "up to the walls' top, %.6g m", height);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, wave, "depth"), "water.wave.depth",
+                     found, allowed, "make the walls higher");
+  }
+  if (c->velocity[0] != 0 || c->velocity[1] != 0)
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "velocity"),
+                     "water.velocity", "a velocity with a wave", "a velocity of regions",
+                     "remove it: a standing wave starts at rest");
+}
+
+void case_check_geometry(struct case_draft *d) {
+  struct case_file *c = d->c;
+  size_t faults = d->doc.faults;
+  if (d->good.tank) check_walls(d);
+  if (d->good.tank) c->rectangular = is_rectangular(c);
+  if (d->good.water && c->wave.kind)
+    check_wave(d);
+  else if (d->good.water)
+    check_regions(d);
+  d->good.shapes = d->good.water && d->good.tank && d->doc.faults == faults;
+  if (d->good.water && d->good.tank) check_pressure(d);
+}

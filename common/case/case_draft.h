@@ -1,0 +1,80 @@
+/* A case while it is being read: what the reader, the checks and the overrides share. Internal. */
+#pragma once
+#include <stddef.h>
+
+#include "common/case/case_doc.h"
+
+struct case_draft {
+  struct case_doc doc;
+  struct case_file *c;
+  const struct registry *registry;
+  bool read_data; /* experiments are read from their files */
+  struct {        /* the nodes of the sections, 0 when absent */
+    int fluid, scales, tank, water, time, probes, gauges, runs, compare;
+  } at;
+  struct { /* sections read without a fault: what the checks may rely on */
+    bool scales, tank, water, time, probes, gauges, runs;
+    bool shapes; /* tank and water make sense together */
+  } good;
+};
+
+enum { CASE_MOST_ITEMS = 1000 }; /* runs, probes, times ... in one list */
+
+/* Table rows for a member of a struct that has the key's name. */
+#define ROWS(table) sizeof(table) / sizeof *(table)
+#define REAL(struct_, member, qty, lo, hi, def, text)                                              \
+  {                                                                                                \
+    .key = #member, .type = PARAM_REAL, .quantity = qty, .offset = offsetof(struct_, member),      \
+    .min = lo, .max = hi, .value = def, .help = text                                               \
+  }
+#define NODE(struct_, member, def, text)                                                           \
+  {                                                                                                \
+    .key = #member, .type = PARAM_NODE, .offset = offsetof(struct_, member), .value = def,         \
+    .help = text                                                                                   \
+  }
+#define TEXT(struct_, member, longest, def, text)                                                  \
+  {                                                                                                \
+    .key = #member, .type = PARAM_TEXT, .offset = offsetof(struct_, member), .max = longest,       \
+    .value = def, .help = text                                                                     \
+  }
+
+/* case_sections.c: every section but runs and compare. */
+enum status case_read_sections(struct case_draft *d);
+bool case_read_section(struct case_draft *d, int node, const char *path, const struct param *rows,
+                       size_t n, void *into);
+bool case_read_pair(struct case_doc *doc, int node, const char *path, const struct param *row,
+                    const char *what, double out[2]);
+bool case_read_point(struct case_doc *doc, int node, const char *path, double out[2]);
+enum status case_allocate(void **out, size_t n, size_t size); /* zeroed */
+
+/* case_runs.c: runs, then compare, which names them. */
+enum status case_read_runs(struct case_draft *d);
+enum status case_read_compare(struct case_draft *d);
+
+struct case_table { /* what `plunge list` shows of a section; a NULL name ends a list of them */
+  const char *name;
+  const struct param *params;
+  size_t n;
+};
+extern const struct case_table case_section_tables[], case_run_tables[];
+
+/* case_check.c: whether what was read makes sense together. */
+void case_check(struct case_draft *d);
+void case_check_tolerances(struct case_draft *d); /* their times are among compare.times */
+/* A time in the unit that the one at `node` is written in. */
+void case_time_words(struct case_draft *d, int node, double seconds, char out[64]);
+void case_check_averages(struct case_draft *d, double end, const char *what); /* s */
+void case_check_window(struct case_draft *d);
+double case_tank_size(const struct case_file *c); /* the longer side of the tank's box, m */
+
+/* Lengths, areas and times closer than this part of the whole are the same: decimal input and its
+ * rounding in "5.366 H" stay far below, and no particle or node resolves it. */
+extern const double CASE_SAME;
+
+/* case_check_geometry.c: tank and water; what fails is no longer good. */
+void case_check_geometry(struct case_draft *d);
+
+/* case_experiment.c: reads the data file of e, a path relative to the case file, into SI units.
+ * Adds problems; `line` and `path` are those of the key `file`. */
+enum status case_read_experiment(struct case_draft *d, struct case_experiment *e, const char *file,
+                                 int line, const char *path);

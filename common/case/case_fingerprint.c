@@ -1,0 +1,98 @@
+/* What a run's result depends on, as text with all digits, and a hash of it; and the same of what
+ * makes two results comparable, with as many digits as two ways of writing a length share. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "common/case/case_draft.h"
+#include "revision.h"
+
+static void write_lines(FILE *out, const char *name, const struct geo_lines *l) {
+  for (size_t k = 0; k < l->pieces; k++) {
+    fprintf(out, "%s %d", name, l->closed[k]);
+    for (size_t i = l->first[k]; i < l->first[k + 1]; i++)
+      fprintf(out, " %.17g %.17g", l->p[i][0], l->p[i][1]);
+    fputc('\n', out);
+  }
+}
+
+static void write_inputs(FILE *out, const struct case_file *c, const struct case_run *r) {
+  fprintf(out, "plunge %s %s\n", PLUNGE_VERSION, PLUNGE_REVISION);
+  fprintf(out, "fluid %.17g %.17g\nH %.17g\n", c->density, c->gravity, c->H);
+  write_lines(out, "wall", &c->walls);
+  write_lines(out, "water", &c->water);
+  fprintf(out, "velocity %.17g %.17g\npressure %d\n", c->velocity[0], c->velocity[1], c->pressure);
+  fprintf(out, "wave %d %.17g %.17g %.17g\n", c->wave.kind, c->wave.amplitude, c->wave.wavelength,
+          c->wave.depth);
+  fprintf(out, "time %.17g %.17g %.17g\n", c->end, c->every, c->sample);
+  for (size_t i = 0; i < c->n_probes; i++)
+    fprintf(out, "probe %s %.17g %.17g %.17g\n", c->probes[i].name, c->probes[i].x, c->probes[i].y,
+            c->probes[i].size);
+  for (size_t i = 0; i < c->n_gauges; i++)
+    fprintf(out, "gauge %s %.17g\n", c->gauges[i].name, c->gauges[i].x);
+  fprintf(out, "solver %s %.17g\n", r->solver->name, r->resolution);
+  params_write(out, r->solver->params, r->solver->n_params, r->options);
+}
+
+/* FNV-1a in 128 bits (Fowler, Noll, Vo; RFC 9923): a key for "is this the same run", no secret. */
+static void hash(const char *text, size_t n, char out[33]) {
+  __extension__ typedef unsigned __int128 wide;
+  const wide prime = ((wide)1 << 88) + 0x13b;
+  wide h = ((wide)0x6c62272e07bb0142 << 64) + 0x62b821756295c58d;
+  for (size_t i = 0; i < n; i++) h = (h ^ (unsigned char)text[i]) * prime;
+  snprintf(out, 33, "%016llx%016llx", (unsigned long long)(h >> 64), (unsigned long long)h);
+}
+
+/* To twelve digits: 3.2196 and 5.366 H differ in their last bit. Adding 0 makes -0 a 0. */
+static void write_rounded(FILE *out, const char *name, size_t n, const double *value) {
+  fputs(name, out);
+  for (size_t i = 0; i < n; i++) fprintf(out, " %.12g", value[i] + 0.0);
+  fputc('\n', out);
+}
+
+static void write_rounded_lines(FILE *out, const char *name, const struct geo_lines *l) {
+  for (size_t k = 0; k < l->pieces; k++) {
+    fprintf(out, "%s %d\n", name, l->closed[k]);
+    for (size_t i = l->first[k]; i < l->first[k + 1]; i++) write_rounded(out, "at", 2, l->p[i]);
+  }
+}
+
+/* A wave by its parameters: its outline is only as fine as this version draws it. */
+static void write_water(FILE *out, const struct case_file *c) {
+  const double scales[] = {c->density, c->gravity, c->H};
+  const double wave[] = {c->wave.amplitude, c->wave.wavelength, c->wave.depth};
+  write_rounded(out, "scales", 3, scales);
+  write_rounded_lines(out, "wall", &c->walls);
+  if (c->wave.kind) {
+    fprintf(out, "wave %d\n", c->wave.kind);
+    write_rounded(out, "form", 3, wave);
+    return;
+  }
+  write_rounded_lines(out, "water", &c->water);
+  write_rounded(out, "velocity", 2, c->velocity);
+  fprintf(out, "pressure %d\n", c->pressure);
+}
+
+/* `r` NULL: of the water alone. Without memory: a fingerprint that matches no file's. */
+static void fingerprint(const struct case_file *c, const struct case_run *r, char out[33]) {
+  char *text = NULL;
+  size_t n = 0;
+  FILE *stream = open_memstream(&text, &n);
+  if (stream) {
+    if (r)
+      write_inputs(stream, c, r);
+    else
+      write_water(stream, c);
+    fclose(stream);
+  }
+  out[0] = 0;
+  if (text) hash(text, n, out);
+  free(text);
+}
+
+void case_fingerprint(const struct case_file *c, const struct case_run *r, char out[33]) {
+  fingerprint(c, r, out);
+}
+
+void case_water_fingerprint(const struct case_file *c, char out[33]) {
+  fingerprint(c, NULL, out);
+}

@@ -1,0 +1,362 @@
+/* The sections of a case file, each one table of keys and a few lines that put the values in place.
+ */
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/case/case_draft.h"
+
+enum { MOST_POINTS = 20000 };
+enum { WAVE_POINTS = 256 }; /* of the initial outline, a wavelength */
+
+static const struct param coordinate = {
+    .type = PARAM_REAL, .quantity = QTY_LENGTH, .min = -1e6, .max = 1e6};
+
+bool case_read_pair(struct case_doc *doc, int node, const char *path, const struct param *row,
+                    const char *what, double out[2]) {
+  bool good = case_doc_expect_list(doc, node, path, 2, 2, what);
+  for (size_t k = 0; good && k < 2; k++) {
+    char item[CASE_PATH + 64];
+    snprintf(item, sizeof item, "%s[%zu]", path, k);
+    good = case_doc_value(doc, case_doc_item(doc, node, k), item, row, &out[k]);
+  }
+  return good;
+}
+
+bool case_read_point(struct case_doc *doc, int node, const char *path, double out[2]) {
+  return case_read_pair(doc, node, path, &coordinate, "lengths [x, y]", out);
+}
+
+/* A list of polylines. A wall whose last point is its first is closed; a region always is. */
+static enum status read_lines(struct case_doc *doc, int node, const char *path, size_t n_min,
+                              bool regions, struct geo_lines *out) {
+  geo_lines_clear(out);
+  if (!case_doc_expect_list(doc, node, path, 1, CASE_MOST_ITEMS,
+                            regions ? "regions, each a list of points"
+                                    : "walls, each a list of points"))
+    return OK;
+  for (size_t k = 0; k < case_doc_size(doc, node); k++) {
+    int piece = case_doc_item(doc, node, k);
+    char name[CASE_PATH], item[CASE_PATH + 32];
+    snprintf(name, sizeof name, "%s[%zu]", path, k);
+    if (!case_doc_expect_list(doc, piece, name, n_min, MOST_POINTS, "points [x, y]")) continue;
+    if (!case_doc_is_list(doc, case_doc_item(doc, piece, 0))) {
+      case_doc_problem(doc, case_doc_line(doc, piece), name, "a list without points",
+                       "a list of points [x, y]", "put one more pair of brackets round the points");
+      return OK;
+    }
+    size_t n = case_doc_size(doc, piece);
+    TRY(geo_lines_begin(out, regions));
+    for (size_t i = 0; i < n; i++) {
+      double p[2];
+      snprintf(item, sizeof item, "%s[%zu]", name, i);
+      if (case_read_point(doc, case_doc_item(doc, piece, i), item, p))
+        TRY(geo_lines_add(out, p[0], p[1]));
+    }
+    if (out->points > MOST_POINTS) {
+      char found[64];
+      snprintf(found, sizeof found, "more than %d points", MOST_POINTS);
+      case_doc_problem(doc, case_doc_line(doc, node), path, found,
+                       "as few points as tell the shape", "leave points out");
+      return OK;
+    }
+    size_t a = out->first[out->pieces - 1], b = out->points;
+    if (b > a + 2 && out->p[a][0] == out->p[b - 1][0] && out->p[a][1] == out->p[b - 1][1]) {
+      out->first[out->pieces] = --out->points;
+      out->closed[out->pieces - 1] = 1;
+    }
+  }
+  return OK;
+}
+
+/* ---- the sections ---- */
+
+static const struct param fluid_rows[] = {
+    REAL(struct case_file, density, QTY_DENSITY, PARAM_ABOVE_0, 1e6, "1000",
+         "density of the fluid"),
+    REAL(struct case_file, gravity, QTY_ACCELERATION, PARAM_ABOVE_0, 1e6, "9.81",
+         "acceleration of gravity, downwards"),
+};
+
+static const struct param scales_rows[] = {
+    REAL(struct case_file, H, QTY_LENGTH, PARAM_ABOVE_0, 1e6, "",
+         "scale of length; default: the height of the water above the bed"),
+};
+
+struct tank_section {
+  int walls;
+};
+static const struct param tank_rows[] = {
+    NODE(struct tank_section, walls, NULL, "a list of walls, each a list of points [x, y]"),
+};
+
+struct water_section {
+  int regions, wave, velocity, pressure;
+};
+static const char *const pressure_names[] = {"hydrostatic", "released", NULL};
+static const char *const pressure_helps[] = {
+    "that of the surface above each point",
+    "that just after the gate before the water has gone: zero on every face without a wall"};
+static const struct param water_rows[] = {
+    NODE(struct water_section, regions, "", "a list of regions, each a list of points [x, y]"),
+    NODE(struct water_section, wave, "", "a mapping with kind, amplitude, wavelength, depth"),
+    NODE(struct water_section, velocity, "", "a list of 2 velocities [u, v]"),
+    {.key = "pressure",
+     .type = PARAM_CHOICE,
+     .offset = offsetof(struct water_section, pressure),
+     .choices = pressure_names,
+     .value = "hydrostatic",
+     .help = "pressure at t = 0",
+     .helps = pressure_helps},
+};
+
+struct wave_section {
+  int kind;
+  double amplitude, wavelength, depth;
+};
+static const char *const wave_names[] = {"standing", NULL};
+static const struct param wave_rows[] = {
+    {.key = "kind",
+     .type = PARAM_CHOICE,
+     .offset = offsetof(struct wave_section, kind),
+     .choices = wave_names,
+     .value = "standing",
+     .help = "kind of wave"},
+    REAL(struct wave_section, amplitude, QTY_LENGTH, PARAM_ABOVE_0, 1e6, NULL,
+         "height of the crest above the water at rest"),
+    REAL(struct wave_section, wavelength, QTY_LENGTH, PARAM_ABOVE_0, 1e6, NULL, "wavelength"),
+    REAL(struct wave_section, depth, QTY_LENGTH, PARAM_ABOVE_0, 1e6, NULL,
+         "depth of the water at rest"),
+};
+
+static const struct param time_rows[] = {
+    REAL(struct case_file, end, QTY_TIME, PARAM_ABOVE_0, 1e9, NULL, "last output time"),
+    REAL(struct case_file, every, QTY_TIME, PARAM_ABOVE_0, 1e9, "",
+         "surfaces and particles are written at the multiples of it; default end/100"),
+    REAL(struct case_file, sample, QTY_TIME, PARAM_ABOVE_0, 1e9, "",
+         "energy, probes and gauges are written at the first step after each multiple of it; "
+         "default every/10"),
+};
+
+struct probe_section {
+  char *name;
+  double size;
+  int at;
+};
+static const struct param probe_rows[] = {
+    TEXT(struct probe_section, name, 64, NULL, "name of the series"),
+    NODE(struct probe_section, at, NULL, "a point [x, y] on a wall"),
+    REAL(struct probe_section, size, QTY_LENGTH, 0, 1e6, "0",
+         "length along the wall over which it averages; 0 is a point"),
+};
+
+static const struct param gauge_rows[] = {
+    TEXT(struct case_gauge, name, 64, NULL, "name of the series"),
+    REAL(struct case_gauge, x, QTY_LENGTH, -1e6, 1e6, NULL, "position of the vertical wire"),
+};
+
+bool case_read_section(struct case_draft *d, int node, const char *path, const struct param *rows,
+                       size_t n, void *into) {
+  struct case_block block = {rows, n, into};
+  int line = case_doc_line(&d->doc, case_doc_root(&d->doc));
+  return case_doc_read(&d->doc, node, path, line, 1, &block);
+}
+
+/* tank, water and time are required: when they are absent the top level has said so, and nothing is
+ * asked of what is in them. */
+static enum status read_tank(struct case_draft *d) {
+  struct tank_section s = {0};
+  size_t faults = d->doc.faults;
+  if (d->at.tank && case_read_section(d, d->at.tank, "tank", tank_rows, ROWS(tank_rows), &s))
+    TRY(read_lines(&d->doc, s.walls, "tank.walls", 2, false, &d->c->walls));
+  d->good.tank = d->at.tank && d->doc.faults == faults;
+  d->c->tank = geo_lines_box(&d->c->walls);
+  return OK;
+}
+
+static enum status read_water(struct case_draft *d) {
+  struct water_section s = {0};
+  struct wave_section w = {0};
+  struct case_file *c = d->c;
+  static const struct param speed = {
+      .type = PARAM_REAL, .quantity = QTY_VELOCITY, .min = -1e6, .max = 1e6};
+  size_t faults = d->doc.faults;
+  if (d->at.water && case_read_section(d, d->at.water, "water", water_rows, ROWS(water_rows), &s)) {
+    c->pressure = (enum case_pressure)s.pressure;
+    if (!s.regions == !s.wave)
+      case_doc_problem(&d->doc, case_doc_line(&d->doc, d->at.water), "water",
+                       s.wave ? "both regions and wave" : "neither regions nor wave",
+                       "either regions or wave", s.wave ? "remove one" : "add one");
+    else if (s.regions)
+      TRY(read_lines(&d->doc, s.regions, "water.regions", 3, true, &c->water));
+    else if (case_read_section(d, s.wave, "water.wave", wave_rows, ROWS(wave_rows), &w)) {
+      c->wave.kind = (enum case_wave)(CASE_WAVE_STANDING + w.kind);
+      c->wave.amplitude = w.amplitude;
+      c->wave.wavelength = w.wavelength;
+      c->wave.depth = w.depth;
+    }
+    if (s.velocity)
+      case_read_pair(&d->doc, s.velocity, "water.velocity", &speed, "velocities [u, v]",
+                     c->velocity);
+  }
+  d->good.water = d->at.water && d->doc.faults == faults;
+  return OK;
+}
+
+/* Without scales.H, H is the height of the water: known when no length there is in units of H. */
+static enum status find_H(struct case_draft *d) {
+  struct problems unheard = {0}, *told = d->doc.problems;
+  struct case_doc *doc = &d->doc;
+  size_t faults = doc->faults;
+  d->doc.problems = &unheard;
+  enum status status = read_tank(d);
+  if (status == OK) status = read_water(d);
+  if (doc->faults == faults && d->c->wave.kind) {
+    d->c->H = d->c->wave.depth;
+  } else if (doc->faults == faults) {
+    d->c->H = geo_lines_box(&d->c->water).max[1] - d->c->tank.min[1];
+  }
+  bool missed = doc->H_missed;
+  problems_destroy(&unheard);
+  doc->problems = told;
+  doc->faults = faults;
+  doc->H_missed = false;
+  if (!(d->c->H > 0)) { /* the sections themselves say why when they are read again */
+    d->c->H = missed ? NAN : 1;
+    d->good.scales = false;
+  }
+  return status;
+}
+
+static void read_time(struct case_draft *d) {
+  struct case_file *c = d->c;
+  d->good.time =
+      d->at.time && case_read_section(d, d->at.time, "time", time_rows, ROWS(time_rows), c);
+  if (!d->good.time) return;
+  if (c->every == 0) c->every = c->end / 100;
+  if (c->sample == 0) c->sample = c->every / 10;
+}
+
+enum status case_allocate(void **out, size_t n, size_t size) {
+  *out = calloc(n ? n : 1, size ? size : 1);
+  CHECK(*out, ERR_MEMORY, "no memory for %zu entries of the case", n);
+  return OK;
+}
+
+static enum status read_probes(struct case_draft *d) {
+  struct case_doc *doc = &d->doc;
+  size_t faults = doc->faults, n = case_doc_size(doc, d->at.probes);
+  if (!d->at.probes ||
+      !case_doc_expect_list(doc, d->at.probes, "probes", 0, CASE_MOST_ITEMS, "probes"))
+    n = 0;
+  TRY(case_allocate((void **)&d->c->probes, n, sizeof *d->c->probes));
+  for (size_t i = 0; i < n; i++) {
+    struct case_probe *probe = &d->c->probes[d->c->n_probes++];
+    struct probe_section s = {0};
+    double at[2] = {0};
+    char path[CASE_PATH], at_path[CASE_PATH + 8];
+    int node = case_doc_item(doc, d->at.probes, i);
+    case_doc_item_path(doc, "probes", node, i, path);
+    if (case_read_section(d, node, path, probe_rows, ROWS(probe_rows), &s)) {
+      snprintf(at_path, sizeof at_path, "%s.at", path);
+      case_read_point(doc, s.at, at_path, at);
+    }
+    *probe = (struct case_probe){s.name, at[0], at[1], s.size};
+  }
+  d->good.probes = doc->faults == faults;
+  return OK;
+}
+
+static enum status read_gauges(struct case_draft *d) {
+  struct case_doc *doc = &d->doc;
+  size_t faults = doc->faults, n = case_doc_size(doc, d->at.gauges);
+  if (!d->at.gauges ||
+      !case_doc_expect_list(doc, d->at.gauges, "gauges", 0, CASE_MOST_ITEMS, "gauges"))
+    n = 0;
+  TRY(case_allocate((void **)&d->c->gauges, n, sizeof *d->c->gauges));
+  for (size_t i = 0; i < n; i++) {
+    char path[CASE_PATH];
+    int node = case_doc_item(doc, d->at.gauges, i);
+    case_doc_item_path(doc, "gauges", node, i, path);
+    case_read_section(d, node, path, gauge_rows, ROWS(gauge_rows), &d->c->gauges[d->c->n_gauges++]);
+  }
+  d->good.gauges = doc->faults == faults;
+  return OK;
+}
+
+/* The water at t = 0 under a standing wave at its highest: eta = a cos(k x) from the left wall. */
+static enum status draw_wave(struct case_file *c) {
+  double left = c->tank.min[0], bed = c->tank.min[1], length = c->tank.max[0] - left;
+  double k = 2 * M_PI / c->wave.wavelength;
+  size_t n = (size_t)ceil(fmin(length / c->wave.wavelength, 64) * WAVE_POINTS);
+  geo_lines_clear(&c->water);
+  TRY(geo_lines_begin(&c->water, true));
+  TRY(geo_lines_add(&c->water, left, bed));
+  TRY(geo_lines_add(&c->water, c->tank.max[0], bed));
+  for (size_t i = n + 1; i-- > 0;) {
+    double x = length * (double)i / (double)n;
+    TRY(geo_lines_add(&c->water, left + x, bed + c->wave.depth + c->wave.amplitude * cos(k * x)));
+  }
+  return OK;
+}
+
+static const struct param top_rows[] = {
+    TEXT(struct case_file, title, 200, "", "title of the report"),
+};
+
+const struct case_table case_section_tables[] = {
+    {"(top level)", top_rows, ROWS(top_rows)},
+    {"fluid", fluid_rows, ROWS(fluid_rows)},
+    {"scales", scales_rows, ROWS(scales_rows)},
+    {"tank", tank_rows, ROWS(tank_rows)},
+    {"water", water_rows, ROWS(water_rows)},
+    {"water.wave", wave_rows, ROWS(wave_rows)},
+    {"time", time_rows, ROWS(time_rows)},
+    {"probes (a list)", probe_rows, ROWS(probe_rows)},
+    {"gauges (a list)", gauge_rows, ROWS(gauge_rows)},
+    {0},
+};
+
+enum status case_read_sections(struct case_draft *d) {
+#define SECTION(name, def, text)                                                                   \
+  {                                                                                                \
+    .key = #name, .type = PARAM_NODE, .offset = offsetof(struct case_draft, at.name),              \
+    .value = def, .help = text                                                                     \
+  }
+  static const struct param section_rows[] = {
+      SECTION(fluid, "", "a mapping with density, gravity"),
+      SECTION(scales, "", "a mapping with H"),
+      SECTION(tank, NULL, "a mapping with walls"),
+      SECTION(water, NULL, "a mapping with regions or wave"),
+      SECTION(time, NULL, "a mapping with end, every, sample"),
+      SECTION(probes, "", "a list of probes"),
+      SECTION(gauges, "", "a list of gauges"),
+      SECTION(runs, NULL, "a list of runs"),
+      SECTION(compare, "",
+              "a mapping with reference, times, window, tolerances, averages, experiments"),
+  };
+  struct case_file *c = d->c;
+  struct case_doc *doc = &d->doc;
+  int root = case_doc_root(doc);
+  struct case_block top[] = {{top_rows, ROWS(top_rows), c}, {section_rows, ROWS(section_rows), d}};
+  case_doc_read(doc, root, "", case_doc_line(doc, root), 2, top);
+  if (!case_doc_is_mapping(doc, root)) return OK; /* said just now; the rest would only repeat it */
+
+  if (!case_read_section(d, d->at.fluid, "fluid", fluid_rows, ROWS(fluid_rows), c) &&
+      !(c->gravity > 0))
+    c->gravity = 9.81; /* the fault is noted; this one keeps units meaningful for what follows */
+  doc->scales.g = c->gravity;
+  d->good.scales = case_read_section(d, d->at.scales, "scales", scales_rows, ROWS(scales_rows), c);
+  if (!d->good.scales && !(c->H > 0)) c->H = 1; /* likewise */
+  if (!(c->H > 0)) TRY(find_H(d));
+  doc->scales.H = c->H;
+
+  TRY(read_tank(d));
+  TRY(read_water(d));
+  if (d->good.tank && d->good.water && c->wave.kind) TRY(draw_wave(c));
+  read_time(d);
+  TRY(read_probes(d));
+  TRY(read_gauges(d));
+  return OK;
+}

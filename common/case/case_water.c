@@ -1,0 +1,39 @@
+/* How much water a case holds, and the energy of that water at rest. */
+#include <math.h>
+
+#include "common/base/geometry_check.h"
+#include "common/case/case.h"
+
+double case_water_area(const struct case_file *c) {
+  double area = 0;
+  if (c->wave.kind) /* the crests fill the troughs in a whole number of half waves */
+    return c->wave.depth * (c->tank.max[0] - c->tank.min[0]);
+  for (size_t k = 0; k < c->water.pieces; k++) area += geo_piece_area(&c->water, k);
+  return area;
+}
+
+/* In a box without a lid, from y = bed upwards. */
+static double box_potential(const struct case_file *c, double area) {
+  double width = c->tank.max[0] - c->tank.min[0], bed = c->tank.min[1], level = bed + area / width;
+  return c->density * c->gravity * width * (level * level - bed * bed) / 2;
+}
+
+double case_rest_potential(const struct case_file *c) {
+  double wanted = case_water_area(c), low = c->tank.min[1], high = c->tank.max[1];
+  double area = 0, centre[2] = {0, 0};
+  if (c->rectangular) return box_potential(c, wanted);
+  if (geo_area_below(&c->walls, high, &area, centre) != OK) return NAN;
+  if (area < wanted)
+    return box_potential(c, wanted); /* the walls bound no room, or one too small */
+  /* any other tank: the level by bisection, to the last digits that an area has */
+  for (int i = 0; i < 60 && high - low > 1e-15 * fabs(high); i++) {
+    double level = (low + high) / 2;
+    if (geo_area_below(&c->walls, level, &area, centre) != OK) return NAN;
+    if (area < wanted)
+      low = level;
+    else
+      high = level;
+  }
+  if (geo_area_below(&c->walls, high, &area, centre) != OK) return NAN;
+  return c->density * c->gravity * wanted * centre[1];
+}

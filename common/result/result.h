@@ -1,0 +1,157 @@
+/* The result file (HDF5): the contract between solvers, comparator and users. The layout is
+ * described in docs/result-file.md. SI units; every dataset has an attribute `units`. */
+#pragma once
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "common/base/geometry.h"
+#include "common/base/status.h"
+#include "common/case/case.h"
+
+/* ---- writing ---- */
+
+struct result;
+
+/* What is known of energy at one output, J per metre of width. The budget that must close:
+ * kinetic + potential + internal + viscosity + diffusion + walls + removed = their sum at t = 0. */
+#define RESULT_ENERGY(X)                                                                           \
+  X(kinetic, "kinetic energy")                                                                     \
+  X(potential, "potential energy, y from 0")                                                       \
+  X(internal, "elastic energy of the weakly compressible fluid")                                   \
+  X(total, "kinetic + potential + internal")                                                       \
+  X(viscosity, "energy taken out so far by artificial viscosity; by filter and smoothing (bem)")   \
+  X(diffusion, "energy taken out so far by density diffusion")                                     \
+  X(walls, "energy given to walls so far (zero for fixed walls in exact arithmetic)")              \
+  X(removed, "energy of water taken out of the computation so far")
+
+struct result_energy {
+  double time; /* s */
+#define X(name, help) double name;
+  RESULT_ENERGY(X)
+#undef X
+};
+
+struct result_step {     /* one row of /series/run */
+  double time, dt;       /* s */
+  double evaluations;    /* of the right-hand side so far */
+  double wall_time;      /* s, of the clock on the wall, so far */
+  double volume;         /* m^2 */
+  double removed_volume; /* m^2, taken out of the computation so far */
+};
+
+struct result_field {
+  const char *name, *units, *help;
+  const double *a, *b; /* [n]; b is NULL for a scalar, else the y component of a vector */
+};
+
+enum result_cells { RESULT_VERTICES, RESULT_LINE }; /* loose particles, or one polyline */
+
+/* Creates (truncates) the file with its header, the case text, walls, experiments and empty series,
+ * and the .xdmf beside it. ERR_IO with what to do. */
+enum status result_create(const char *path, const struct case_file *c, const struct case_run *r,
+                          struct result **out);
+
+/* Append one output. result_flush ends an output time: what came before it survives a kill. Each of
+ * these refuses beforehand, with ERR_IO, when the disk has no room, and leaves earlier outputs
+ * readable. */
+enum status result_points(struct result *w, double time, size_t n, const double *x, const double *y,
+                          enum result_cells cells, size_t n_fields,
+                          const struct result_field *fields); /* same fields at every output */
+enum status result_surface(struct result *w, double time, const struct geo_lines *surface);
+enum status result_energy(struct result *w, const struct result_energy *row);
+enum status result_step(struct result *w, const struct result_step *row);
+enum status result_probe(struct result *w, size_t probe, double time, double pressure);  /* Pa */
+enum status result_gauge(struct result *w, size_t gauge, double time, double elevation); /* m */
+enum status result_event(struct result *w, const char *name, double time, double x, double y);
+enum status result_statistic(struct result *w, const char *name, double value, const char *units,
+                             const char *help);
+enum status result_flush(struct result *w);
+
+/* The potential energy (J/m) of the solver's own water at rest, where that is not the
+ * incompressible water of the case (case_rest_potential, which result_create writes). */
+enum status result_rest(struct result *w, double potential);
+
+/* Says in one sentence why the run ended before the end of its case: a failure, a stop, or an event
+ * beyond which the solver cannot go (the touchdown of a jet). Kept with the next flush. */
+enum status result_ended(struct result *w, const char *why);
+
+/* Judges the run by what was written so far (common/result/health.h) and keeps that with the next
+ * flush. `broke_off`: why the run failed, "" when it did not. */
+struct health;
+enum status result_health(struct result *w, const char *broke_off, struct health *h);
+
+enum status result_finish(struct result *w); /* marks the file complete */
+void result_destroy(struct result *w);       /* closes it, complete or not; NULL is fine */
+
+/* ---- reading ---- */
+
+struct result_series {
+  char *name, *units;
+  double x, y, size; /* of a probe or gauge, m */
+  size_t n;
+  double *t, *value; /* [n] */
+};
+
+struct result_event_read {
+  char *name;
+  double time, x, y;
+};
+
+struct result_statistic_read {
+  char *name, *help;
+  double value;
+};
+
+/* Everything but the particles, in memory. A child process reads it: what is added here is also
+ * handed over in result_carry.c. */
+struct result_file {
+  char *path, *solver, *run, *title, *version, *revision, *case_text, *fingerprint;
+  char *water_fingerprint; /* case_water_fingerprint of its case; "" in files of before it */
+  char *created;           /* UTC, 2026-11-22T19:24:21Z */
+  char *ended;  /* why it ended before the end of its case, one sentence; "" when it did not */
+  char *health; /* verdict when it ended: sound, doubtful or failed; "" before that, or older */
+  bool complete;
+  double H, g, density, spacing; /* m, m s^-2, kg m^-3, m */
+  double rest_potential;         /* J/m */
+  struct geo_lines walls;
+
+  size_t n_surfaces;
+  double *surface_time;
+  struct geo_lines *surface; /* [n_surfaces] */
+
+  size_t n_energy;
+  struct result_energy *energy; /* [n_energy] */
+  size_t n_steps;
+  struct result_step *steps; /* [n_steps] */
+
+  size_t n_probes, n_gauges, n_events, n_experiments, n_statistics;
+  struct result_series *probes, *gauges;
+  struct result_event_read *events;
+  struct case_experiment *experiments;
+  struct result_statistic_read *statistics;
+  size_t n_outputs; /* of points */
+  double *output_time;
+  int64_t *output_points; /* how many, [n_outputs] */
+  size_t n_fields;
+  char **fields; /* names for result_read_points and others (vectors), [n_fields] */
+};
+
+/* ERR_INPUT with one sentence when the file is missing, truncated, damaged or not a result file. */
+enum status result_read(const char *path, struct result_file **out);
+void result_file_destroy(struct result_file *f);
+
+struct result_cloud {
+  size_t n;
+  double (*p)[2]; /* m, [n] */
+  double *value;  /* [n] */
+};
+
+/* The points of some outputs and one scalar field of theirs, for which the file is opened and
+ * checked once. `cloud` [n] is the caller's to free, and empty after a failure. */
+enum status result_read_points(const char *path, const char *field, size_t n, const size_t *output,
+                               struct result_cloud *cloud);
+void result_cloud_free(struct result_cloud *cloud);
+
+/* Whether `path` is a finished result with this fingerprint (never raises). */
+bool result_is_current(const char *path, const char *fingerprint);

@@ -1,0 +1,112 @@
+#include "common/result/result_carry.h"
+
+#include <string.h>
+
+#include "common/result/result_layout.h"
+
+/* `n` numbers where another array has said how many. */
+static enum status carry_same(struct carrier *c, size_t n, void **array, size_t size) {
+  size_t count = n;
+  TRY(carry_array(c, &count, array, size));
+  CHECK(count == n, ERR_INPUT, "an array has %zu elements where %zu are needed", count, n);
+  return OK;
+}
+
+/* A text that must be there: whoever prints it later does not ask. */
+static enum status carry_word(struct carrier *c, char **text) {
+  TRY(carry_text(c, text));
+  CHECK(*text, ERR_INPUT, "a text is missing");
+  return OK;
+}
+
+static enum status carry_lines(struct carrier *c, void *element) {
+  struct geo_lines *l = element;
+  TRY(carry_array(c, &l->pieces, (void **)&l->closed, sizeof *l->closed));
+  TRY(carry_array(c, &l->points, (void **)&l->p, sizeof *l->p));
+  size_t n = l->first ? l->pieces + 1 : 0; /* nothing has begun where there is no piece */
+  TRY(carry_array(c, &n, (void **)&l->first, sizeof *l->first));
+  if (c->sending) return OK;
+  l->piece_room = l->pieces;
+  l->point_room = l->points;
+  bool good = n == l->pieces + 1 || (n == 0 && l->pieces == 0);
+  for (size_t k = 0; good && k < n; k++)
+    good = k == 0 ? l->first[0] == 0 : l->first[k] >= l->first[k - 1];
+  CHECK(good && l->first[n ? n - 1 : 0] == l->points, ERR_INPUT, "a line is inconsistent");
+  return OK;
+}
+
+static enum status carry_series(struct carrier *c, void *element) {
+  struct result_series *s = element;
+  TRY(carry_word(c, &s->name));
+  TRY(carry_word(c, &s->units));
+  TRY(carry_bytes(c, &s->x, sizeof s->x));
+  TRY(carry_bytes(c, &s->y, sizeof s->y));
+  TRY(carry_bytes(c, &s->size, sizeof s->size));
+  TRY(carry_array(c, &s->n, (void **)&s->t, sizeof *s->t));
+  return carry_same(c, s->n, (void **)&s->value, sizeof *s->value);
+}
+
+static enum status carry_event(struct carrier *c, void *element) {
+  struct result_event_read *e = element;
+  TRY(carry_word(c, &e->name));
+  TRY(carry_bytes(c, &e->time, sizeof e->time));
+  TRY(carry_bytes(c, &e->x, sizeof e->x));
+  return carry_bytes(c, &e->y, sizeof e->y);
+}
+
+static enum status carry_experiment(struct carrier *c, void *element) {
+  struct case_experiment *e = element;
+  TRY(carry_word(c, &e->label));
+  TRY(carry_word(c, &e->source));
+  TRY(carry_word(c, &e->target));
+  TRY(carry_array(c, &e->n, (void **)&e->t, sizeof *e->t));
+  return carry_same(c, e->n, (void **)&e->value, sizeof *e->value);
+}
+
+static enum status carry_statistic(struct carrier *c, void *element) {
+  struct result_statistic_read *s = element;
+  TRY(carry_word(c, &s->name));
+  TRY(carry_word(c, &s->help));
+  return carry_bytes(c, &s->value, sizeof s->value);
+}
+
+static enum status carry_field(struct carrier *c, void *element) {
+  return carry_word(c, element);
+}
+
+static enum status carry_header(struct carrier *c, struct result_file *f) {
+  char **text[] = {&f->solver,   &f->run,       &f->title,       &f->version,
+                   &f->revision, &f->case_text, &f->fingerprint, &f->water_fingerprint,
+                   &f->created,  &f->ended,     &f->health};
+  for (size_t i = 0; i < sizeof text / sizeof *text; i++) TRY(carry_word(c, text[i]));
+  size_t complete = f->complete;
+  TRY(carry_number(c, &complete));
+  f->complete = complete == 1;
+  for (int i = 0; i < RESULT_SCALES; i++)
+    TRY(carry_bytes(c, (char *)f + result_scales[i].offset, sizeof(double)));
+  return OK;
+}
+
+static enum status carry_tables(struct carrier *c, struct result_file *f) {
+  TRY(carry_array(c, &f->n_energy, (void **)&f->energy, sizeof *f->energy));
+  TRY(carry_array(c, &f->n_steps, (void **)&f->steps, sizeof *f->steps));
+  TRY(carry_each(c, &f->n_probes, (void **)&f->probes, sizeof *f->probes, carry_series));
+  TRY(carry_each(c, &f->n_gauges, (void **)&f->gauges, sizeof *f->gauges, carry_series));
+  TRY(carry_each(c, &f->n_events, (void **)&f->events, sizeof *f->events, carry_event));
+  TRY(carry_each(c, &f->n_experiments, (void **)&f->experiments, sizeof *f->experiments,
+                 carry_experiment));
+  return carry_each(c, &f->n_statistics, (void **)&f->statistics, sizeof *f->statistics,
+                    carry_statistic);
+}
+
+enum status result_carry(struct carrier *c, void *file) {
+  struct result_file *f = file;
+  TRY(carry_header(c, f));
+  TRY(carry_lines(c, &f->walls));
+  TRY(carry_each(c, &f->n_surfaces, (void **)&f->surface, sizeof *f->surface, carry_lines));
+  TRY(carry_same(c, f->n_surfaces, (void **)&f->surface_time, sizeof *f->surface_time));
+  TRY(carry_tables(c, f));
+  TRY(carry_array(c, &f->n_outputs, (void **)&f->output_time, sizeof *f->output_time));
+  TRY(carry_same(c, f->n_outputs, (void **)&f->output_points, sizeof *f->output_points));
+  return carry_each(c, &f->n_fields, (void **)&f->fields, sizeof *f->fields, carry_field);
+}

@@ -1,0 +1,23 @@
+#include "common/result/result_layout.h"
+
+const struct result_column result_energy_columns[RESULT_ENERGY_COLUMNS] = {
+    {"time", "s", "physical time"},
+#define X(name, help) {#name, "J/m", help " per metre of width"},
+    RESULT_ENERGY(X)
+#undef X
+};
+
+const struct result_column result_step_columns[RESULT_STEP_COLUMNS] = {
+#define X(name, units, help) {#name, units, help},
+    RESULT_STEP(X)
+#undef X
+};
+
+const struct result_scale result_scales[RESULT_SCALES] = {
+    {"H", "m", "scale of length", offsetof(struct result_file, H)},
+    {"g", "m/s^2", "gravity, downwards", offsetof(struct result_file, g)},
+    {"density", "kg/m^3", "density of the water at rest", offsetof(struct result_file, density)},
+    {"spacing", "m", "particle or node spacing", offsetof(struct result_file, spacing)},
+    {"rest_potential", "J/m", "potential energy of the same water at rest in the tank",
+     offsetof(struct result_file, rest_potential)},
+};

@@ -1,0 +1,511 @@
+#include <hdf5.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/result/result.h"
+#include "common/result/result_carry.h"
+#include "common/result/result_hdf.h"
+#include "common/result/result_layout.h"
+#include "common/result/result_open.h"
+
+/* ---- parts ---- */
+
+static enum status check_times(const char *what, size_t n, const double *t) {
+  for (size_t i = 0; i < n; i++)
+    CHECK(isfinite(t[i]) && (i == 0 || t[i] >= t[i - 1]), ERR_INPUT,
+          "its times of %s do not increase at row %zu (%g s)", what, i, t[i]);
+  return OK;
+}
+
+/* `first` must rise from 0 to `end`. */
+static enum status check_offsets(const char *what, size_t n, const size_t *first, size_t end) {
+  bool good = n >= 1 && first[0] == 0 && first[n - 1] == end;
+  for (size_t i = 1; good && i < n; i++) good = first[i] >= first[i - 1];
+  CHECK(good, ERR_INPUT, "its dataset %s is inconsistent", what);
+  return OK;
+}
+
+static enum status check_points(const char *what, size_t n, double (*p)[2]) {
+  for (size_t i = 0; i < n; i++)
+    CHECK(isfinite(p[i][0]) && isfinite(p[i][1]), ERR_INPUT,
+          "its dataset %s is not finite at row %zu", what, i);
+  return OK;
+}
+
+static enum status read_walls(hid_t file, struct geo_lines *walls) {
+  hid_t group = -1;
+  size_t n = 0;
+  enum status status = OK;
+  ATTEMPT(hdf_open_group(file, "walls", &group));
+  ATTEMPT(hdf_get_all(group, "points", H5T_NATIVE_DOUBLE, 2, &walls->points, (void **)&walls->p));
+  ATTEMPT(
+      hdf_get_all(group, "closed", H5T_NATIVE_UCHAR, 0, &walls->pieces, (void **)&walls->closed));
+  ATTEMPT(hdf_get_all(group, "first_point", H5T_NATIVE_HSIZE, 0, &n, (void **)&walls->first));
+  walls->piece_room = walls->pieces;
+  walls->point_room = walls->points;
+  if (n != walls->pieces + 1) {
+    status = status_raise(ERR_INPUT, "its dataset /walls/first_point is inconsistent");
+    goto done;
+  }
+  ATTEMPT(check_offsets("/walls/first_point", n, walls->first, walls->points));
+  ATTEMPT(check_points("/walls/points", walls->points, walls->p));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+/* Pieces [a, b) of the file's arrays as one container. */
+static enum status cut_surface(const size_t *first_point, const unsigned char *closed,
+                               double (*points)[2], size_t a, size_t b, struct geo_lines *out) {
+  for (size_t k = a; k < b; k++) {
+    TRY(geo_lines_begin(out, closed[k] != 0));
+    for (size_t i = first_point[k]; i < first_point[k + 1]; i++)
+      TRY(geo_lines_add(out, points[i][0], points[i][1]));
+  }
+  return OK;
+}
+
+static enum status read_surface(hid_t file, struct result_file *f) {
+  hid_t group = -1;
+  size_t n_time = 0, n_piece = 0, n_first_point = 0, pieces = 0, points = 0;
+  size_t *first_piece = NULL, *first_point = NULL;
+  unsigned char *closed = NULL;
+  double(*p)[2] = NULL;
+  enum status status = OK;
+  ATTEMPT(hdf_open_group(file, "surface", &group));
+  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &n_time, (void **)&f->surface_time));
+  ATTEMPT(hdf_get_all(group, "first_piece", H5T_NATIVE_HSIZE, 0, &n_piece, (void **)&first_piece));
+  ATTEMPT(hdf_get_all(group, "first_point", H5T_NATIVE_HSIZE, 0, &n_first_point,
+                      (void **)&first_point));
+  ATTEMPT(hdf_get_all(group, "closed", H5T_NATIVE_UCHAR, 0, &pieces, (void **)&closed));
+  ATTEMPT(hdf_get_all(group, "points", H5T_NATIVE_DOUBLE, 2, &points, (void **)&p));
+  if (n_piece != n_time + 1 || n_first_point != pieces + 1) {
+    status =
+        status_raise(ERR_INPUT, "its datasets in /surface have lengths that do not fit together");
+    goto done;
+  }
+  ATTEMPT(check_times("/surface", n_time, f->surface_time));
+  ATTEMPT(check_offsets("/surface/first_piece", n_piece, first_piece, pieces));
+  ATTEMPT(check_offsets("/surface/first_point", n_first_point, first_point, points));
+  ATTEMPT(check_points("/surface/points", points, p));
+  f->surface = calloc(n_time + 1, sizeof *f->surface);
+  if (!f->surface) {
+    status = status_raise(ERR_MEMORY, "no memory for %zu surfaces", n_time);
+    goto done;
+  }
+  f->n_surfaces = n_time;
+  for (size_t k = 0; k < n_time; k++)
+    ATTEMPT(
+        cut_surface(first_point, closed, p, first_piece[k], first_piece[k + 1], &f->surface[k]));
+done:
+  free(first_piece);
+  free(first_point);
+  free(closed);
+  free(p);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+/* Columns of one length, gathered into rows. */
+static enum status read_table(hid_t file, const char *name, size_t n_columns,
+                              const struct result_column *columns, size_t *n, void **out) {
+  hid_t group = -1;
+  enum status status = OK;
+  double *column = NULL, *rows = NULL;
+  ATTEMPT(hdf_open_group(file, name, &group));
+  for (size_t k = 0; k < n_columns; k++) {
+    size_t length = 0;
+    ATTEMPT(hdf_get_all(group, columns[k].name, H5T_NATIVE_DOUBLE, 0, &length, (void **)&column));
+    if (k == 0) {
+      ATTEMPT(check_times(name, length, column));
+      *n = length;
+      *out = rows = malloc((length * n_columns + 1) * sizeof *rows);
+      if (!rows) {
+        status = status_raise(ERR_MEMORY, "no memory for %zu rows", length);
+        goto done;
+      }
+    }
+    if (length != *n) {
+      status = status_raise(ERR_INPUT, "its series %s has columns of different lengths", name);
+      goto done;
+    }
+    for (size_t i = 0; i < length; i++) rows[i * n_columns + k] = column[i];
+    free(column);
+    column = NULL;
+  }
+done:
+  free(column);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status read_series(hid_t parent, const char *link, const char *value, const char *units,
+                               struct result_series *s) {
+  hid_t group = -1;
+  enum status status = OK;
+  size_t n_values = 0;
+  s->y = s->size = NAN;
+  s->units = strdup(units);
+  CHECK(s->units, ERR_MEMORY, "no memory for a unit");
+  ATTEMPT(hdf_open_group(parent, link, &group));
+  ATTEMPT(hdf_get_string(group, "name", &s->name));
+  ATTEMPT(hdf_get_number(group, "x", &s->x));
+  if (H5Aexists(group, "y") > 0) ATTEMPT(hdf_get_number(group, "y", &s->y));
+  if (H5Aexists(group, "size") > 0) ATTEMPT(hdf_get_number(group, "size", &s->size));
+  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &s->n, (void **)&s->t));
+  ATTEMPT(hdf_get_all(group, value, H5T_NATIVE_DOUBLE, 0, &n_values, (void **)&s->value));
+  ATTEMPT(check_times(link, s->n, s->t));
+  if (n_values != s->n)
+    status = status_raise(ERR_INPUT, "its series %s has columns of different lengths", link);
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status read_probe(hid_t parent, const char *link, void *element) {
+  return read_series(parent, link, "pressure", "Pa", element);
+}
+
+static enum status read_gauge(hid_t parent, const char *link, void *element) {
+  return read_series(parent, link, "elevation", "m", element);
+}
+
+static enum status read_event(hid_t parent, const char *link, void *element) {
+  struct result_event_read *e = element;
+  hid_t group = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_open_group(parent, link, &group));
+  ATTEMPT(hdf_get_string(group, "name", &e->name));
+  ATTEMPT(hdf_get_scalar(group, "time", H5T_NATIVE_DOUBLE, &e->time));
+  ATTEMPT(hdf_get_scalar(group, "x", H5T_NATIVE_DOUBLE, &e->x));
+  ATTEMPT(hdf_get_scalar(group, "y", H5T_NATIVE_DOUBLE, &e->y));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status read_experiment(hid_t parent, const char *link, void *element) {
+  struct case_experiment *e = element;
+  hid_t group = -1;
+  enum status status = OK;
+  size_t n_values = 0;
+  ATTEMPT(hdf_open_group(parent, link, &group));
+  ATTEMPT(hdf_get_string(group, "label", &e->label));
+  ATTEMPT(hdf_get_string(group, "source", &e->source));
+  ATTEMPT(hdf_get_string(group, "target", &e->target));
+  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &e->n, (void **)&e->t));
+  ATTEMPT(hdf_get_all(group, "value", H5T_NATIVE_DOUBLE, 0, &n_values, (void **)&e->value));
+  ATTEMPT(check_times(link, e->n, e->t));
+  if (n_values != e->n)
+    status = status_raise(ERR_INPUT, "its %s has columns of different lengths", link);
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status read_statistic(hid_t group, const char *link, void *element) {
+  struct result_statistic_read *s = element;
+  TRY(hdf_get_scalar(group, link, H5T_NATIVE_DOUBLE, &s->value));
+  s->name = strdup(link);
+  CHECK(s->name, ERR_MEMORY, "no memory for a name");
+  hid_t set = H5Dopen2(group, link, H5P_DEFAULT);
+  enum status status = hdf_get_string(set, "description", &s->help);
+  H5Dclose(set);
+  return status;
+}
+
+/* Reads every member of the group at `path` into one zeroed element of `size` bytes. */
+static enum status read_members(hid_t file, const char *path, size_t size,
+                                enum status (*read)(hid_t group, const char *link, void *element),
+                                size_t *n, void **array) {
+  hid_t group = -1;
+  size_t n_links = 0;
+  char **links = NULL;
+  enum status status = OK;
+  ATTEMPT(hdf_open_group(file, path, &group));
+  ATTEMPT(hdf_list(group, &n_links, &links));
+  *array = calloc(n_links + 1, size);
+  if (!*array) {
+    status = status_raise(ERR_MEMORY, "no memory for %zu members of %s", n_links, path);
+    goto done;
+  }
+  while (*n < n_links) {
+    size_t i = (*n)++; /* counted first: what is half read is freed as well */
+    ATTEMPT(read(group, links[i], (char *)*array + i * size));
+  }
+done:
+  hdf_list_destroy(n_links, links);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+/* An attribute that older files lack; "" then. */
+static enum status read_optional(hid_t file, const char *name, char **value) {
+  if (H5Aexists(file, name) > 0) return hdf_get_string(file, name, value);
+  *value = strdup("");
+  CHECK(*value, ERR_MEMORY, "no memory for a result");
+  return OK;
+}
+
+static enum status read_health(hid_t file, char **verdict) {
+  hid_t group = file; /* the root has no attribute of that name */
+  if (hdf_has(file, "health")) TRY(hdf_open_group(file, "health", &group));
+  enum status status = read_optional(group, "verdict", verdict);
+  if (group != file) H5Gclose(group);
+  return status;
+}
+
+static enum status read_header(hid_t file, struct result_file *f) {
+  int64_t complete = 0;
+  TRY(hdf_get_string(file, "solver", &f->solver));
+  TRY(hdf_get_string(file, "run", &f->run));
+  TRY(hdf_get_string(file, "title", &f->title));
+  TRY(read_optional(file, "ended", &f->ended));
+  TRY(read_optional(file, "water", &f->water_fingerprint));
+  TRY(read_health(file, &f->health));
+  TRY(hdf_get_string(file, "version", &f->version));
+  TRY(hdf_get_string(file, "revision", &f->revision));
+  TRY(hdf_get_string(file, "fingerprint", &f->fingerprint));
+  TRY(hdf_get_string(file, "created", &f->created));
+  TRY(hdf_get_text(file, "case", &f->case_text));
+  TRY(hdf_get_integer(file, "complete", &complete));
+  f->complete = complete == 1;
+  for (int i = 0; i < RESULT_SCALES; i++) {
+    double *value = (double *)((char *)f + result_scales[i].offset);
+    TRY(hdf_get_number(file, result_scales[i].name, value));
+    CHECK(isfinite(*value) && *value > 0, ERR_INPUT, "its attribute %s is %g; it must be positive",
+          result_scales[i].name, *value);
+  }
+  return OK;
+}
+
+static enum status read_outputs(hid_t file, struct result_file *f) {
+  size_t n = 0;
+  hid_t data = -1;
+  if (!hdf_has(file, "VTKHDF")) return OK;
+  TRY(hdf_get_all(file, "VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE, 0, &f->n_outputs,
+                  (void **)&f->output_time));
+  TRY(check_times("/VTKHDF", f->n_outputs, f->output_time));
+  TRY(hdf_get_all(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, &n,
+                  (void **)&f->output_points));
+  bool good = n == f->n_outputs;
+  for (size_t k = 0; good && k < n; k++) good = f->output_points[k] >= 0;
+  CHECK(good, ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
+  TRY(hdf_open_group(file, "VTKHDF/PointData", &data));
+  enum status status = hdf_list(data, &f->n_fields, &f->fields);
+  H5Gclose(data);
+  return status;
+}
+
+static enum status read_all(hid_t file, struct result_file *f) {
+  TRY(read_header(file, f));
+  TRY(read_walls(file, &f->walls));
+  TRY(read_surface(file, f));
+  TRY(read_table(file, "/series/energy", RESULT_ENERGY_COLUMNS, result_energy_columns, &f->n_energy,
+                 (void **)&f->energy));
+  TRY(read_table(file, "/series/run", RESULT_STEP_COLUMNS, result_step_columns, &f->n_steps,
+                 (void **)&f->steps));
+  TRY(read_members(file, "series/probes", sizeof *f->probes, read_probe, &f->n_probes,
+                   (void **)&f->probes));
+  TRY(read_members(file, "series/gauges", sizeof *f->gauges, read_gauge, &f->n_gauges,
+                   (void **)&f->gauges));
+  TRY(read_members(file, "events", sizeof *f->events, read_event, &f->n_events,
+                   (void **)&f->events));
+  TRY(read_members(file, "experiments", sizeof *f->experiments, read_experiment, &f->n_experiments,
+                   (void **)&f->experiments));
+  TRY(read_members(file, "statistics", sizeof *f->statistics, read_statistic, &f->n_statistics,
+                   (void **)&f->statistics));
+  return read_outputs(file, f);
+}
+
+/* ---- the public functions ---- */
+
+enum status result_read_all(hid_t file, struct result_file *f) {
+  enum status status = read_all(file, f);
+  return status == OK ? OK : status_context(status, "%s is not a usable result: ", f->path);
+}
+
+static enum status read_file(const hid_t *file, void *data) {
+  return result_read_all(*file, data);
+}
+
+enum status result_read(const char *path, struct result_file **out) {
+  *out = NULL;
+  struct result_file *f = calloc(1, sizeof *f);
+  CHECK(f, ERR_MEMORY, "no memory to read %s", path);
+  f->path = strdup(path);
+  enum status status = f->path
+                           ? result_read_safely(&(struct result_request){
+                                 1, {path}, .data = f, .read = read_file, .carry = result_carry})
+                           : status_raise(ERR_MEMORY, "no memory to read %s", path);
+  if (status == OK)
+    *out = f;
+  else
+    result_file_destroy(f);
+  return status;
+}
+
+static void series_destroy(size_t n, struct result_series *s) {
+  for (size_t i = 0; i < n; i++) {
+    free(s[i].name);
+    free(s[i].units);
+    free(s[i].t);
+    free(s[i].value);
+  }
+  free(s);
+}
+
+void result_file_destroy(struct result_file *f) {
+  if (!f) return;
+  free(f->path);
+  free(f->solver);
+  free(f->run);
+  free(f->title);
+  free(f->version);
+  free(f->revision);
+  free(f->case_text);
+  free(f->fingerprint);
+  free(f->created);
+  free(f->water_fingerprint);
+  free(f->ended);
+  free(f->health);
+  geo_lines_destroy(&f->walls);
+  for (size_t i = 0; i < f->n_surfaces; i++) geo_lines_destroy(&f->surface[i]);
+  free(f->surface);
+  free(f->surface_time);
+  free(f->energy);
+  free(f->steps);
+  series_destroy(f->n_probes, f->probes);
+  series_destroy(f->n_gauges, f->gauges);
+  for (size_t i = 0; i < f->n_events; i++) free(f->events[i].name);
+  free(f->events);
+  for (size_t i = 0; i < f->n_experiments; i++) {
+    free(f->experiments[i].label);
+    free(f->experiments[i].source);
+    free(f->experiments[i].target);
+    free(f->experiments[i].t);
+    free(f->experiments[i].value);
+  }
+  free(f->experiments);
+  for (size_t i = 0; i < f->n_statistics; i++) {
+    free(f->statistics[i].name);
+    free(f->statistics[i].help);
+  }
+  free(f->statistics);
+  free(f->output_time);
+  free(f->output_points);
+  hdf_list_destroy(f->n_fields, f->fields);
+  free(f);
+}
+
+struct points_request {
+  const char *path, *field;
+  size_t n;
+  const size_t *output;       /* [n] */
+  struct result_cloud *cloud; /* [n] */
+};
+
+static enum status read_points(hid_t file, const char *field, size_t output,
+                               struct result_cloud *q) {
+  int64_t *first = NULL, *count = NULL;
+  double(*xyz)[3] = NULL;
+  hid_t data = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/Steps/PointOffsets", H5T_NATIVE_INT64, 0, output, 1,
+                       (void **)&first));
+  ATTEMPT(
+      hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, output, 1, (void **)&count));
+  if (*first < 0 || *count < 0) {
+    status = status_raise(ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
+    goto done;
+  }
+  q->n = (size_t)*count;
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first, q->n,
+                       (void **)&xyz));
+  ATTEMPT(hdf_open_group(file, "VTKHDF/PointData", &data));
+  ATTEMPT(
+      hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, 0, (hsize_t)*first, q->n, (void **)&q->value));
+  q->p = malloc((q->n + 1) * sizeof *q->p);
+  if (!q->p) {
+    status = status_raise(ERR_MEMORY, "no memory for %zu points", q->n);
+    goto done;
+  }
+  for (size_t i = 0; i < q->n; i++) {
+    q->p[i][0] = xyz[i][0];
+    q->p[i][1] = xyz[i][1];
+  }
+done:
+  free(first);
+  free(count);
+  free(xyz);
+  if (data >= 0) H5Gclose(data);
+  return status;
+}
+
+static enum status read_points_file(const hid_t *file, void *data) {
+  struct points_request *q = data;
+  for (size_t k = 0; k < q->n; k++) {
+    enum status status = read_points(*file, q->field, q->output[k], &q->cloud[k]);
+    if (status != OK) return status_context(status, "%s, output %zu: ", q->path, q->output[k]);
+  }
+  return OK;
+}
+
+static enum status carry_points(struct carrier *c, void *data) {
+  struct points_request *q = data;
+  for (size_t k = 0; k < q->n; k++) {
+    struct result_cloud *cloud = &q->cloud[k];
+    size_t n = cloud->n;
+    TRY(carry_array(c, &cloud->n, (void **)&cloud->p, sizeof *cloud->p));
+    TRY(carry_array(c, &n, (void **)&cloud->value, sizeof *cloud->value));
+    CHECK(n == cloud->n, ERR_INPUT, "%s, output %zu, is inconsistent", q->path, q->output[k]);
+  }
+  return OK;
+}
+
+void result_cloud_free(struct result_cloud *cloud) {
+  free(cloud->p);
+  free(cloud->value);
+  *cloud = (struct result_cloud){0};
+}
+
+enum status result_read_points(const char *path, const char *field, size_t n, const size_t *output,
+                               struct result_cloud *cloud) {
+  struct points_request q = {path, field, n, output, cloud};
+  for (size_t k = 0; k < n; k++) cloud[k] = (struct result_cloud){0};
+  enum status status = result_read_safely(&(struct result_request){
+      1, {path}, .data = &q, .read = read_points_file, .carry = carry_points});
+  for (size_t k = 0; k < n && status != OK; k++) result_cloud_free(&cloud[k]);
+  return status;
+}
+
+struct current_request {
+  const char *fingerprint;
+  bool current;
+};
+
+static enum status read_current(const hid_t *file, void *data) {
+  struct current_request *q = data;
+  char *found = NULL;
+  int64_t complete = 0;
+  q->current = hdf_get_integer(*file, "complete", &complete) == OK && complete == 1 &&
+               hdf_get_string(*file, "fingerprint", &found) == OK && !strcmp(found, q->fingerprint);
+  free(found);
+  return OK;
+}
+
+static enum status carry_current(struct carrier *c, void *data) {
+  struct current_request *q = data;
+  size_t current = q->current;
+  TRY(carry_number(c, &current));
+  q->current = current == 1;
+  return OK;
+}
+
+bool result_is_current(const char *path, const char *fingerprint) {
+  struct current_request q = {.fingerprint = fingerprint};
+  return result_read_safely(&(struct result_request){
+             1, {path}, .data = &q, .read = read_current, .carry = carry_current}) == OK &&
+         q.current;
+}

@@ -1,0 +1,526 @@
+#include <hdf5.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "common/case/case.h"
+#include "common/result/health.h"
+#include "common/result/result.h"
+#include "common/result/result_hdf.h"
+#include "common/result/result_layout.h"
+#include "common/result/result_store.h"
+#include "common/result/result_vtkhdf.h"
+#include "common/result/result_xdmf.h"
+#include "revision.h"
+
+enum { SERIES_ROWS = 1024, SURFACE_ROWS = 4096 }; /* of a chunk */
+
+/* Columns of equal length. Rows wait in memory until the next flush. */
+struct series {
+  size_t n_columns;
+  struct hdf_column column[RESULT_ENERGY_COLUMNS];
+  size_t n, room;
+  double *rows; /* [room][n_columns], owned */
+};
+_Static_assert(RESULT_STEP_COLUMNS <= RESULT_ENERGY_COLUMNS, "a series holds either");
+
+struct result {
+  char *path;
+  struct result_store *store;
+  struct xdmf *xdmf;
+  hid_t file, events, statistics;
+  struct {
+    struct hdf_column time, first_piece, first_point, closed, points;
+  } surface;
+  struct series energy, steps;
+  size_t n_probes, n_gauges;
+  struct series *probes, *gauges; /* [n_probes], [n_gauges], owned */
+  struct health_watch watch;      /* over what is written */
+  struct vtkhdf *points;          /* from the first output on */
+  bool broken;                    /* a write into memory failed: what is there is not committed */
+  bool finished;
+};
+
+/* ---- series ---- */
+
+static enum status series_create(struct series *s, hid_t group, size_t n,
+                                 const struct result_column *columns) {
+  for (s->n_columns = 0; s->n_columns < n; s->n_columns++)
+    TRY(hdf_column_create(group, columns[s->n_columns].name, H5T_NATIVE_DOUBLE, 0, SERIES_ROWS,
+                          columns[s->n_columns].units, columns[s->n_columns].help,
+                          &s->column[s->n_columns]));
+  return OK;
+}
+
+static enum status series_add(struct series *s, const double *row) {
+  if (s->n == s->room) {
+    size_t room = 2 * s->room + 64;
+    double *rows = realloc(s->rows, room * s->n_columns * sizeof *rows);
+    CHECK(rows, ERR_MEMORY, "no memory for %zu rows of a series", room);
+    s->rows = rows;
+    s->room = room;
+  }
+  memcpy(s->rows + s->n++ * s->n_columns, row, s->n_columns * sizeof *row);
+  return OK;
+}
+
+static enum status series_flush(struct series *s) {
+  if (!s->n) return OK;
+  double *column = malloc(s->n * sizeof *column);
+  CHECK(column, ERR_MEMORY, "no memory for %zu rows of a series", s->n);
+  enum status status = OK;
+  for (size_t k = 0; k < s->n_columns && status == OK; k++) {
+    for (size_t i = 0; i < s->n; i++) column[i] = s->rows[i * s->n_columns + k];
+    status = hdf_column_append(&s->column[k], s->n, column);
+  }
+  free(column);
+  s->n = 0;
+  return status;
+}
+
+static void series_destroy(struct series *s) {
+  for (size_t k = 0; k < s->n_columns; k++) hdf_column_close(&s->column[k]);
+  free(s->rows);
+}
+
+/* ---- the header: what is known before the run ---- */
+
+static enum status write_attributes(hid_t file, const struct case_file *c,
+                                    const struct case_run *r) {
+  char fingerprint[33], water[33], created[32];
+  case_fingerprint(c, r, fingerprint);
+  case_water_fingerprint(c, water);
+  time_t now = time(NULL);
+  strftime(created, sizeof created, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
+  const char *const text[][2] = {{"format", RESULT_FORMAT},
+                                 {"solver", r->solver->name},
+                                 {"run", r->name},
+                                 {"title", c->title},
+                                 {"version", PLUNGE_VERSION},
+                                 {"revision", PLUNGE_REVISION},
+                                 {"fingerprint", fingerprint},
+                                 {"water", water},
+                                 {"created", created}};
+  for (size_t i = 0; i < sizeof text / sizeof *text; i++)
+    TRY(hdf_set_string(file, text[i][0], text[i][1]));
+  TRY(hdf_set_integers(file, "format_version", 1, (int64_t[]){RESULT_FORMAT_VERSION}));
+  TRY(hdf_set_integers(file, "complete", 1, (int64_t[]){0}));
+  struct result_file scales = {.H = c->H,
+                               .g = c->gravity,
+                               .density = c->density,
+                               .spacing = c->H / r->resolution,
+                               .rest_potential = case_rest_potential(c)};
+  for (int i = 0; i < RESULT_SCALES; i++)
+    TRY(hdf_set_number(file, result_scales[i].name,
+                       *(double *)((char *)&scales + result_scales[i].offset)));
+  return OK;
+}
+
+static enum status write_parameter(hid_t group, const struct param *p, const void *options) {
+  static const char *const units[] = {
+      [QTY_NUMBER] = "1",     [QTY_LENGTH] = "m",       [QTY_TIME] = "s",
+      [QTY_VELOCITY] = "m/s", [QTY_DENSITY] = "kg/m^3", [QTY_ACCELERATION] = "m/s^2"};
+  const char *at = (const char *)options + p->offset;
+  switch (p->type) {
+  case PARAM_REAL:
+    return hdf_put_scalar(group, p->key, H5T_NATIVE_DOUBLE, at, units[p->quantity], p->help);
+  case PARAM_INT:
+    return hdf_put_scalar(group, p->key, H5T_NATIVE_INT, at, "1", p->help);
+  case PARAM_BOOL: {
+    int value = *(const bool *)at;
+    return hdf_put_scalar(group, p->key, H5T_NATIVE_INT, &value, "1", p->help);
+  }
+  case PARAM_CHOICE:
+    return hdf_put_string(group, p->key, p->choices[*(const int *)at], p->help);
+  case PARAM_TEXT: {
+    const char *text = *(char *const *)at;
+    return hdf_put_string(group, p->key, text ? text : "", p->help);
+  }
+  case PARAM_NODE:
+    return OK; /* stands in the case text */
+  }
+  return OK;
+}
+
+static enum status write_parameters(hid_t file, const struct case_run *r) {
+  hid_t group = -1;
+  enum status status = hdf_group_create(file, "parameters", &group);
+  if (status == OK)
+    status = hdf_put_scalar(group, "resolution", H5T_NATIVE_DOUBLE, &r->resolution, "1",
+                            "scale of length H over the particle or node spacing");
+  for (size_t i = 0; i < r->solver->n_params && status == OK; i++)
+    status = write_parameter(group, &r->solver->params[i], r->options);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status write_walls(hid_t file, const struct geo_lines *walls) {
+  static const size_t none = 0;
+  hid_t group = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_group_create(file, "walls", &group));
+  ATTEMPT(hdf_put(group, "first_point", H5T_NATIVE_HSIZE, walls->pieces + 1, 0,
+                  walls->first ? walls->first : &none, "1",
+                  "first row of points of each piece, and the end of the last"));
+  ATTEMPT(hdf_put(group, "closed", H5T_NATIVE_UCHAR, walls->pieces, 0, walls->closed, "1",
+                  "1 where the last point of a piece joins its first"));
+  ATTEMPT(hdf_put(group, "points", H5T_NATIVE_DOUBLE, walls->points, 2, walls->p, "m",
+                  "x, y; the water lies on the left"));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+/* Pressure at a probe, else lengths: see the units of experiments in the case file. */
+static const char *experiment_units(const struct case_file *c, const char *target) {
+  for (size_t i = 0; i < c->n_probes; i++)
+    if (!strcmp(c->probes[i].name, target)) return "Pa";
+  return "m";
+}
+
+static enum status write_experiment(hid_t parent, size_t number, const struct case_file *c,
+                                    const struct case_experiment *e) {
+  char name[32];
+  snprintf(name, sizeof name, "experiment_%zu", number);
+  hid_t group = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_group_create(parent, name, &group));
+  ATTEMPT(hdf_set_string(group, "label", e->label ? e->label : ""));
+  ATTEMPT(hdf_set_string(group, "source", e->source ? e->source : ""));
+  ATTEMPT(hdf_set_string(group, "target", e->target));
+  ATTEMPT(hdf_put(group, "time", H5T_NATIVE_DOUBLE, e->n, 0, e->t, "s", "time"));
+  ATTEMPT(hdf_put(group, "value", H5T_NATIVE_DOUBLE, e->n, 0, e->value,
+                  experiment_units(c, e->target), "measured value, in the units of its target"));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status write_experiments(hid_t file, const struct case_file *c) {
+  hid_t group = -1;
+  enum status status = hdf_group_create(file, "experiments", &group);
+  for (size_t i = 0; i < c->compare.n_experiments && status == OK; i++)
+    status = write_experiment(group, i + 1, c, &c->compare.experiments[i]);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+/* ---- the empty datasets that the run fills ---- */
+
+/* A link's name cannot hold a slash; the attribute `name` is exact. */
+static enum status named_group(hid_t parent, const char *name, hid_t *group) {
+  char link[strlen(name) + 16];
+  strcpy(link, name);
+  for (char *p = link; *p; p++)
+    if (*p == '/') *p = '_';
+  size_t length = strlen(link);
+  for (int k = 2; H5Lexists(parent, link, H5P_DEFAULT) > 0 && k < 10000; k++)
+    sprintf(link + length, "_%d", k);
+  TRY(hdf_group_create(parent, link, group));
+  return hdf_set_string(*group, "name", name);
+}
+
+static enum status create_probe(hid_t parent, const struct case_probe *p, struct series *s) {
+  static const struct result_column columns[] = {{"time", "s", "physical time"},
+                                                 {"pressure", "Pa", "gauge pressure on the wall"}};
+  hid_t group = -1;
+  enum status status = OK;
+  ATTEMPT(named_group(parent, p->name, &group));
+  ATTEMPT(hdf_set_number(group, "x", p->x));
+  ATTEMPT(hdf_set_number(group, "y", p->y));
+  ATTEMPT(hdf_set_number(group, "size", p->size));
+  ATTEMPT(series_create(s, group, 2, columns));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status create_gauge(hid_t parent, const struct case_gauge *g, struct series *s) {
+  static const struct result_column columns[] = {
+      {"time", "s", "physical time"}, {"elevation", "m", "y of the top of the water on the bed"}};
+  hid_t group = -1;
+  enum status status = OK;
+  ATTEMPT(named_group(parent, g->name, &group));
+  ATTEMPT(hdf_set_number(group, "x", g->x));
+  ATTEMPT(series_create(s, group, 2, columns));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status create_columns(hid_t parent, const char *name, size_t n,
+                                  const struct result_column *columns, struct series *s) {
+  hid_t group = -1;
+  TRY(hdf_group_create(parent, name, &group));
+  enum status status = series_create(s, group, n, columns);
+  H5Gclose(group);
+  return status;
+}
+
+static enum status create_series(struct result *w, const struct case_file *c) {
+  hid_t series = -1, probes = -1, gauges = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_group_create(w->file, "series", &series));
+  ATTEMPT(
+      create_columns(series, "energy", RESULT_ENERGY_COLUMNS, result_energy_columns, &w->energy));
+  ATTEMPT(create_columns(series, "run", RESULT_STEP_COLUMNS, result_step_columns, &w->steps));
+  ATTEMPT(hdf_group_create(series, "probes", &probes));
+  for (size_t i = 0; i < w->n_probes; i++)
+    ATTEMPT(create_probe(probes, &c->probes[i], &w->probes[i]));
+  ATTEMPT(hdf_group_create(series, "gauges", &gauges));
+  for (size_t i = 0; i < w->n_gauges; i++)
+    ATTEMPT(create_gauge(gauges, &c->gauges[i], &w->gauges[i]));
+done:
+  if (gauges >= 0) H5Gclose(gauges);
+  if (probes >= 0) H5Gclose(probes);
+  if (series >= 0) H5Gclose(series);
+  return status;
+}
+
+static enum status create_surface(struct result *w) {
+  static const size_t zero = 0;
+  hid_t group = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_group_create(w->file, "surface", &group));
+  ATTEMPT(hdf_column_create(group, "time", H5T_NATIVE_DOUBLE, 0, SERIES_ROWS, "s",
+                            "time of each surface", &w->surface.time));
+  ATTEMPT(hdf_column_create(group, "first_piece", H5T_NATIVE_HSIZE, 0, SERIES_ROWS, "1",
+                            "first piece of each surface, and the end of the last",
+                            &w->surface.first_piece));
+  ATTEMPT(hdf_column_create(group, "first_point", H5T_NATIVE_HSIZE, 0, SERIES_ROWS, "1",
+                            "first row of points of each piece, and the end of the last",
+                            &w->surface.first_point));
+  ATTEMPT(hdf_column_create(group, "closed", H5T_NATIVE_UCHAR, 0, SERIES_ROWS, "1",
+                            "1 where the last point of a piece joins its first",
+                            &w->surface.closed));
+  ATTEMPT(hdf_column_create(group, "points", H5T_NATIVE_DOUBLE, 2, SURFACE_ROWS, "m",
+                            "x, y; the water lies on the right", &w->surface.points));
+  ATTEMPT(hdf_column_append(&w->surface.first_piece, 1, &zero));
+  ATTEMPT(hdf_column_append(&w->surface.first_point, 1, &zero));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status create_content(struct result *w, const struct case_file *c,
+                                  const struct case_run *r) {
+  TRY(write_attributes(w->file, c, r));
+  TRY(hdf_put_string(w->file, "case", c->text, "the case file as run, with overrides applied"));
+  TRY(write_parameters(w->file, r));
+  TRY(write_walls(w->file, &c->walls));
+  TRY(write_experiments(w->file, c));
+  TRY(create_surface(w));
+  TRY(create_series(w, c));
+  TRY(hdf_group_create(w->file, "events", &w->events));
+  return hdf_group_create(w->file, "statistics", &w->statistics);
+}
+
+enum status result_create(const char *path, const struct case_file *c, const struct case_run *r,
+                          struct result **out) {
+  enum status status = OK;
+  hdf_quiet();
+  struct result *w = *out = calloc(1, sizeof *w);
+  CHECK(w, ERR_MEMORY, "no memory to write %s", path);
+  w->file = w->events = w->statistics = -1;
+  w->broken = true; /* until the header is complete */
+  w->path = strdup(path);
+  w->probes = calloc(c->n_probes + 1, sizeof *w->probes);
+  w->gauges = calloc(c->n_gauges + 1, sizeof *w->gauges);
+  if (!w->path || !w->probes || !w->gauges) {
+    status = status_raise(ERR_MEMORY, "no memory to write %s", path);
+    goto done;
+  }
+  w->n_probes = c->n_probes;
+  w->n_gauges = c->n_gauges;
+  health_watch_begin(&w->watch, case_rest_potential(c),
+                     c->density * c->gravity * c->H * c->H * c->H);
+  ATTEMPT(result_store_create(path, &w->store));
+  ATTEMPT(result_store_open(w->store, &w->file));
+  ATTEMPT(create_content(w, c, r));
+  w->broken = false;
+  ATTEMPT(result_flush(w));
+  ATTEMPT(xdmf_create(path, &w->xdmf));
+done:
+  if (status != OK) {
+    w->broken = true;
+    result_destroy(w);
+    *out = NULL;
+  }
+  return status;
+}
+
+/* ---- appending ---- */
+
+/* A write that fails half-way leaves datasets of different lengths in memory, so nothing after the
+ * last flush may reach the disk. */
+static enum status guard(struct result *w, enum status status) {
+  if (status == OK) return OK;
+  w->broken = true;
+  return status_context(status, "%s: ", w->path);
+}
+
+static enum status append_points(struct result *w, double time, size_t n, const double *x,
+                                 const double *y, enum result_cells cells, size_t n_fields,
+                                 const struct result_field *fields) {
+  size_t first;
+  if (!w->points) TRY(vtkhdf_create(w->file, cells, n_fields, fields, &w->points));
+  TRY(vtkhdf_step(w->points, time, n, x, y, fields, &first));
+  return xdmf_step(w->xdmf, time, first, n, cells, n_fields, fields);
+}
+
+enum status result_points(struct result *w, double time, size_t n, const double *x, const double *y,
+                          enum result_cells cells, size_t n_fields,
+                          const struct result_field *fields) {
+  return guard(w, append_points(w, time, n, x, y, cells, n_fields, fields));
+}
+
+static enum status append_surface(struct result *w, double time, const struct geo_lines *surface) {
+  size_t n_pieces = (size_t)w->surface.closed.n, n_points = (size_t)w->surface.points.n;
+  TRY(hdf_column_append(&w->surface.points, surface->points, surface->p));
+  TRY(hdf_column_append(&w->surface.closed, surface->pieces, surface->closed));
+  for (size_t k = 0; k < surface->pieces; k++) {
+    size_t end = n_points + surface->first[k + 1];
+    TRY(hdf_column_append(&w->surface.first_point, 1, &end));
+  }
+  size_t end = n_pieces + surface->pieces;
+  TRY(hdf_column_append(&w->surface.first_piece, 1, &end));
+  return hdf_column_append(&w->surface.time, 1, &time);
+}
+
+enum status result_surface(struct result *w, double time, const struct geo_lines *surface) {
+  return guard(w, append_surface(w, time, surface));
+}
+
+enum status result_energy(struct result *w, const struct result_energy *row) {
+  health_watch_energy(&w->watch, row);
+  return guard(w, series_add(&w->energy, &row->time));
+}
+
+enum status result_step(struct result *w, const struct result_step *row) {
+  health_watch_step(&w->watch, row);
+  return guard(w, series_add(&w->steps, &row->time));
+}
+
+enum status result_probe(struct result *w, size_t probe, double time, double pressure) {
+  return guard(w, series_add(&w->probes[probe], (double[]){time, pressure}));
+}
+
+enum status result_gauge(struct result *w, size_t gauge, double time, double elevation) {
+  return guard(w, series_add(&w->gauges[gauge], (double[]){time, elevation}));
+}
+
+static enum status add_event(struct result *w, const char *name, double time, double x, double y) {
+  hid_t group = -1;
+  enum status status = OK;
+  ATTEMPT(named_group(w->events, name, &group));
+  ATTEMPT(hdf_put_scalar(group, "time", H5T_NATIVE_DOUBLE, &time, "s", "when it happened"));
+  ATTEMPT(hdf_put_scalar(group, "x", H5T_NATIVE_DOUBLE, &x, "m", "where it happened"));
+  ATTEMPT(hdf_put_scalar(group, "y", H5T_NATIVE_DOUBLE, &y, "m", "where it happened"));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+enum status result_event(struct result *w, const char *name, double time, double x, double y) {
+  return guard(w, add_event(w, name, time, x, y));
+}
+
+enum status result_statistic(struct result *w, const char *name, double value, const char *units,
+                             const char *help) {
+  health_watch_statistic(&w->watch, name, value);
+  if (hdf_has(w->statistics, name)) H5Ldelete(w->statistics, name, H5P_DEFAULT);
+  return guard(w, hdf_put_scalar(w->statistics, name, H5T_NATIVE_DOUBLE, &value, units, help));
+}
+
+enum status result_rest(struct result *w, double potential) {
+  w->watch.rest = potential;
+  return guard(w, hdf_set_number(w->file, "rest_potential", potential));
+}
+
+enum status result_ended(struct result *w, const char *why) {
+  return guard(w, hdf_set_string(w->file, "ended", why));
+}
+
+/* ---- health ---- */
+
+static enum status write_measure(hid_t group, const struct health_measure *m, double value) {
+  char help[256];
+  snprintf(help, sizeof help, "%s; doubtful above %g, failed above %g", m->help, m->doubtful,
+           m->failed);
+  return hdf_put_scalar(group, m->name, H5T_NATIVE_DOUBLE, &value, "1", help);
+}
+
+static enum status write_health(struct result *w, const struct health *h) {
+  hid_t group = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_group_create(w->file, "health", &group));
+  ATTEMPT(hdf_set_string(group, "verdict", health_verdicts[h->verdict]));
+  ATTEMPT(hdf_set_string(group, "reasons", h->reasons));
+  for (size_t k = 0; k < HEALTH_N; k++)
+    if (isfinite(h->value[k])) ATTEMPT(write_measure(group, &health_measures[k], h->value[k]));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+enum status result_health(struct result *w, const char *broke_off, struct health *h) {
+  health_judge(&w->watch, broke_off, h);
+  return guard(w, write_health(w, h));
+}
+
+/* ---- flushing ---- */
+
+static enum status flush_series(struct result *w) {
+  TRY(series_flush(&w->energy));
+  TRY(series_flush(&w->steps));
+  for (size_t i = 0; i < w->n_probes; i++) TRY(series_flush(&w->probes[i]));
+  for (size_t i = 0; i < w->n_gauges; i++) TRY(series_flush(&w->gauges[i]));
+  return H5Fflush(w->file, H5F_SCOPE_LOCAL) >= 0 ? OK : hdf_raise(ERR_IO, "cannot flush");
+}
+
+static enum status flush(struct result *w, bool last) {
+  CHECK(!w->broken, ERR_IO, "%s keeps only what was flushed before an earlier failure", w->path);
+  TRY(guard(w, flush_series(w)));
+  TRY(result_store_commit(w->store, last));
+  return w->xdmf ? xdmf_write(w->xdmf, last) : OK; /* after the data that it points to */
+}
+
+enum status result_flush(struct result *w) {
+  return flush(w, false);
+}
+
+enum status result_finish(struct result *w) {
+  TRY(guard(w, hdf_set_integers(w->file, "complete", 1, (int64_t[]){1})));
+  TRY(flush(w, true));
+  w->finished = true;
+  return OK;
+}
+
+void result_destroy(struct result *w) {
+  if (!w) return;
+  if (!w->broken && !w->finished) {
+    /* whoever needs to know calls result_flush; the message may be why the run ended */
+    char message[2048];
+    snprintf(message, sizeof message, "%s", status_message());
+    enum status status = flush(w, true);
+    if (status != OK) (void)status_raise(status, "%s", message);
+  }
+  vtkhdf_destroy(w->points);
+  xdmf_destroy(w->xdmf);
+  struct hdf_column *columns[] = {&w->surface.time, &w->surface.first_piece,
+                                  &w->surface.first_point, &w->surface.closed, &w->surface.points};
+  for (size_t i = 0; i < sizeof columns / sizeof *columns; i++) hdf_column_close(columns[i]);
+  series_destroy(&w->energy);
+  series_destroy(&w->steps);
+  for (size_t i = 0; i < w->n_probes; i++) series_destroy(&w->probes[i]);
+  for (size_t i = 0; i < w->n_gauges; i++) series_destroy(&w->gauges[i]);
+  if (w->events >= 0) H5Gclose(w->events);
+  if (w->statistics >= 0) H5Gclose(w->statistics);
+  if (w->file >= 0) H5Fclose(w->file); /* into memory, not to the disk */
+  result_store_destroy(w->store);
+  free(w->probes);
+  free(w->gauges);
+  free(w->path);
+  free(w);
+}
