@@ -1,15 +1,17 @@
 #include "bem/contact.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "bem/spline.h"
+#include "bem/curve.h"
 
 static const double WORTH = 0.1; /* H: the length of thin film that is cut */
 static const double TIP = 0.06;  /* of the film, see struct bem_surface: a fifth of its thickness */
 static const double BELOW = 0.1; /* H: of the top of the wall, where the cap of a film ends */
-enum { CAP = 8 };                /* points of the cap, and its length in film thicknesses */
+enum {
+  CAP = 8,     /* points of the cap, and its length in film thicknesses */
+  CARRIERS = 4 /* nodes whose polynomial gives the potential on it */
+};
 
 /* The first node beyond the wall, else the last node. */
 static size_t crossing(const struct bem_surface *s, const double *state) {
@@ -28,49 +30,55 @@ double bem_contact_height(const struct bem_surface *s, const double *state) {
 
 /* Replaces the surface from node `keep` on by m points (x, y, phi) and regrids. */
 static enum status replace_end(struct bem_flow *f, size_t keep, size_t m,
-                               const double (*point)[3]) {
-  struct bem_surface *s = &f->surface;
-  struct bem_surface fresh = *s;
-  fresh.state = NULL;
-  fresh.room = 0;
-  TRY(bem_surface_reserve(&fresh, keep + m));
-  for (size_t field = 0; field < 3; field++) {
+                               double point[][BEM_FIELDS]) {
+  struct bem_surface *s = &f->surface, fresh = {0};
+  TRY(bem_surface_follow(&fresh, s, keep + m));
+  for (size_t field = 0; field < BEM_FIELDS; field++) {
     double *to = fresh.state + field * fresh.n;
     memcpy(to, s->state + field * s->n, keep * sizeof *to);
     for (size_t i = 0; i < m; i++) to[keep + i] = point[i][field];
   }
-  free(s->state);
-  *s = fresh;
+  bem_surface_replace(s, &fresh);
   return bem_mesh_regrid(&f->mesh, s);
+}
+
+/* Where between two lengths the curve passes x. */
+static double pass(struct bem_curve *c, double x, double low, double high) {
+  for (int i = 0; i < 60; i++) { /* until there is no number between them */
+    double middle = 0.5 * (low + high);
+    if (bem_curve_value(c, 0, middle) < x)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+/* Where the surface meets the wall; *keep: how many nodes before it stay. */
+static enum status meet(struct bem_curve *c, const struct bem_surface *s, double end[BEM_FIELDS],
+                        size_t *keep) {
+  TRY(bem_curve_fit(c, s, s->corner, s->n - 1, 0));
+  *keep = crossing(s, s->state);
+  const double *arc = c->arc + *keep - s->corner;
+  double at = pass(c, s->tank, arc[-1], arc[0]);
+  end[0] = s->tank;
+  for (size_t field = 1; field < BEM_FIELDS; field++) end[field] = bem_curve_value(c, field, at);
+  if (at - arc[-1] < 0.5 * (arc[0] - arc[-1])) --*keep; /* no splinter of a panel */
+  return OK;
 }
 
 enum status bem_contact_meet_wall(struct bem_flow *f) {
   struct bem_surface *s = &f->surface;
-  const size_t n = s->n, begin = s->corner, nodes = n - begin;
-  const double *x = s->state + begin;
-  double *arc = malloc(5 * nodes * sizeof *arc);
-  CHECK(arc, ERR_MEMORY, "no memory for %zu nodes at the wall", nodes);
-  double *second = arc + nodes, *scratch = second + 3 * nodes;
-  arc[0] = 0;
-  for (size_t k = 1; k < nodes; k++)
-    arc[k] = arc[k - 1] + hypot(x[k] - x[k - 1], x[n + k] - x[n + k - 1]);
-  for (size_t field = 0; field < 3; field++)
-    bem_spline_fit(nodes, arc, x + field * n, second + field * nodes, scratch);
-  size_t k = crossing(s, s->state) - begin, from = k - 1;
-  double low = arc[k - 1], high = arc[k];
-  for (int i = 0; i < 60; i++) {
-    double middle = 0.5 * (low + high);
-    *(bem_spline_value(nodes, arc, x, second, middle, &from) < s->tank ? &low : &high) = middle;
-  }
-  double end[1][3] = {{s->tank, bem_spline_value(nodes, arc, x + n, second + nodes, low, &from),
-                       bem_spline_value(nodes, arc, x + 2 * n, second + 2 * nodes, low, &from)}};
-  size_t keep = begin + k;
-  if (low - arc[k - 1] < 0.5 * (arc[k] - arc[k - 1])) keep--; /* no splinter of a panel */
-  free(arc);
+  struct bem_curve curve = {0};
+  double end[1][BEM_FIELDS];
+  size_t keep;
+  enum status status = meet(&curve, s, end[0], &keep);
+  bem_curve_destroy(&curve);
+  TRY(status);
   if (s->right == BEM_END_BED) s->tip = TIP;
   s->right = BEM_END_WALL;
   s->length = s->tank;
-  return replace_end(f, keep, 1, (const double(*)[3])end);
+  return replace_end(f, keep, 1, end);
 }
 
 bool bem_contact_crosses_wall(const struct bem_surface *s) {
@@ -93,37 +101,54 @@ bool bem_contact_film_is_thin(const struct bem_surface *s, double film) {
   return length > WORTH;
 }
 
-/* Cuts the film behind node c and caps it. */
-static enum status cut_behind(struct bem_flow *f, size_t c) {
-  struct bem_surface *s = &f->surface;
+/* The nodes whose polynomial gives the potential on a cap at node c: one before it, and three
+ * spread over the length of the cap. */
+static enum status choose_carriers(const struct bem_surface *s, size_t c, double length,
+                                   size_t node[CARRIERS]) {
   const size_t n = s->n;
-  const double *x = s->state, *y = x + n, *phi = y + n;
+  const double *y = s->state + n;
   CHECK(c >= 4 && c + 1 < n, ERR_SOLVER, "the film at the wall begins at node %zu of %zu", c, n);
-  double thickness = s->tank - x[c], length = CAP * thickness;
-
-  size_t node[4] = {c - 1, c, c + 1, c + 2}; /* spread over the length of the cap */
-  for (int i = 2; i < 4; i++) {
+  node[0] = c - 1;
+  node[1] = c;
+  for (size_t i = 2; i < CARRIERS; i++) {
+    double above = y[c] + 0.5 * (double)(i - 1) * length;
     node[i] = node[i - 1] + 1;
-    while (node[i] + 4 - (size_t)i < n && y[node[i]] < y[c] + 0.5 * (i - 1) * length) node[i]++;
+    while (node[i] + CARRIERS - i < n && y[node[i]] < above) node[i]++;
   }
-  CHECK(node[3] < n, ERR_SOLVER, "the film at the wall has too few nodes to be cut");
-  double point[CAP][3];
+  CHECK(node[CARRIERS - 1] < n, ERR_SOLVER, "the film at the wall has too few nodes to be cut");
+  return OK;
+}
+
+/* phi at z by the complex polynomial of these nodes. */
+static double continue_phi(const struct bem_flow *f, const size_t node[CARRIERS],
+                           double complex z) {
+  const double *x = f->surface.state, *y = x + f->surface.n, *phi = y + f->surface.n;
+  double complex beta = 0;
+  for (int a = 0; a < CARRIERS; a++) {
+    double complex term = CMPLX(phi[node[a]], f->psi[node[a]]);
+    for (int b = 0; b < CARRIERS; b++)
+      if (b != a)
+        term *= (z - CMPLX(x[node[b]], y[node[b]])) /
+                CMPLX(x[node[a]] - x[node[b]], y[node[a]] - y[node[b]]);
+    beta += term;
+  }
+  return creal(beta);
+}
+
+/* Cuts the film behind node c and caps it by a parabola that ends on the wall. */
+static enum status cut_behind(struct bem_flow *f, size_t c) {
+  const struct bem_surface *s = &f->surface;
+  double thickness = s->tank - s->state[c], length = CAP * thickness;
+  double point[CAP][BEM_FIELDS];
+  size_t node[CARRIERS] = {0};
+  TRY(choose_carriers(s, c, length, node));
   for (int i = 0; i < CAP; i++) {
     double at = (double)(i + 1) / CAP;
     point[i][0] = s->tank - thickness * (1 - at * at);
-    point[i][1] = y[c] + length * at;
-    double complex z = CMPLX(point[i][0], point[i][1]), beta = 0;
-    for (int a = 0; a < 4; a++) {
-      double complex term = CMPLX(phi[node[a]], f->psi[node[a]]);
-      for (int b = 0; b < 4; b++)
-        if (b != a)
-          term *= (z - CMPLX(x[node[b]], y[node[b]])) /
-                  CMPLX(x[node[a]] - x[node[b]], y[node[a]] - y[node[b]]);
-      beta += term;
-    }
-    point[i][2] = creal(beta);
+    point[i][1] = s->state[s->n + c] + length * at;
+    point[i][2] = continue_phi(f, node, CMPLX(point[i][0], point[i][1]));
   }
-  return replace_end(f, c + 1, CAP, (const double(*)[3])point);
+  return replace_end(f, c + 1, CAP, point);
 }
 
 enum status bem_contact_cut_film(struct bem_flow *f, double film) {

@@ -72,7 +72,6 @@ void bem_damping_add(struct bem_flow *f, const double *state, double *rate) {
   memset(damping, 0, 3 * n * sizeof *damping);
   filter(f, state, damping);
   if (s->tip > 0) smooth(f, state, damping);
-  damping[0] = 0; /* contact points stay on their walls */
-  damping[s->right == BEM_END_BED ? 2 * n - 1 : n - 1] = 0;
+  bem_surface_hold_ends(s, damping, damping + n);
   for (size_t k = 0; k < 3 * n; k++) rate[k] += damping[k];
 }

@@ -4,8 +4,8 @@
 
 #include "bem/contact.h"
 
-/* The film on the right wall, of which thin spikes come loose, is no breaker. */
-static const double FILM = 0.08, HIGH = 1.3; /* H: from the wall, above the bed */
+/* Water so near the right wall is film and no breaker. */
+static const double ASIDE = 0.08; /* H */
 
 static const double UPRIGHT = 0.02; /* rad */
 
@@ -33,7 +33,7 @@ static double least_tangent(const struct bem_surface *s, const double *state, do
   size_t at = 0;
   *where = 0;
   for (size_t k = 3; k + 3 < s->n; k++) {
-    if (y[k + 1] <= y[k - 1] || s->tank - x[k] < FILM || y[k] > HIGH) continue;
+    if (y[k + 1] <= y[k - 1] || s->tank - x[k] < ASIDE || y[k] > BEM_FILM_HIGH) continue;
     double t = tangent(s, state, k);
     if (t >= least) continue;
     least = t;
@@ -77,7 +77,7 @@ static double least_gap(const struct bem_surface *s, const double *state, double
   size_t cavity = 1, at = 0;
   *where = 0;
   while (cavity + 2 < s->n && x[cavity + 1] > x[cavity]) cavity++;
-  if (cavity + 2 >= s->n || s->tank - x[cavity] < FILM) return 1;
+  if (cavity + 2 >= s->n || s->tank - x[cavity] < ASIDE) return 1;
   double most = 0, least = 1, offset;
   size_t below = cavity;
   for (size_t k = cavity + 1; k < s->n && x[k] < x[cavity]; k++) {

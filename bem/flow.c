@@ -37,11 +37,7 @@ void bem_flow_destroy(struct bem_flow *f) {
 
 enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f) {
   const size_t n = f->surface.n;
-  TRY(bem_surface_reserve(&view->surface, n));
-  struct bem_surface own = view->surface;
-  view->surface = f->surface;
-  view->surface.state = own.state;
-  view->surface.room = own.room;
+  TRY(bem_surface_follow(&view->surface, &f->surface, n));
   view->level = f->level;
   TRY(bem_flow_reserve(view, n));
   memcpy(view->psi, f->psi, n * sizeof *f->psi);
@@ -58,8 +54,7 @@ enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
     f->u[k] = creal(f->w[k]);
     f->v[k] = -cimag(f->w[k]);
   }
-  f->u[0] = 0;
-  *(s->right == BEM_END_BED ? &f->v[n - 1] : &f->u[n - 1]) = 0;
+  bem_surface_hold_ends(s, f->u, f->v);
   f->w[0] = CMPLX(f->u[0], -f->v[0]);
   f->w[n - 1] = CMPLX(f->u[n - 1], -f->v[n - 1]);
   return OK;
@@ -79,8 +74,7 @@ enum status bem_flow_rates(struct bem_flow *f, const double *state, double *rate
         0.5 * (u * u + v * v) - (state[n + k] - f->level) + f->q[k] * (f->tx[k] * u + f->ty[k] * v);
   }
   bem_damping_add(f, state, rate);
-  dx[0] = 0; /* contact points stay on their walls */
-  *(s->right == BEM_END_BED ? &dy[n - 1] : &dx[n - 1]) = 0;
+  bem_surface_hold_ends(s, dx, dy);
   double sum = 0; /* one test for the whole rate: a value that is not finite spoils the sum */
   for (size_t k = 0; k < 3 * n; k++) sum += rate[k];
   CHECK(isfinite(sum), ERR_DIVERGED, "the rate of change of the surface is not finite");

@@ -2,9 +2,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include "bem/spline.h"
 
 /* The wanted number of nodes per H, divided by the resolution, is the root of the sum of squares of
  * 1, curvature/BEND and 1/(tip + GROWTH d), d the distance along the surface to the thin tip: a
@@ -17,50 +14,69 @@ static const double OPEN = 0.15;             /* rad: a kink that turns less is n
 static const size_t FEWEST = 7;              /* nodes of a piece */
 
 enum status bem_mesh_reserve(struct bem_mesh *m, size_t n) {
-  if (n <= m->room) return OK;
-  double *scratch = malloc(10 * n * sizeof *scratch);
-  CHECK(scratch, ERR_MEMORY, "no memory for a mesh of %zu nodes", n);
-  free(m->scratch);
-  m->scratch = scratch;
-  m->room = n;
+  double **array[] = {&m->work.rho, &m->work.dx,   &m->work.dy,   &m->work.ddx,
+                      &m->work.ddy, &m->work.bend, &m->work.sweep};
+  enum { ARRAYS = sizeof array / sizeof *array };
+  if (n <= m->work.room) return OK;
+  double *memory = malloc(ARRAYS * n * sizeof *memory);
+  CHECK(memory, ERR_MEMORY, "no memory for a mesh of %zu nodes", n);
+  free(m->work.memory);
+  m->work.memory = memory;
+  m->work.room = n;
+  for (size_t i = 0; i < ARRAYS; i++) *array[i] = memory + i * n;
   return OK;
 }
 
 void bem_mesh_destroy(struct bem_mesh *m) {
-  free(m->scratch);
+  free(m->work.memory);
+  bem_curve_destroy(&m->curve);
   *m = (struct bem_mesh){0};
 }
 
-/* Density of nodes wanted on every panel, 1/H. dx, dy: d/di; work: [3n]. */
-static void density(const struct bem_mesh *m, const struct bem_surface *s, const double *x,
-                    const double *y, double *dx, double *dy, double *work, double *rho) {
-  const size_t n = s->n;
-  double *ddx = work, *ddy = work + n, *upper = work + 2 * n;
-  bem_surface_differences(n, s->corner, x, dx, ddx);
-  bem_surface_differences(n, s->corner, y, dy, ddy);
-  double *bend = ddx; /* squared curvature, overwrites what it is made of */
-  for (size_t k = 0; k < n; k++) {
+/* Square of the curvature that counts at every node, and the differences it is made of. */
+static void measure_bend(struct bem_mesh *m, const struct bem_surface *s, const double *x,
+                         const double *y) {
+  const double *dx = m->work.dx, *dy = m->work.dy, *ddx = m->work.ddx, *ddy = m->work.ddy;
+  bem_surface_differences(s->n, s->corner, x, m->work.dx, m->work.ddx);
+  bem_surface_differences(s->n, s->corner, y, m->work.dy, m->work.ddy);
+  for (size_t k = 0; k < s->n; k++) {
     double speed = hypot(dx[k], dy[k]);
     double c = (dx[k] * ddy[k] - dy[k] * ddx[k]) / (speed * speed * speed);
     c *= bem_surface_importance(s, x[k], y[k]);
-    bend[k] = c * c / (1 + c * c / (SHARPEST * SHARPEST));
+    m->work.bend[k] = c * c / (1 + c * c / (SHARPEST * SHARPEST));
   }
-  double distance = 0;
+}
+
+/* Solves (1 - SPREAD delta^2) smooth = rough in place; nothing is lost at the ends. */
+static void spread(size_t n, double *rho, double *upper) {
+  for (size_t j = 0; j < n; j++) {
+    double side = (j > 0 ? SPREAD : 0) + (j + 1 < n ? SPREAD : 0), low = j > 0 ? SPREAD : 0;
+    double pivot = 1 + side - (j > 0 ? low * upper[j - 1] : 0);
+    upper[j] = SPREAD / pivot;
+    rho[j] = (rho[j] + (j > 0 ? low * rho[j - 1] : 0)) / pivot;
+  }
+  for (size_t j = n - 1; j-- > 0;) rho[j] += upper[j] * rho[j + 1];
+}
+
+/* Density of nodes wanted on every panel, and the tangents. */
+static void measure_density(struct bem_mesh *m, const struct bem_surface *s, const double *state) {
+  const size_t n = s->n;
+  const double *x = state, *y = state + n, *bend = m->work.bend;
+  double *rho = m->work.rho, distance = 0;
+  measure_bend(m, s, x, y);
   for (size_t j = n - 1; j-- > 0;) {
     double l = hypot(x[j + 1] - x[j], y[j + 1] - y[j]);
     double near = s->tip > 0 ? 1 / (s->tip + GROWTH * (distance + 0.5 * l)) : 0;
     rho[j] = sqrt(1 + 0.5 * (bend[j] + bend[j + 1]) / (BEND * BEND) + near * near);
     distance += l;
   }
-  for (size_t j = 0; j + 1 < n;
-       j++) { /* (1 - SPREAD delta^2) smooth = rough, nothing lost at ends */
-    double side = (j > 0 ? SPREAD : 0) + (j + 2 < n ? SPREAD : 0), low = j > 0 ? SPREAD : 0;
-    double pivot = 1 + side - (j > 0 ? low * upper[j - 1] : 0);
-    upper[j] = SPREAD / pivot;
-    rho[j] = (rho[j] + (j > 0 ? low * rho[j - 1] : 0)) / pivot;
-  }
-  for (size_t j = n - 2; j-- > 0;) rho[j] += upper[j] * rho[j + 1];
+  spread(n - 1, rho, m->work.sweep);
   for (size_t j = 0; j + 1 < n; j++) rho[j] *= m->resolution;
+}
+
+/* The last node of the piece that begins at node a. */
+static size_t piece_end(const struct bem_surface *s, size_t a) {
+  return a < s->corner ? s->corner : s->n - 1;
 }
 
 /* On the piece from node a to node b: keeps the number of nodes up to each point, counted by
@@ -87,17 +103,17 @@ static void piece_velocity(size_t a, size_t b, const double *x, const double *y,
 
 void bem_mesh_velocity(struct bem_mesh *m, const struct bem_surface *s, const double *state,
                        const double *u, const double *v, double *tx, double *ty, double *q) {
-  const size_t n = s->n;
-  const double *x = state, *y = state + n;
-  double *rho = m->scratch;
-  density(m, s, x, y, tx, ty, m->scratch + n, rho);
-  for (size_t k = 0; k < n; k++) {
-    double speed = hypot(tx[k], ty[k]);
-    tx[k] /= speed;
-    ty[k] /= speed;
+  const double *dx = m->work.dx, *dy = m->work.dy;
+  measure_density(m, s, state);
+  for (size_t k = 0; k < s->n; k++) {
+    double speed = hypot(dx[k], dy[k]);
+    tx[k] = dx[k] / speed;
+    ty[k] = dy[k] / speed;
   }
-  if (s->corner) piece_velocity(0, s->corner, x, y, u, v, rho, q);
-  piece_velocity(s->corner, n - 1, x, y, u, v, rho, q);
+  for (size_t a = 0, b; a + 1 < s->n; a = b) {
+    b = piece_end(s, a);
+    piece_velocity(a, b, state, state + s->n, u, v, m->work.rho, q);
+  }
 }
 
 static double kink(const struct bem_surface *s) {
@@ -106,85 +122,85 @@ static double kink(const struct bem_surface *s) {
       remainder(atan2(y[1] - y[0], x[1] - x[0]) - atan2(y[0] - y[-1], x[0] - x[-1]), 2 * M_PI));
 }
 
+/* Nodes that the panel after node j is worth. */
+static double share(const struct bem_mesh *m, const struct bem_surface *s, size_t j) {
+  const double *x = s->state, *y = x + s->n;
+  return m->work.rho[j] * hypot(x[j + 1] - x[j], y[j + 1] - y[j]);
+}
+
 bool bem_mesh_is_poor(struct bem_mesh *m, const struct bem_surface *s) {
-  const size_t n = s->n;
-  const double *x = s->state, *y = x + n;
-  double *rho = m->scratch;
   if (s->corner && kink(s) < OPEN) return true;
-  density(m, s, x, y, m->scratch + 4 * n, m->scratch + 5 * n, m->scratch + n, rho);
-  for (size_t a = 0; a < n - 1;) {
-    size_t b = s->corner > a ? s->corner : n - 1;
+  measure_density(m, s, s->state);
+  for (size_t a = 0, b; a + 1 < s->n; a = b) {
+    b = piece_end(s, a);
     double whole = 0, most = 0;
     for (size_t j = a; j < b; j++) {
-      double share = rho[j] * hypot(x[j + 1] - x[j], y[j + 1] - y[j]);
-      whole += share;
-      most = fmax(most, share);
+      whole += share(m, s, j);
+      most = fmax(most, share(m, s, j));
     }
     double ratio = whole / (double)(b - a);
     if (ratio > 1.25 || (ratio < 0.6 && b - a >= FEWEST) || most > 2.5) return true;
-    a = b;
   }
   return false;
 }
 
+/* Panels for the piece from node a to node b. */
+static enum status count_panels(const struct bem_mesh *m, const struct bem_surface *s, size_t a,
+                                size_t b, size_t *panels) {
+  double whole = 0;
+  for (size_t j = a; j < b; j++) whole += share(m, s, j);
+  CHECK(whole < BEM_MOST_NODES, ERR_SOLVER,
+        "the surface asks for %.3g nodes, more than %d: it has become too rough, or the "
+        "resolution is too high",
+        whole, BEM_MOST_NODES);
+  *panels = (size_t)fmax(ceil(whole), (double)FEWEST);
+  return OK;
+}
+
+/* Puts so many panels on the curve, whose nodes ask for rho: each is worth the same. to: the first
+ * of the fresh surface's nodes on it. */
+static void place_nodes(struct bem_curve *c, const double *rho, size_t panels,
+                        struct bem_surface *fresh, size_t to) {
+  const double *arc = c->arc;
+  double *out = fresh->state + to, whole = 0, count = 0;
+  size_t j = 0, last = c->n - 1;
+  for (size_t k = 0; k < last; k++) whole += rho[k] * (arc[k + 1] - arc[k]);
+  for (size_t k = 1; k < panels; k++) {
+    double wanted = whole * (double)k / (double)panels, here;
+    while (count + (here = rho[j] * (arc[j + 1] - arc[j])) < wanted && j + 1 < last) {
+      count += here;
+      j++;
+    }
+    for (size_t field = 0; field < BEM_FIELDS; field++)
+      out[field * fresh->n + k] = bem_curve_value(c, field, arc[j] + (wanted - count) / rho[j]);
+  }
+  for (size_t field = 0; field < BEM_FIELDS; field++) {
+    out[field * fresh->n] = c->value[field][0];
+    out[field * fresh->n + panels] = c->value[field][last];
+  }
+}
+
 enum status bem_mesh_regrid(struct bem_mesh *m, struct bem_surface *s) {
   if (s->corner && kink(s) < OPEN) s->corner = 0;
-  const size_t n = s->n;
-  TRY(bem_mesh_reserve(m, n));
-  double *rho = m->scratch, *arc = rho + n, *second = arc + n, *work = second + 2 * n;
-  const double *x = s->state, *y = x + n;
-  density(m, s, x, y, second, second + n, work, rho);
+  TRY(bem_mesh_reserve(m, s->n));
+  measure_density(m, s, s->state);
+  size_t panels[2] = {0}, pieces = 0; /* two at most: there is one kink */
+  for (size_t a = 0; a + 1 < s->n; a = piece_end(s, a))
+    TRY(count_panels(m, s, a, piece_end(s, a), &panels[pieces++]));
 
-  size_t end[2] = {s->corner ? s->corner : n - 1, n - 1}, pieces = s->corner ? 2 : 1;
-  size_t fresh[2] = {0, 0}, total = 1;
-  arc[0] = 0;
-  for (size_t i = 0, a = 0; i < pieces; a = end[i++]) {
-    double whole = 0;
-    for (size_t j = a; j < end[i]; j++) {
-      double l = hypot(x[j + 1] - x[j], y[j + 1] - y[j]);
-      arc[j + 1] = arc[j] + l;
-      whole += rho[j] * l;
-    }
-    CHECK(whole < BEM_MOST_NODES, ERR_SOLVER,
-          "the surface asks for %.3g nodes, more than %d: it has become too rough, or the "
-          "resolution is too high",
-          whole, BEM_MOST_NODES);
-    fresh[i] = (size_t)fmax(ceil(whole), (double)FEWEST);
-    total += fresh[i];
+  struct bem_surface fresh = {0};
+  TRY(bem_surface_follow(&fresh, s, panels[0] + panels[1] + 1));
+  enum status status = OK;
+  double arc = 0;
+  for (size_t i = 0, a = 0, to = 0; i < pieces; to += panels[i++], a = piece_end(s, a)) {
+    ATTEMPT(bem_curve_fit(&m->curve, s, a, piece_end(s, a), arc));
+    arc = m->curve.arc[m->curve.n - 1];
+    place_nodes(&m->curve, m->work.rho + a, panels[i], &fresh, to);
   }
-  struct bem_surface old = *s;
-  s->state = NULL;
-  s->room = 0;
-  enum status status = bem_surface_reserve(s, total + total / 4);
-  if (status != OK) {
-    *s = old;
-    return status;
-  }
-  s->n = total;
-  for (size_t i = 0, a = 0, to = 0; i < pieces; to += fresh[i], a = end[i++]) {
-    size_t nodes = end[i] - a + 1;
-    double whole = 0;
-    for (size_t j = a; j < end[i]; j++) whole += rho[j] * (arc[j + 1] - arc[j]);
-    for (int field = 0; field < 3; field++) {
-      const double *f = old.state + (size_t)field * n + a;
-      double *out = s->state + (size_t)field * total + to;
-      bem_spline_fit(nodes, arc + a, f, second, work);
-      double count = 0;
-      size_t j = a, from = 0;
-      for (size_t k = 1; k < fresh[i]; k++) {
-        double wanted = whole * (double)k / (double)fresh[i], here;
-        while (count + (here = rho[j] * (arc[j + 1] - arc[j])) < wanted && j + 1 < end[i]) {
-          count += here;
-          j++;
-        }
-        out[k] =
-            bem_spline_value(nodes, arc + a, f, second, arc[j] + (wanted - count) / rho[j], &from);
-      }
-      out[0] = f[0];
-      out[fresh[i]] = f[nodes - 1];
-    }
-  }
-  if (s->corner) s->corner = fresh[0];
-  free(old.state);
-  return bem_mesh_reserve(m, total);
+  fresh.corner = s->corner ? panels[0] : 0;
+  bem_surface_replace(s, &fresh);
+  return OK;
+done:
+  bem_surface_destroy(&fresh);
+  return status;
 }

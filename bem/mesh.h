@@ -2,14 +2,23 @@
  * velocity of the water and with a tangential velocity of its own that keeps the wanted spacing, so
  * that the time integrator is re-initialised only when their number no longer fits. */
 #pragma once
+#include "bem/curve.h"
 #include "bem/surface.h"
 
 enum { BEM_MOST_NODES = 6000 }; /* on a surface: their dense matrix takes 0.3 GB */
 
 struct bem_mesh {
   double resolution; /* nodes per H where the surface is smooth */
-  size_t room;
-  double *scratch; /* [10 * room], owned */
+  struct {           /* scratch: no call finds there what another has left */
+    size_t room;
+    double *memory;  /* [7 room], owned: of the arrays below, [room] each */
+    double *rho;     /* nodes wanted per length of the panel after a node, 1/H */
+    double *dx, *dy; /* d/di and d2/di2 of the nodes' places, H */
+    double *ddx, *ddy;
+    double *bend;  /* square of the curvature that counts, 1/H^2 */
+    double *sweep; /* of a tridiagonal system */
+  } work;
+  struct bem_curve curve; /* scratch of regridding */
 };
 
 enum status bem_mesh_reserve(struct bem_mesh *m, size_t n);

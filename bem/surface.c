@@ -22,6 +22,27 @@ void bem_surface_destroy(struct bem_surface *s) {
   *s = (struct bem_surface){0};
 }
 
+enum status bem_surface_follow(struct bem_surface *s, const struct bem_surface *like, size_t n) {
+  TRY(bem_surface_reserve(s, n));
+  struct bem_surface own = *s;
+  *s = *like;
+  s->n = n;
+  s->room = own.room;
+  s->state = own.state;
+  return OK;
+}
+
+void bem_surface_replace(struct bem_surface *s, const struct bem_surface *fresh) {
+  free(s->state);
+  *s = *fresh;
+}
+
+void bem_surface_hold_ends(const struct bem_surface *s, double *x, double *y) {
+  x[0] = 0;
+  double *off = s->right == BEM_END_BED ? y : x;
+  off[s->n - 1] = 0;
+}
+
 /* First node of a stencil of `count` that starts `left` before `at` and stays within one piece. */
 static size_t window(size_t n, size_t corner, size_t at, size_t left, size_t count, bool after) {
   size_t begin = corner && (at > corner || (at == corner && after)) ? corner : 0;
@@ -56,10 +77,10 @@ void bem_surface_differences(size_t n, size_t corner, const double *f, double *f
 }
 
 double bem_surface_importance(const struct bem_surface *s, double x, double y) {
-  const double FILM = 0.12, HIGH = 1.3; /* H: from the wall, above the bed */
+  const double HALF = 0.12; /* H: the distance from the wall at which half of it is lost */
   if (s->tip == 0 || s->right == BEM_END_BED) return 1;
-  double near = 0.5 - 0.5 * tanh((s->tank - x - FILM) / (0.3 * FILM));
-  double high = 0.5 + 0.5 * tanh((y - HIGH) / (0.1 * HIGH));
+  double near = 0.5 - 0.5 * tanh((s->tank - x - HALF) / (0.3 * HALF));
+  double high = 0.5 + 0.5 * tanh((y - BEM_FILM_HIGH) / (0.1 * BEM_FILM_HIGH));
   return 1 - near * high;
 }
 

@@ -23,8 +23,22 @@ struct bem_totals {
   double volume, kinetic, potential; /* H^2, rho g H^3, rho g H^3 (y from 0) */
 };
 
+/* Water on the right wall above this is film: thin spikes come loose there. */
+static const double BEM_FILM_HIGH = 1.3; /* H, above the bed */
+
 enum status bem_surface_reserve(struct bem_surface *s, size_t n); /* keeps nothing */
 void bem_surface_destroy(struct bem_surface *s);
+
+/* Gives *s what is known of the shape of *like, and room for n nodes in memory of its own; its
+ * nodes are to be set. */
+enum status bem_surface_follow(struct bem_surface *s, const struct bem_surface *like, size_t n);
+
+/* *s becomes *fresh, which is not to be used any more. */
+void bem_surface_replace(struct bem_surface *s, const struct bem_surface *fresh);
+
+/* Keeps the contact points on their walls: sets to zero what would move them off, where x and y are
+ * the components of a velocity at the nodes, [n]. */
+void bem_surface_hold_ends(const struct bem_surface *s, double *x, double *y);
 
 /* d/di and d2/di2 of a nodal quantity by five-point differences that do not reach over the kink. */
 void bem_surface_differences(size_t n, size_t corner, const double *f, double *first,

@@ -1,0 +1,43 @@
+#include "bem/curve.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "bem/spline.h"
+
+static enum status reserve(struct bem_curve *c, size_t n) {
+  if (n <= c->room) return OK;
+  double *memory = malloc(6 * n * sizeof *memory);
+  CHECK(memory, ERR_MEMORY, "no memory for a curve through %zu nodes", n);
+  free(c->memory);
+  c->memory = memory;
+  c->room = n;
+  c->arc = memory;
+  for (size_t field = 0; field < BEM_FIELDS; field++) c->second[field] = memory + (1 + field) * n;
+  c->scratch = memory + (1 + BEM_FIELDS) * n;
+  return OK;
+}
+
+void bem_curve_destroy(struct bem_curve *c) {
+  free(c->memory);
+  *c = (struct bem_curve){0};
+}
+
+enum status bem_curve_fit(struct bem_curve *c, const struct bem_surface *s, size_t a, size_t b,
+                          double start) {
+  TRY(reserve(c, b - a + 1));
+  c->n = b - a + 1;
+  c->from = 0;
+  for (size_t field = 0; field < BEM_FIELDS; field++) c->value[field] = s->state + field * s->n + a;
+  const double *x = c->value[0], *y = c->value[1];
+  c->arc[0] = start;
+  for (size_t k = 1; k < c->n; k++)
+    c->arc[k] = c->arc[k - 1] + hypot(x[k] - x[k - 1], y[k] - y[k - 1]);
+  for (size_t field = 0; field < BEM_FIELDS; field++)
+    bem_spline_fit(c->n, c->arc, c->value[field], c->second[field], c->scratch);
+  return OK;
+}
+
+double bem_curve_value(struct bem_curve *c, size_t field, double arc) {
+  return bem_spline_value(c->n, c->arc, c->value[field], c->second[field], arc, &c->from);
+}
