@@ -2,100 +2,155 @@
 
 #include <math.h>
 
+#include "bem/breaker.h"
 #include "bem/contact.h"
+#include "bem/options.h"
 
-/* Water so near the right wall is film and no breaker. */
-static const double ASIDE = 0.08; /* H */
+/* What passes the top of the right wall is cut there and counted while it is a film thinner than
+ * SPILL and little: a thicker jet is not free of pressure, and the film is qualitative anyway; more
+ * than that ends the run. */
+static const double SPILL = 0.05;     /* H */
+static const double SPILLABLE = 0.01; /* of the volume of the water */
 
-static const double UPRIGHT = 0.02; /* rad */
-
-static double tangent(const struct bem_surface *s, const double *state, size_t k) {
-  const double *x = state + k, *y = x + s->n;
-  double dx = x[-2] - 8 * x[-1] + 8 * x[1] - x[2], dy = y[-2] - 8 * y[-1] + 8 * y[1] - y[2];
-  return dx / hypot(dx, dy);
+static bool always(const struct bem_run *r) {
+  (void)r;
+  return true;
 }
 
-/* Least value of the parabola through three neighbouring values, `least` the middle one; *offset,
- * in nodes from the middle, is where. The middle one itself unless it is below both. */
-static double refine(double before, double least, double after, double *offset) {
-  *offset = 0;
-  if (!(before > least && after > least)) return least;
-  double bend = before - 2 * least + after, slope = 0.5 * (after - before);
-  *offset = -slope / bend;
-  return least - 0.5 * slope * slope / bend;
+/* The water has not come to the right wall. */
+static bool before_wall(const struct bem_run *r) {
+  return r->flow.surface.right == BEM_END_BED;
 }
 
-/* Smallest horizontal component of the unit tangent (surface walked from left to right) where the
- * breaker rises, and where: in nodes, with fractions; 0 when nothing rises. */
-static double least_tangent(const struct bem_surface *s, const double *state, double *where) {
-  const double *x = state, *y = state + s->n;
-  double least = 1, offset;
-  size_t at = 0;
-  *where = 0;
-  for (size_t k = 3; k + 3 < s->n; k++) {
-    if (y[k + 1] <= y[k - 1] || s->tank - x[k] < ASIDE || y[k] > BEM_FILM_HIGH) continue;
-    double t = tangent(s, state, k);
-    if (t >= least) continue;
-    least = t;
-    at = k;
-  }
-  if (!at) return least;
-  least = refine(tangent(s, state, at - 1), least, tangent(s, state, at + 1), &offset);
-  *where = (double)at + offset;
-  return least;
+static bool at_wall(const struct bem_run *r) {
+  return !before_wall(r);
 }
 
-/* The middle of the stretch around node `at` that is within UPRIGHT of the vertical, in nodes: the
- * steepest point itself wanders along a face that is nearly upright over a third of H. */
-static double upright_middle(const struct bem_surface *s, const double *state, double at) {
-  size_t low = (size_t)(at + 0.5), high = low;
-  double below = 0, above = 0;
-  while (low > 3 && (below = tangent(s, state, low)) < UPRIGHT) low--;
-  while (high + 3 < s->n && (above = tangent(s, state, high)) < UPRIGHT) high++;
-  double from = (double)low, to = (double)high, next;
-  if ((next = tangent(s, state, low + 1)) < UPRIGHT) from += (below - UPRIGHT) / (below - next);
-  if ((next = tangent(s, state, high - 1)) < UPRIGHT) to -= (above - UPRIGHT) / (above - next);
-  return 0.5 * (from + to);
+static bool film_at_wall(const struct bem_run *r) {
+  return r->flow.surface.tip > 0 && at_wall(r);
 }
 
-/* Vertical distance of node k from the surface left of the node `cavity`; *below is where the last
- * search ended. */
-static double height_over(const struct bem_surface *s, const double *state, size_t cavity, size_t k,
-                          size_t *below) {
-  const double *x = state, *y = state + s->n;
-  while (*below > 0 && x[*below] > x[k]) --*below;
-  while (*below + 1 < cavity && x[*below + 1] < x[k]) ++*below;
-  double a = (x[k] - x[*below]) / (x[*below + 1] - x[*below]);
-  return y[k] - y[*below] - a * (y[*below + 1] - y[*below]);
+static bool overturned(const struct bem_run *r) {
+  return r->overturned;
 }
 
-/* Vertical distance of the jet from the surface below it, least over the jet's far half: the
- * cavity's deepest point is the first node from the left where x turns back, and from there the
- * distance first grows from zero. 1 while nothing hangs over. *where in nodes, with fractions. */
-static double least_gap(const struct bem_surface *s, const double *state, double *where) {
-  const double *x = state;
-  size_t cavity = 1, at = 0;
-  *where = 0;
-  while (cavity + 2 < s->n && x[cavity + 1] > x[cavity]) cavity++;
-  if (cavity + 2 >= s->n || s->tank - x[cavity] < ASIDE) return 1;
-  double most = 0, least = 1, offset;
-  size_t below = cavity;
-  for (size_t k = cavity + 1; k < s->n && x[k] < x[cavity]; k++) {
-    double gap = height_over(s, state, cavity, k, &below);
-    if (gap > most && least == 1) {
-      most = gap;
-    } else if (gap < least) {
-      least = gap;
-      at = k;
-    }
-  }
-  *where = (double)at;
-  if (!at || at + 1 >= s->n || x[at + 1] >= x[cavity]) return least;
-  double before = height_over(s, state, cavity, at - 1, &below);
-  least = refine(before, least, height_over(s, state, cavity, at + 1, &below), &offset);
-  *where += offset;
-  return least;
+static double first_node(const struct bem_surface *s, const double *state) {
+  (void)s, (void)state;
+  return 0;
 }
+
+static double last_node(const struct bem_surface *s, const double *state) {
+  (void)state;
+  return (double)(s->n - 1);
+}
+
+/* The thin tip reaches the right wall. */
+static double impact_value(const struct bem_run *r, const double *state) {
+  return r->flow.surface.tank - state[r->flow.surface.n - 1];
+}
+
+static enum status record(struct bem_run *r, const struct bem_event *e, double x, double y) {
+  return bem_output_event(&r->output, e->name, r->time, x, y);
+}
+
+/* First vertical tangent of the main breaker. */
+static double overturn_value(const struct bem_run *r, const double *state) {
+  double where;
+  return bem_breaker_tangent(&r->flow.surface, state, &where);
+}
+
+static double overturn_where(const struct bem_surface *s, const double *state) {
+  double where;
+  bem_breaker_tangent(s, state, &where);
+  return bem_breaker_upright(s, state, where);
+}
+
+static enum status overturn_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
+  r->overturned = true;
+  r->overturn.name = e->name;
+  r->overturn.time = r->time;
+  r->overturn.x = x;
+  r->overturn.y = y;
+  return OK;
+}
+
+/* The jet meets the surface below it. */
+static double touchdown_value(const struct bem_run *r, const double *state) {
+  double where;
+  return bem_breaker_gap(&r->flow.surface, state, &where);
+}
+
+static double touchdown_where(const struct bem_surface *s, const double *state) {
+  double where;
+  bem_breaker_gap(s, state, &where);
+  return where;
+}
+
+static enum status touchdown_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
+  TRY(record(r, e, x, y));
+  return bem_run_end(r, x, y, "the jet touched down", "potential flow ends here");
+}
+
+/* The surface on a wall passes its top. */
+static double over_left_value(const struct bem_run *r, const double *state) {
+  return r->top[0] - state[r->flow.surface.n];
+}
+
+static double over_right_value(const struct bem_run *r, const double *state) {
+  return r->top[1] - state[2 * r->flow.surface.n - 1];
+}
+
+static enum status record_first(struct bem_run *r, const struct bem_event *e, double x, double y) {
+  if (!r->overflowed) TRY(record(r, e, x, y));
+  r->overflowed = true;
+  return OK;
+}
+
+static const char RAISE[] =
+    "the boundary solver has no water outside the tank: raise the wall, or take sph from there on";
+
+static enum status over_left_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
+  TRY(record_first(r, e, x, y));
+  return bem_run_end(r, x, y, "water passed the top of the left wall", RAISE);
+}
+
+static enum status over_right_act(struct bem_run *r, const struct bem_event *e, double x,
+                                  double y) {
+  const struct bem_surface *s = &r->flow.surface;
+  TRY(record_first(r, e, x, y));
+  if (s->tip > 0 && bem_contact_thickness(s, r->top[1]) < SPILL &&
+      r->output.spilled_volume < SPILLABLE * r->flow.level * s->tank)
+    return bem_run_cut(r, BEM_CUT_TOP);
+  return bem_run_end(r, x, y, "water passed the top of the right wall", RAISE);
+}
+
+/* The film beyond the right wall is thick enough: the surface is cut there. */
+static double cut_value(const struct bem_run *r, const double *state) {
+  return BEM_IMPACT - bem_contact_height(&r->flow.surface, state);
+}
+
+static enum status cut_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
+  (void)e, (void)x, (void)y;
+  return bem_run_cut(r, BEM_CUT_AT_WALL);
+}
+
+static const struct bem_event all[] = {
+    {"wall_impact", before_wall, impact_value, last_node, record},
+    {"overturning", film_at_wall, overturn_value, overturn_where, overturn_act},
+    {"touchdown", overturned, touchdown_value, touchdown_where, touchdown_act},
+    {"overflow", always, over_left_value, first_node, over_left_act},
+    {"overflow", at_wall, over_right_value, last_node, over_right_act},
+    {"cut at the wall", before_wall, cut_value, last_node, cut_act},
+};
+enum { N = sizeof all / sizeof *all };
+
+static void find_roots(void *run, double time, const double *state, double *root) {
+  (void)time;
+  const struct bem_run *r = run;
+  for (int i = 0; i < N; i++) root[i] = all[i].armed(r) ? all[i].value(r, state) : 1;
+}
+
+const struct bem_roots bem_events_roots = {.n = N, .find = find_roots};
 
 /* The value at a fractional node, by the parabola through the three nearest nodes. */
 static double value_at(const double *a, size_t n, double where) {
@@ -105,34 +160,19 @@ static double value_at(const double *a, size_t n, double where) {
   return a[k] + 0.5 * t * (a[k + 1] - a[k - 1] + t * (a[k + 1] - 2 * a[k] + a[k - 1]));
 }
 
-double bem_events_gap(const struct bem_events *e, const double *state) {
-  double where;
-  return e->overturned ? least_gap(e->surface, state, &where) : 1;
-}
-
-void bem_events_roots(void *data, double time, const double *state, double root[BEM_ROOTS]) {
-  (void)time;
-  const struct bem_events *e = data;
-  const struct bem_surface *s = e->surface;
-  bool dry = s->right == BEM_END_BED;
-  double where;
-  root[BEM_EVENT_IMPACT] = dry ? s->tank - state[s->n - 1] : 1;
-  root[BEM_EVENT_WALL] = dry ? e->thickness - bem_contact_height(s, state) : 1;
-  root[BEM_EVENT_OVERTURN] = s->tip > 0 && !dry ? least_tangent(s, state, &where) : 1;
-  root[BEM_EVENT_TOUCHDOWN] = bem_events_gap(e, state);
-  root[BEM_EVENT_OVER_LEFT] = e->top[0] - state[s->n];
-  root[BEM_EVENT_OVER_RIGHT] = dry ? 1 : e->top[1] - state[2 * s->n - 1];
-}
-
-void bem_events_place(const struct bem_events *e, enum bem_event event, const double *state,
-                      double *x, double *y) {
-  const struct bem_surface *s = e->surface;
-  double where = event == BEM_EVENT_OVER_LEFT ? 0 : (double)(s->n - 1);
-  if (event == BEM_EVENT_OVERTURN) {
-    least_tangent(s, state, &where);
-    where = upright_middle(s, state, where);
+enum status bem_events_act(struct bem_run *r, const int *found) {
+  const struct bem_surface *s = &r->flow.surface;
+  for (int i = 0; i < N && !r->ended; i++) {
+    if (!found[i]) continue;
+    double where = all[i].where(s, s->state);
+    TRY(all[i].act(r, &all[i], value_at(s->state, s->n, where),
+                   value_at(s->state + s->n, s->n, where)));
   }
-  if (event == BEM_EVENT_TOUCHDOWN) least_gap(s, state, &where);
-  *x = value_at(state, s->n, where);
-  *y = value_at(state + s->n, s->n, where);
+  return OK;
+}
+
+enum status bem_events_conclude(struct bem_run *r) {
+  if (!r->overturned) return OK;
+  return bem_output_event(&r->output, r->overturn.name, r->overturn.time, r->overturn.x,
+                          r->overturn.y);
 }

@@ -1,30 +1,22 @@
-/* Named instants as zeros of continuous functions, which CVODE's root finding locates. */
+/* Named instants of a run as zeros of continuous functions, which CVODE's root finding locates, and
+ * what is done then: one list, in events.c. */
 #pragma once
-#include "bem/flow.h"
-#include "bem/stepper.h"
+#include "bem/run.h"
 
-enum bem_event {
-  BEM_EVENT_IMPACT,    /* the thin tip reaches x = tank */
-  BEM_EVENT_WALL,      /* the film there is thick enough: the surface is cut at the wall */
-  BEM_EVENT_OVERTURN,  /* first vertical tangent of the main breaker */
-  BEM_EVENT_TOUCHDOWN, /* the jet meets the surface below it */
-  BEM_EVENT_OVER_LEFT, /* the surface on a wall passes its top */
-  BEM_EVENT_OVER_RIGHT
+struct bem_event {
+  const char *name;                                                  /* in the result file */
+  bool (*armed)(const struct bem_run *r);                            /* whether it can happen now */
+  double (*value)(const struct bem_run *r, const double *state);     /* falls through zero then */
+  double (*where)(const struct bem_surface *s, const double *state); /* node, with fractions */
+  /* (x, y): the place where it happened, H */
+  enum status (*act)(struct bem_run *r, const struct bem_event *e, double x, double y);
 };
 
-struct bem_events {
-  const struct bem_surface *surface;
-  double thickness; /* H, of the film when BEM_EVENT_WALL happens */
-  double top[2];    /* H, of the left and the right wall */
-  bool overturned;
-};
+/* The roots of all events; data: struct bem_run. */
+extern const struct bem_roots bem_events_roots;
 
-/* A bem_root_function (data: struct bem_events): every function falls through zero at its event. */
-void bem_events_roots(void *events, double time, const double *state, double root[BEM_ROOTS]);
+/* Acts on those that were found at the state of r->flow.surface until one ends the run. */
+enum status bem_events_act(struct bem_run *r, const int *found);
 
-/* Distance of the jet from the water below, H; 1 while there is no jet. */
-double bem_events_gap(const struct bem_events *e, const double *state);
-
-/* Where event e, found at this state, happens. */
-void bem_events_place(const struct bem_events *e, enum bem_event event, const double *state,
-                      double *x, double *y);
+/* Writes what is known only at the end of the run: the last vertical tangent is the breaker's. */
+enum status bem_events_conclude(struct bem_run *r);

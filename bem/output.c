@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bem/breaker.h"
 #include "common/base/gauge.h"
 #include "common/result/record.h"
 
@@ -161,9 +162,14 @@ static enum status look(struct bem_output *o, const struct bem_flow *f, struct b
   return bem_flow_solve(&o->view, state, keep);
 }
 
+/* Whether the jet is too near the water below it for psi to be right. */
+static bool touches(const struct bem_surface *s) {
+  double where;
+  return bem_breaker_gap(s, s->state, &where) <= CLOSEST;
+}
+
 enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
-                           struct bem_stepper *stepper, const struct bem_events *events,
-                           double time, double dt) {
+                           struct bem_stepper *stepper, bool overturned, double time, double dt) {
   const struct case_file *c = o->c;
   for (;;) {
     double output = (double)o->next_output * c->every, sample = (double)o->next_sample * c->sample;
@@ -172,7 +178,7 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
     bool shown = output - seconds < near, sampled = sample - seconds < near;
     TRY(look(o, f, stepper, seconds / o->time_scale, sampled && c->n_probes > 0));
     if (shown) TRY(write_surface(o, output));
-    if (sampled && bem_events_gap(events, o->view.surface.state) > CLOSEST)
+    if (sampled && !(overturned && touches(&o->view.surface)))
       TRY(write_row(o, stepper, sample, dt));
     o->next_output += shown;
     o->next_sample += sampled;

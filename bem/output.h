@@ -1,6 +1,5 @@
 /* From the solver's units to the result file. */
 #pragma once
-#include "bem/events.h"
 #include "bem/flow.h"
 #include "bem/pressure.h"
 #include "bem/stepper.h"
@@ -36,10 +35,10 @@ void bem_output_destroy(struct bem_output *o);
 
 /* Writes what is due up to `time` (sqrt(H/g)), which the last step has passed: surfaces at the
  * multiples of time.every, a row of every series at those of time.sample, both interpolated by
- * CVODE. stepper NULL: the state at t = 0. */
+ * CVODE. stepper NULL: the state at t = 0. overturned: there may be a jet, of whose last instants
+ * there is no row. */
 enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
-                           struct bem_stepper *stepper, const struct bem_events *events,
-                           double time, double dt);
+                           struct bem_stepper *stepper, bool overturned, double time, double dt);
 
 /* Counts what filter and smoothing take out of the energy during the step that ended at `time`. */
 void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double time, double dt);

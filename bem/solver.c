@@ -5,12 +5,10 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "bem/contact.h"
 #include "bem/estimate.h"
 #include "bem/events.h"
 #include "bem/options.h"
-#include "bem/output.h"
-#include "bem/pace.h"
+#include "bem/run.h"
 #include "bem/start.h"
 
 #define KEY(member) .offset = offsetof(struct bem_options, member)
@@ -68,136 +66,28 @@ static const struct param params[] = {
          "1976)"},
 };
 
-/* What passes the top of the right wall is cut there and counted while it is a film thinner than
- * SPILL and little: a thicker jet is not free of pressure, and the film is qualitative anyway; more
- * than that ends the run. */
-static const double SPILL = 0.05;     /* H */
-static const double SPILLABLE = 0.01; /* of the volume of the water */
 static const double GENTLE = 1. / 30; /* of the filter's rate is enough where no thin sheet is */
 static const double SHOWN = 1e-6;     /* residual that is enough for outputs */
 enum { MOST_STEPS = 1000000 };
 
-enum cut { CUT_AT_WALL, CUT_THIN_FILM, CUT_TOP };
-
-struct run {
-  struct bem_flow flow;
-  struct bem_output output;
-  struct bem_events events;
-  struct bem_stepper *stepper;
-  struct bem_pace pace;
-  const struct case_file *c;
-  double film; /* H */
-  double time, dt;
-  struct {
-    double time, x, y;
-  } overturn; /* the latest tangent that became vertical: the breaker's if it overturns */
-  bool overflowed, ended;
-};
-
-static enum status restart(struct run *r) {
-  bem_pace_restarted(&r->pace);
-  return bem_stepper_restart(r->stepper, r->time);
-}
-
-static enum status change_shape(struct run *r, enum cut cut) {
-  switch (cut) {
-  case CUT_AT_WALL:
-    return bem_contact_meet_wall(&r->flow);
-  case CUT_THIN_FILM:
-    return bem_contact_cut_film(&r->flow, r->film);
-  case CUT_TOP:
-    return bem_contact_cut_top(&r->flow, r->events.top[1]);
-  }
-  return OK;
-}
-
-/* Takes water away and books it. */
-static enum status cut(struct run *r, enum cut cut) {
-  struct bem_flow *f = &r->flow;
-  TRY(bem_flow_solve(f, f->surface.state, 0));
-  struct bem_totals before = bem_surface_totals(&f->surface, f->psi);
-  TRY(change_shape(r, cut));
-  TRY(restart(r));
-  TRY(bem_flow_solve(f, f->surface.state, 0));
-  struct bem_totals after = bem_surface_totals(&f->surface, f->psi);
-  r->output.removed_volume += before.volume - after.volume;
-  r->output.removed_energy += before.kinetic + before.potential - after.kinetic - after.potential;
-  if (cut == CUT_TOP) r->output.spilled_volume += before.volume - after.volume;
-  return OK;
-}
-
-/* The run goes no further than this event at (x, y), H. */
-static enum status end_here(struct run *r, double x, double y, const char *what, const char *then) {
-  const struct case_file *c = r->c;
-  char why[300];
-  r->ended = true;
-  snprintf(why, sizeof why, "%s at t = %.5g s (%.4f sqrt(H/g)), x = %.4g m, y = %.4g m; %s", what,
-           r->time * r->output.time_scale, r->time, c->tank.min[0] + c->H * x,
-           c->tank.min[1] + c->H * y, then);
-  return result_ended(r->output.file, why);
-}
-
-static enum status overflow(struct run *r, enum bem_event event) {
-  const struct bem_surface *s = &r->flow.surface;
-  const bool right = event == BEM_EVENT_OVER_RIGHT;
-  double x, y;
-  bem_events_place(&r->events, event, s->state, &x, &y);
-  if (!r->overflowed) TRY(bem_output_event(&r->output, "overflow", r->time, x, y));
-  r->overflowed = true;
-  if (right && s->tip > 0 && bem_contact_thickness(s, r->events.top[1]) < SPILL &&
-      r->output.spilled_volume < SPILLABLE * r->flow.level * s->tank)
-    return cut(r, CUT_TOP);
-  return end_here(r, x, y,
-                  right ? "water passed the top of the right wall"
-                        : "water passed the top of the left wall",
-                  "the boundary solver has no water outside the tank: raise the wall, or take sph "
-                  "from there on");
-}
-
-/* Events that end the run. */
-static enum status act_on_end(struct run *r, const int found[BEM_ROOTS]) {
-  double x, y;
-  for (enum bem_event e = BEM_EVENT_OVER_LEFT; e <= BEM_EVENT_OVER_RIGHT; e++)
-    if (found[e]) return overflow(r, e);
-  if (!found[BEM_EVENT_TOUCHDOWN]) return OK;
-  bem_events_place(&r->events, BEM_EVENT_TOUCHDOWN, r->flow.surface.state, &x, &y);
-  TRY(bem_output_event(&r->output, "touchdown", r->time, x, y));
-  return end_here(r, x, y, "the jet touched down", "potential flow ends here");
-}
-
-static enum status act(struct run *r, const int found[BEM_ROOTS]) {
-  struct bem_flow *f = &r->flow;
-  struct bem_surface *s = &f->surface;
-  double x, y;
-  if (found[BEM_EVENT_IMPACT]) {
-    bem_events_place(&r->events, BEM_EVENT_IMPACT, s->state, &x, &y);
-    TRY(bem_output_event(&r->output, "wall_impact", r->time, x, y));
-  }
-  if (found[BEM_EVENT_OVERTURN]) {
-    bem_events_place(&r->events, BEM_EVENT_OVERTURN, s->state, &r->overturn.x, &r->overturn.y);
-    r->overturn.time = r->time;
-    r->events.overturned = true;
-  }
-  TRY(act_on_end(r, found));
+/* After a step: events, then the film, then the spacing of the nodes. */
+static enum status act(struct bem_run *r, const int *found) {
+  TRY(bem_events_act(r, found));
   if (r->ended) return OK;
-  bool on_wall = s->tip > 0 && s->right == BEM_END_WALL;
-  if (found[BEM_EVENT_WALL] || (on_wall && bem_contact_crosses_wall(s))) return cut(r, CUT_AT_WALL);
-  if (on_wall && bem_contact_film_is_thin(s, r->film)) return cut(r, CUT_THIN_FILM);
-  if (bem_mesh_is_poor(&f->mesh, s)) {
-    TRY(bem_mesh_regrid(&f->mesh, s));
-    return restart(r);
-  }
-  return OK;
+  TRY(bem_run_trim_film(r));
+  if (!bem_mesh_is_poor(&r->flow.mesh, &r->flow.surface)) return OK;
+  TRY(bem_mesh_regrid(&r->flow.mesh, &r->flow.surface));
+  return bem_run_restart(r);
 }
 
-static enum status advance(struct run *r, struct progress *progress) {
+static enum status advance(struct bem_run *r, struct progress *progress) {
   double end = r->c->end / r->output.time_scale, work = 0;
-  int found[BEM_ROOTS];
+  const int *found;
   for (size_t step = 1; r->time < end && !r->ended; step++) {
-    TRY(bem_stepper_step(r->stepper, &r->time, &r->dt, found));
+    TRY(bem_stepper_step(r->stepper, &r->time, &r->dt, &found));
     TRY(bem_pace_add(&r->pace, r->time, r->dt));
     bem_output_damped(&r->output, &r->flow, r->time, r->dt);
-    TRY(bem_output_due(&r->output, &r->flow, r->stepper, &r->events, r->time, r->dt));
+    TRY(bem_output_due(&r->output, &r->flow, r->stepper, r->overturned, r->time, r->dt));
     work += (double)r->flow.surface.n;
     progress_step(progress, step, r->time * r->output.time_scale, r->dt * r->output.time_scale,
                   work, "node", r->output.drift);
@@ -213,7 +103,7 @@ static enum status advance(struct run *r, struct progress *progress) {
 }
 
 /* Says when and where a run failed: where two nodes are closest, the step is shortest. */
-static enum status locate(const struct run *r, enum status status) {
+static enum status locate(const struct bem_run *r, enum status status) {
   const struct case_file *c = r->c;
   const struct bem_surface *s = &r->flow.surface;
   const double *x = s->state, *y = x + s->n;
@@ -234,13 +124,10 @@ static enum status locate(const struct run *r, enum status status) {
 }
 
 /* What is known at the end, however the run ended; returns its status and keeps its message. */
-static enum status conclude(struct run *r, enum status status) {
+static enum status conclude(struct bem_run *r, enum status status) {
   char why[1024];
   snprintf(why, sizeof why, "%s", status_message());
-  enum status written = OK;
-  if (r->events.overturned && (status == OK || status == INTERRUPTED))
-    written =
-        bem_output_event(&r->output, "overturning", r->overturn.time, r->overturn.x, r->overturn.y);
+  enum status written = status == OK || status == INTERRUPTED ? bem_events_conclude(r) : OK;
   if (written == OK)
     written = bem_output_statistics(&r->output, &r->flow, r->stepper, bem_pace_cut(&r->pace));
   return status == OK ? written : status_raise(status, "%s", why);
@@ -252,7 +139,7 @@ static void find_tops(const struct case_file *c, double top[2]) {
   top[1] = (c->walls.p[c->walls.points - 1][1] - c->tank.min[1]) / c->H;
 }
 
-static enum status begin(struct run *r, const struct case_run *cr) {
+static enum status begin(struct bem_run *r, const struct case_run *cr) {
   const struct case_file *c = r->c;
   const struct bem_options *o = cr->options;
   const bool wave = c->wave.kind != CASE_WAVE_NONE;
@@ -265,22 +152,21 @@ static enum status begin(struct run *r, const struct case_run *cr) {
   TRY(bem_start_surface(c, cr, &r->flow));
   r->flow.filter = o->filter * (r->flow.surface.tip > 0 ? 1 : GENTLE);
   r->flow.smoothing = o->smoothing;
-  TRY(bem_stepper_create(&r->flow, tolerance, bem_events_roots, &r->events, &r->stepper));
-  TRY(restart(r));
-  return bem_output_due(&r->output, &r->flow, NULL, &r->events, 0, 0);
+  TRY(bem_stepper_create(&r->flow, tolerance, &bem_events_roots, r, &r->stepper));
+  TRY(bem_run_restart(r));
+  return bem_output_due(&r->output, &r->flow, NULL, false, 0, 0);
 }
 
 static enum status run(const struct case_file *c, const struct case_run *cr, struct result *out,
                        struct progress *progress) {
   const struct bem_options *o = cr->options;
-  struct run r = {.c = c,
-                  .film = o->film / c->H,
-                  .output = {.c = c,
-                             .file = out,
-                             .start = progress_wall_clock(),
-                             .time_scale = sqrt(c->H / c->gravity)}};
-  r.events = (struct bem_events){.surface = &r.flow.surface, .thickness = BEM_IMPACT};
-  find_tops(c, r.events.top);
+  struct bem_run r = {.c = c,
+                      .film = o->film / c->H,
+                      .output = {.c = c,
+                                 .file = out,
+                                 .start = progress_wall_clock(),
+                                 .time_scale = sqrt(c->H / c->gravity)}};
+  find_tops(c, r.top);
   enum status status = begin(&r, cr);
   if (status == OK) {
     status = advance(&r, progress);

@@ -9,8 +9,9 @@
 struct bem_stepper {
   struct bem_flow *flow;
   double tolerance;
-  bem_root_function *roots;
+  const struct bem_roots *roots;
   void *data;
+  int *found, *direction; /* [roots->n] */
   SUNContext context;
   void *cvode;
   N_Vector state, view; /* view: borrows the memory that an interpolation fills */
@@ -26,21 +27,26 @@ static int rates(realtype time, N_Vector y, N_Vector rate, void *data) {
   return s->flow->status == ERR_MEMORY ? -1 : 1; /* 1: CVODE may try a smaller step */
 }
 
-static int roots(realtype time, N_Vector y, realtype *root, void *data) {
+static int find_roots(realtype time, N_Vector y, realtype *root, void *data) {
   struct bem_stepper *s = data;
-  s->roots(s->data, time, N_VGetArrayPointer(y), root);
+  s->roots->find(s->data, time, N_VGetArrayPointer(y), root);
   return 0;
 }
 
-enum status bem_stepper_create(struct bem_flow *flow, double tolerance, bem_root_function *f,
-                               void *data, struct bem_stepper **out) {
+enum status bem_stepper_create(struct bem_flow *flow, double tolerance,
+                               const struct bem_roots *roots, void *data,
+                               struct bem_stepper **out) {
   struct bem_stepper *s = calloc(1, sizeof *s);
   CHECK(s, ERR_MEMORY, "no memory for the time integrator");
   s->flow = flow;
   s->tolerance = tolerance;
-  s->roots = f;
+  s->roots = roots;
   s->data = data;
   *out = s;
+  s->found = calloc((size_t)roots->n, sizeof *s->found);
+  s->direction = calloc((size_t)roots->n, sizeof *s->direction);
+  CHECK(s->found && s->direction, ERR_MEMORY, "no memory for the time integrator");
+  for (int i = 0; i < roots->n; i++) s->direction[i] = -1;
   CHECK(SUNContext_Create(NULL, &s->context) == 0, ERR_SOLVER, "SUNDIALS gives no context");
   return OK;
 }
@@ -71,6 +77,8 @@ void bem_stepper_destroy(struct bem_stepper *s) {
   if (!s) return;
   close_integrator(s);
   if (s->context) SUNContext_Free(&s->context);
+  free(s->found);
+  free(s->direction);
   free(s);
 }
 
@@ -89,26 +97,23 @@ enum status bem_stepper_restart(struct bem_stepper *s, double time) {
   s->cvode = CVodeCreate(CV_ADAMS, s->context);
   CHECK(s->view && s->iteration && s->cvode, ERR_MEMORY, "no memory for CVODE");
   CVodeSetErrHandlerFn(s->cvode, ignore, NULL);
-  int failed = CVodeInit(s->cvode, rates, time, s->state) ||
-               CVodeSStolerances(s->cvode, 0, s->tolerance) || CVodeSetUserData(s->cvode, s) ||
-               CVodeSetNonlinearSolver(s->cvode, s->iteration) ||
-               CVodeRootInit(s->cvode, BEM_ROOTS, roots);
-  int direction[BEM_ROOTS];
-  for (int i = 0; i < BEM_ROOTS; i++) direction[i] = -1;
-  failed =
-      failed || CVodeSetRootDirection(s->cvode, direction) || CVodeSetNoInactiveRootWarn(s->cvode);
+  int failed =
+      CVodeInit(s->cvode, rates, time, s->state) || CVodeSStolerances(s->cvode, 0, s->tolerance) ||
+      CVodeSetUserData(s->cvode, s) || CVodeSetNonlinearSolver(s->cvode, s->iteration) ||
+      CVodeRootInit(s->cvode, s->roots->n, find_roots) ||
+      CVodeSetRootDirection(s->cvode, s->direction) || CVodeSetNoInactiveRootWarn(s->cvode);
   CHECK(!failed, ERR_SOLVER, "CVODE cannot be started");
   s->count.initialisations++;
   return OK;
 }
 
-enum status bem_stepper_step(struct bem_stepper *s, double *time, double *dt,
-                             int found[BEM_ROOTS]) {
+enum status bem_stepper_step(struct bem_stepper *s, double *time, double *dt, const int **found) {
   double before = *time;
-  memset(found, 0, BEM_ROOTS * sizeof *found);
+  memset(s->found, 0, (size_t)s->roots->n * sizeof *s->found);
+  *found = s->found;
   s->flow->status = OK;
   int code = CVode(s->cvode, *time + 1, s->state, time, CV_ONE_STEP);
-  if (code == CV_ROOT_RETURN) CVodeGetRootInfo(s->cvode, found);
+  if (code == CV_ROOT_RETURN) CVodeGetRootInfo(s->cvode, s->found);
   if (code < 0 && s->flow->status != OK) return s->flow->status;
   CHECK(code >= 0, ERR_SOLVER, "the flow cannot be followed any further (%s)",
         CVodeGetReturnFlagName(code));
