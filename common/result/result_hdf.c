@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define DEFLATE 4 /* beyond it, time grows and size hardly shrinks */
-
 void hdf_quiet(void) {
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
 }
@@ -91,7 +89,7 @@ enum status hdf_set_integers(hid_t object, const char *name, size_t n, const int
   return set_attribute(object, name, H5T_NATIVE_INT64, n == 1 ? 0 : n, values);
 }
 
-static enum status describe(hid_t set, const char *units, const char *help) {
+enum status hdf_describe(hid_t set, const char *units, const char *help) {
   TRY(hdf_set_string(set, "units", units));
   return hdf_set_string(set, "description", help);
 }
@@ -104,7 +102,7 @@ static enum status put(hid_t group, const char *name, hid_t type, int rank, cons
   bool good =
       set >= 0 && (empty || H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
   enum status status =
-      good ? describe(set, units, help) : hdf_raise(ERR_IO, "cannot write %s", name);
+      good ? hdf_describe(set, units, help) : hdf_raise(ERR_IO, "cannot write %s", name);
   if (set >= 0) H5Dclose(set);
   H5Sclose(space);
   return status;
@@ -126,44 +124,6 @@ enum status hdf_put_string(hid_t group, const char *name, const char *value, con
   enum status status = put(group, name, type, 0, NULL, &value, "1", help);
   H5Tclose(type);
   return status;
-}
-
-enum status hdf_column_create(hid_t group, const char *name, hid_t type, size_t width,
-                              size_t chunk_rows, const char *units, const char *help,
-                              struct hdf_column *column) {
-  hsize_t dims[2] = {0, width}, most[2] = {H5S_UNLIMITED, width}, chunk[2] = {chunk_rows, width};
-  int rank = width ? 2 : 1;
-  hid_t space = H5Screate_simple(rank, dims, most), plist = H5Pcreate(H5P_DATASET_CREATE);
-  bool good = H5Pset_chunk(plist, rank, chunk) >= 0 && H5Pset_shuffle(plist) >= 0 &&
-              H5Pset_deflate(plist, DEFLATE) >= 0;
-  *column = (struct hdf_column){.type = type, .width = width};
-  if (good) column->set = H5Dcreate2(group, name, type, space, H5P_DEFAULT, plist, H5P_DEFAULT);
-  good = good && column->set >= 0;
-  H5Pclose(plist);
-  H5Sclose(space);
-  if (!good) column->set = 0;
-  return good ? describe(column->set, units, help) : hdf_raise(ERR_IO, "cannot write %s", name);
-}
-
-enum status hdf_column_append(struct hdf_column *column, size_t n, const void *rows) {
-  if (!n) return OK;
-  hsize_t start[2] = {column->n, 0}, count[2] = {n, column->width};
-  hsize_t dims[2] = {column->n + n, column->width};
-  int rank = column->width ? 2 : 1;
-  hid_t memory = H5Screate_simple(rank, count, NULL), space = -1;
-  bool good = H5Dset_extent(column->set, dims) >= 0 && (space = H5Dget_space(column->set)) >= 0 &&
-              H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
-              H5Dwrite(column->set, column->type, memory, space, H5P_DEFAULT, rows) >= 0;
-  if (space >= 0) H5Sclose(space);
-  H5Sclose(memory);
-  if (!good) return hdf_raise(ERR_IO, "cannot append %zu rows", n);
-  column->n += n;
-  return OK;
-}
-
-void hdf_column_close(struct hdf_column *column) {
-  if (column->set > 0) H5Dclose(column->set);
-  column->set = 0;
 }
 
 /* ---- reading ---- */

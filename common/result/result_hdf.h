@@ -24,25 +24,14 @@ enum status hdf_set_ascii(hid_t object, const char *name, const char *value);  /
 enum status hdf_set_number(hid_t object, const char *name, double value);      /* replaces */
 enum status hdf_set_integers(hid_t object, const char *name, size_t n, const int64_t *values);
 
+enum status hdf_describe(hid_t set, const char *units, const char *help);
+
 /* Complete datasets: `type` is a native type, width 0 makes a vector and else rows of `width`. */
 enum status hdf_put(hid_t group, const char *name, hid_t type, size_t n, size_t width,
                     const void *values, const char *units, const char *help);
 enum status hdf_put_scalar(hid_t group, const char *name, hid_t type, const void *value,
                            const char *units, const char *help);
 enum status hdf_put_string(hid_t group, const char *name, const char *value, const char *help);
-
-/* A dataset that grows by rows: chunked, shuffled, deflated. */
-struct hdf_column {
-  hid_t set;    /* owned; 0 when there is none */
-  hid_t type;   /* native, in memory and in the file */
-  size_t width; /* numbers in a row, 0: a vector */
-  hsize_t n;    /* rows so far */
-};
-enum status hdf_column_create(hid_t group, const char *name, hid_t type, size_t width,
-                              size_t chunk_rows, const char *units, const char *help,
-                              struct hdf_column *column);
-enum status hdf_column_append(struct hdf_column *column, size_t n, const void *rows);
-void hdf_column_close(struct hdf_column *column);
 
 /* ---- reading: nothing is trusted, nothing larger than the file can hold is allocated ---- */
 

@@ -6,12 +6,14 @@
 
 #include "common/base/status.h"
 #include "common/result/result.h"
+#include "common/result/result_column.h"
 
 struct vtkhdf;
 
-/* Creates /VTKHDF in `root` for points that carry these fields at every output. */
-enum status vtkhdf_create(hid_t root, enum result_cells cells, size_t n_fields,
-                          const struct result_field *fields, struct vtkhdf **out);
+/* Creates /VTKHDF in `root` for points that carry these fields at every output; its datasets belong
+ * to `columns`. */
+enum status vtkhdf_create(hid_t root, struct hdf_columns *columns, enum result_cells cells,
+                          size_t n_fields, const struct result_field *fields, struct vtkhdf **out);
 
 /* One output; *first is the row of /VTKHDF/Points where it begins. */
 enum status vtkhdf_step(struct vtkhdf *v, double time, size_t n, const double *x, const double *y,

@@ -7,6 +7,7 @@
 #include "common/case/case.h"
 #include "common/result/health.h"
 #include "common/result/result.h"
+#include "common/result/result_column.h"
 #include "common/result/result_hdf.h"
 #include "common/result/result_layout.h"
 #include "common/result/result_store.h"
@@ -16,12 +17,10 @@
 
 enum { SERIES_ROWS = 1024, SURFACE_ROWS = 4096 }; /* of a chunk */
 
-/* Columns of equal length. Rows wait in memory until the next flush. */
+/* Columns of equal length. */
 struct series {
   size_t n_columns;
-  struct hdf_column column[RESULT_ENERGY_COLUMNS];
-  size_t n, room;
-  double *rows; /* [room][n_columns], owned */
+  struct hdf_column *column[RESULT_ENERGY_COLUMNS];
 };
 _Static_assert(RESULT_STEP_COLUMNS <= RESULT_ENERGY_COLUMNS, "a series holds either");
 
@@ -30,8 +29,9 @@ struct result {
   struct result_store *store;
   struct xdmf *xdmf;
   hid_t file, events, statistics;
+  struct hdf_columns *columns;
   struct {
-    struct hdf_column time, first_piece, first_point, closed, points;
+    struct hdf_column *time, *first_piece, *first_point, *closed, *points;
   } surface;
   struct series energy, steps;
   size_t n_probes, n_gauges;
@@ -44,44 +44,20 @@ struct result {
 
 /* ---- series ---- */
 
-static enum status series_create(struct series *s, hid_t group, size_t n,
-                                 const struct result_column *columns) {
-  for (s->n_columns = 0; s->n_columns < n; s->n_columns++)
-    TRY(hdf_column_create(group, columns[s->n_columns].name, H5T_NATIVE_DOUBLE, 0, SERIES_ROWS,
-                          columns[s->n_columns].units, columns[s->n_columns].help,
+static enum status series_create(struct result *w, hid_t group, size_t n,
+                                 const struct result_column *columns, struct series *s) {
+  const struct hdf_rows rows = {H5T_NATIVE_DOUBLE, 0, SERIES_ROWS};
+  for (s->n_columns = 0; s->n_columns < n; s->n_columns++) {
+    const struct result_column *c = &columns[s->n_columns];
+    TRY(hdf_column_create(w->columns, group, c->name, &rows, c->units, c->help,
                           &s->column[s->n_columns]));
+  }
   return OK;
 }
 
 static enum status series_add(struct series *s, const double *row) {
-  if (s->n == s->room) {
-    size_t room = 2 * s->room + 64;
-    double *rows = realloc(s->rows, room * s->n_columns * sizeof *rows);
-    CHECK(rows, ERR_MEMORY, "no memory for %zu rows of a series", room);
-    s->rows = rows;
-    s->room = room;
-  }
-  memcpy(s->rows + s->n++ * s->n_columns, row, s->n_columns * sizeof *row);
+  for (size_t k = 0; k < s->n_columns; k++) TRY(hdf_column_append(s->column[k], 1, &row[k]));
   return OK;
-}
-
-static enum status series_flush(struct series *s) {
-  if (!s->n) return OK;
-  double *column = malloc(s->n * sizeof *column);
-  CHECK(column, ERR_MEMORY, "no memory for %zu rows of a series", s->n);
-  enum status status = OK;
-  for (size_t k = 0; k < s->n_columns && status == OK; k++) {
-    for (size_t i = 0; i < s->n; i++) column[i] = s->rows[i * s->n_columns + k];
-    status = hdf_column_append(&s->column[k], s->n, column);
-  }
-  free(column);
-  s->n = 0;
-  return status;
-}
-
-static void series_destroy(struct series *s) {
-  for (size_t k = 0; k < s->n_columns; k++) hdf_column_close(&s->column[k]);
-  free(s->rows);
 }
 
 /* ---- the header: what is known before the run ---- */
@@ -221,7 +197,8 @@ static enum status named_group(hid_t parent, const char *name, hid_t *group) {
   return hdf_set_string(*group, "name", name);
 }
 
-static enum status create_probe(hid_t parent, const struct case_probe *p, struct series *s) {
+static enum status create_probe(struct result *w, hid_t parent, const struct case_probe *p,
+                                struct series *s) {
   static const struct result_column columns[] = {{"time", "s", "physical time"},
                                                  {"pressure", "Pa", "gauge pressure on the wall"}};
   hid_t group = -1;
@@ -230,30 +207,31 @@ static enum status create_probe(hid_t parent, const struct case_probe *p, struct
   ATTEMPT(hdf_set_number(group, "x", p->x));
   ATTEMPT(hdf_set_number(group, "y", p->y));
   ATTEMPT(hdf_set_number(group, "size", p->size));
-  ATTEMPT(series_create(s, group, 2, columns));
+  ATTEMPT(series_create(w, group, 2, columns, s));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
 }
 
-static enum status create_gauge(hid_t parent, const struct case_gauge *g, struct series *s) {
+static enum status create_gauge(struct result *w, hid_t parent, const struct case_gauge *g,
+                                struct series *s) {
   static const struct result_column columns[] = {
       {"time", "s", "physical time"}, {"elevation", "m", "y of the top of the water on the bed"}};
   hid_t group = -1;
   enum status status = OK;
   ATTEMPT(named_group(parent, g->name, &group));
   ATTEMPT(hdf_set_number(group, "x", g->x));
-  ATTEMPT(series_create(s, group, 2, columns));
+  ATTEMPT(series_create(w, group, 2, columns, s));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
 }
 
-static enum status create_columns(hid_t parent, const char *name, size_t n,
+static enum status create_columns(struct result *w, hid_t parent, const char *name, size_t n,
                                   const struct result_column *columns, struct series *s) {
   hid_t group = -1;
   TRY(hdf_group_create(parent, name, &group));
-  enum status status = series_create(s, group, n, columns);
+  enum status status = series_create(w, group, n, columns, s);
   H5Gclose(group);
   return status;
 }
@@ -262,15 +240,15 @@ static enum status create_series(struct result *w, const struct case_file *c) {
   hid_t series = -1, probes = -1, gauges = -1;
   enum status status = OK;
   ATTEMPT(hdf_group_create(w->file, "series", &series));
-  ATTEMPT(
-      create_columns(series, "energy", RESULT_ENERGY_COLUMNS, result_energy_columns, &w->energy));
-  ATTEMPT(create_columns(series, "run", RESULT_STEP_COLUMNS, result_step_columns, &w->steps));
+  ATTEMPT(create_columns(w, series, "energy", RESULT_ENERGY_COLUMNS, result_energy_columns,
+                         &w->energy));
+  ATTEMPT(create_columns(w, series, "run", RESULT_STEP_COLUMNS, result_step_columns, &w->steps));
   ATTEMPT(hdf_group_create(series, "probes", &probes));
   for (size_t i = 0; i < w->n_probes; i++)
-    ATTEMPT(create_probe(probes, &c->probes[i], &w->probes[i]));
+    ATTEMPT(create_probe(w, probes, &c->probes[i], &w->probes[i]));
   ATTEMPT(hdf_group_create(series, "gauges", &gauges));
   for (size_t i = 0; i < w->n_gauges; i++)
-    ATTEMPT(create_gauge(gauges, &c->gauges[i], &w->gauges[i]));
+    ATTEMPT(create_gauge(w, gauges, &c->gauges[i], &w->gauges[i]));
 done:
   if (gauges >= 0) H5Gclose(gauges);
   if (probes >= 0) H5Gclose(probes);
@@ -280,24 +258,28 @@ done:
 
 static enum status create_surface(struct result *w) {
   static const size_t zero = 0;
+  const struct hdf_rows times = {H5T_NATIVE_DOUBLE, 0, SERIES_ROWS},
+                        counts = {H5T_NATIVE_HSIZE, 0, SERIES_ROWS},
+                        flags = {H5T_NATIVE_UCHAR, 0, SERIES_ROWS},
+                        points = {H5T_NATIVE_DOUBLE, 2, SURFACE_ROWS};
   hid_t group = -1;
   enum status status = OK;
   ATTEMPT(hdf_group_create(w->file, "surface", &group));
-  ATTEMPT(hdf_column_create(group, "time", H5T_NATIVE_DOUBLE, 0, SERIES_ROWS, "s",
-                            "time of each surface", &w->surface.time));
-  ATTEMPT(hdf_column_create(group, "first_piece", H5T_NATIVE_HSIZE, 0, SERIES_ROWS, "1",
+  ATTEMPT(hdf_column_create(w->columns, group, "time", &times, "s", "time of each surface",
+                            &w->surface.time));
+  ATTEMPT(hdf_column_create(w->columns, group, "first_piece", &counts, "1",
                             "first piece of each surface, and the end of the last",
                             &w->surface.first_piece));
-  ATTEMPT(hdf_column_create(group, "first_point", H5T_NATIVE_HSIZE, 0, SERIES_ROWS, "1",
+  ATTEMPT(hdf_column_create(w->columns, group, "first_point", &counts, "1",
                             "first row of points of each piece, and the end of the last",
                             &w->surface.first_point));
-  ATTEMPT(hdf_column_create(group, "closed", H5T_NATIVE_UCHAR, 0, SERIES_ROWS, "1",
+  ATTEMPT(hdf_column_create(w->columns, group, "closed", &flags, "1",
                             "1 where the last point of a piece joins its first",
                             &w->surface.closed));
-  ATTEMPT(hdf_column_create(group, "points", H5T_NATIVE_DOUBLE, 2, SURFACE_ROWS, "m",
+  ATTEMPT(hdf_column_create(w->columns, group, "points", &points, "m",
                             "x, y; the water lies on the right", &w->surface.points));
-  ATTEMPT(hdf_column_append(&w->surface.first_piece, 1, &zero));
-  ATTEMPT(hdf_column_append(&w->surface.first_point, 1, &zero));
+  ATTEMPT(hdf_column_append(w->surface.first_piece, 1, &zero));
+  ATTEMPT(hdf_column_append(w->surface.first_point, 1, &zero));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
@@ -335,6 +317,7 @@ enum status result_create(const char *path, const struct case_file *c, const str
   w->n_gauges = c->n_gauges;
   health_watch_begin(&w->watch, case_rest_potential(c),
                      c->density * c->gravity * c->H * c->H * c->H);
+  ATTEMPT(hdf_columns_create(&w->columns));
   ATTEMPT(result_store_create(path, &w->store));
   ATTEMPT(result_store_open(w->store, &w->file));
   ATTEMPT(create_content(w, c, r));
@@ -364,7 +347,7 @@ static enum status append_points(struct result *w, double time, size_t n, const 
                                  const double *y, enum result_cells cells, size_t n_fields,
                                  const struct result_field *fields) {
   size_t first;
-  if (!w->points) TRY(vtkhdf_create(w->file, cells, n_fields, fields, &w->points));
+  if (!w->points) TRY(vtkhdf_create(w->file, w->columns, cells, n_fields, fields, &w->points));
   TRY(vtkhdf_step(w->points, time, n, x, y, fields, &first));
   return xdmf_step(w->xdmf, time, first, n, cells, n_fields, fields);
 }
@@ -376,16 +359,17 @@ enum status result_points(struct result *w, double time, size_t n, const double 
 }
 
 static enum status append_surface(struct result *w, double time, const struct geo_lines *surface) {
-  size_t n_pieces = (size_t)w->surface.closed.n, n_points = (size_t)w->surface.points.n;
-  TRY(hdf_column_append(&w->surface.points, surface->points, surface->p));
-  TRY(hdf_column_append(&w->surface.closed, surface->pieces, surface->closed));
+  size_t n_pieces = hdf_column_length(w->surface.closed);
+  size_t n_points = hdf_column_length(w->surface.points);
+  TRY(hdf_column_append(w->surface.points, surface->points, surface->p));
+  TRY(hdf_column_append(w->surface.closed, surface->pieces, surface->closed));
   for (size_t k = 0; k < surface->pieces; k++) {
     size_t end = n_points + surface->first[k + 1];
-    TRY(hdf_column_append(&w->surface.first_point, 1, &end));
+    TRY(hdf_column_append(w->surface.first_point, 1, &end));
   }
   size_t end = n_pieces + surface->pieces;
-  TRY(hdf_column_append(&w->surface.first_piece, 1, &end));
-  return hdf_column_append(&w->surface.time, 1, &time);
+  TRY(hdf_column_append(w->surface.first_piece, 1, &end));
+  return hdf_column_append(w->surface.time, 1, &time);
 }
 
 enum status result_surface(struct result *w, double time, const struct geo_lines *surface) {
@@ -471,17 +455,14 @@ enum status result_health(struct result *w, const char *broke_off, struct health
 
 /* ---- flushing ---- */
 
-static enum status flush_series(struct result *w) {
-  TRY(series_flush(&w->energy));
-  TRY(series_flush(&w->steps));
-  for (size_t i = 0; i < w->n_probes; i++) TRY(series_flush(&w->probes[i]));
-  for (size_t i = 0; i < w->n_gauges; i++) TRY(series_flush(&w->gauges[i]));
+static enum status flush_hdf(struct result *w) {
+  TRY(hdf_columns_flush(w->columns));
   return H5Fflush(w->file, H5F_SCOPE_LOCAL) >= 0 ? OK : hdf_raise(ERR_IO, "cannot flush");
 }
 
 static enum status flush(struct result *w, bool last) {
   CHECK(!w->broken, ERR_IO, "%s keeps only what was flushed before an earlier failure", w->path);
-  TRY(guard(w, flush_series(w)));
+  TRY(guard(w, flush_hdf(w)));
   TRY(result_store_commit(w->store, last));
   return w->xdmf ? xdmf_write(w->xdmf, last) : OK; /* after the data that it points to */
 }
@@ -508,13 +489,7 @@ void result_destroy(struct result *w) {
   }
   vtkhdf_destroy(w->points);
   xdmf_destroy(w->xdmf);
-  struct hdf_column *columns[] = {&w->surface.time, &w->surface.first_piece,
-                                  &w->surface.first_point, &w->surface.closed, &w->surface.points};
-  for (size_t i = 0; i < sizeof columns / sizeof *columns; i++) hdf_column_close(columns[i]);
-  series_destroy(&w->energy);
-  series_destroy(&w->steps);
-  for (size_t i = 0; i < w->n_probes; i++) series_destroy(&w->probes[i]);
-  for (size_t i = 0; i < w->n_gauges; i++) series_destroy(&w->gauges[i]);
+  hdf_columns_destroy(w->columns);
   if (w->events >= 0) H5Gclose(w->events);
   if (w->statistics >= 0) H5Gclose(w->statistics);
   if (w->file >= 0) H5Fclose(w->file); /* into memory, not to the disk */
