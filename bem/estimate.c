@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "bem/mesh.h"
+#include "common/flow/flow.h"
 
 /* Measured: one matrix of 8 n^2 bytes; nodes 1.14 times those of even spacing on a column of
  * H by H, and twice as many when the water has run along a tank of two to three columns. The clock,
@@ -13,7 +14,7 @@ static const double SECONDS_OF_137 = 0.57, POWER = 2.5; /* per sqrt(H/g), with 1
 void bem_estimate(const struct case_file *c, const struct case_run *r, struct solver_estimate *e) {
   struct geo_box w = geo_lines_box(&c->water);
   double wide = (w.max[0] - w.min[0]) / c->H, high = (w.max[1] - w.min[1]) / c->H;
-  bool wave = c->wave.kind != CASE_WAVE_NONE;
+  bool wave = flow_is_wave(c->flow);
   double n = ceil(r->resolution * (wave ? wide : MORE_NODES * (wide + high)));
   double most = fmin(BEM_MOST_NODES, wave ? n : GROWTH * n);
   e->points = n;

@@ -10,6 +10,8 @@
 #include "bem/options.h"
 #include "bem/run.h"
 #include "bem/start.h"
+#include "common/flow/flow.h"
+#include "common/tank/tank.h"
 
 #define KEY(member) .offset = offsetof(struct bem_options, member)
 static const struct param params[] = {
@@ -135,17 +137,17 @@ static enum status conclude(struct bem_run *r, enum status status) {
 
 /* Heights of the tops of the walls above the bed, H. */
 static void find_tops(const struct case_file *c, double top[2]) {
-  top[0] = (c->walls.p[0][1] - c->tank.min[1]) / c->H;
-  top[1] = (c->walls.p[c->walls.points - 1][1] - c->tank.min[1]) / c->H;
+  struct tank tank = tank_of(&c->walls);
+  for (int side = 0; side < 2; side++) top[side] = (tank.top[side] - c->tank.min[1]) / c->H;
 }
 
 static enum status begin(struct bem_run *r, const struct case_run *cr) {
   const struct case_file *c = r->c;
   const struct bem_options *o = cr->options;
-  const bool wave = c->wave.kind != CASE_WAVE_NONE;
   struct bem_solve_options solve = {.tolerance = o->gmres, .dense_up_to = (size_t)o->dense};
-  double tolerance = o->tolerance * (wave ? 1e-3 * fabs(c->wave.amplitude) / c->H : 1);
-  if (!(tolerance > 1e-14)) tolerance = 1e-14; /* rounding; still water has amplitude 0 */
+  bool wave = flow_is_wave(c->flow);
+  double tolerance = o->tolerance * (wave ? 1e-3 * c->flow->scale(c).amplitude / c->H : 1);
+  if (!(tolerance > 1e-14)) tolerance = 1e-14; /* rounding */
   TRY(bem_solve_create(&solve, &r->flow.solve));
   solve.tolerance = fmax(solve.tolerance, SHOWN);
   TRY(bem_output_create(&r->output, &solve));

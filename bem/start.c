@@ -3,19 +3,11 @@
 #include <math.h>
 
 #include "bem/options.h"
+#include "common/flow/flow.h"
+#include "common/flow/regions.h"
 
-static const double TOE = 0.15;  /* of the released column, see struct bem_surface */
-static const double NEAR = 1e-9; /* of the tank: lengths that count as equal */
-enum { FEWEST = 8 };             /* nodes that a surface needs */
-
-static bool is_rectangle(const struct geo_lines *l, const struct geo_box *b) {
-  if (l->pieces != 1 || l->points != 4) return false;
-  double near = NEAR * (b->max[0] - b->min[0]);
-  for (size_t k = 0; k < 4; k++)
-    for (int d = 0; d < 2; d++)
-      if (fabs(l->p[k][d] - b->min[d]) > near && fabs(l->p[k][d] - b->max[d]) > near) return false;
-  return true;
-}
+static const double TOE = 0.15; /* of the released column, see struct bem_surface */
+enum { FEWEST = 8 };            /* nodes that a surface needs */
 
 /* `length` of the surface in H. */
 static void check_most(const struct case_run *r, double length, struct problems *problems) {
@@ -38,26 +30,21 @@ static void check_film(const struct case_file *c, const struct case_run *r,
                r->name, o->film, BEM_IMPACT * c->H, BEM_IMPACT);
 }
 
-void bem_start_check(const struct case_file *c, const struct case_run *r,
-                     struct problems *problems) {
-  if (!c->rectangular)
-    problems_add(
-        problems, case_run_line(r, "solver"),
-        "runs.%s.solver: found 'bem' in a tank that is not rectangular; allowed: one wall, "
-        "open at the top, down the left side, along a flat bed, up the right side; take another "
-        "solver",
-        r->name);
-  double width = c->tank.max[0] - c->tank.min[0], near = NEAR * width;
-  if (c->wave.kind != CASE_WAVE_NONE) {
-    if (width / c->H * r->resolution < FEWEST)
-      problems_add(problems, case_run_line(r, "resolution"),
-                   "runs.%s.resolution: found '%.6g', %.3g nodes on the surface; allowed: at least "
-                   "%d nodes; raise it to %g",
-                   r->name, r->resolution, width / c->H * r->resolution, FEWEST,
-                   ceil(FEWEST * c->H / width));
-    check_most(r, width / c->H, problems);
-    return;
-  }
+/* `length` of the `part` of the outline in H. */
+static void check_fewest(const struct case_run *r, double length, const char *part,
+                         struct problems *problems) {
+  if (length * r->resolution >= FEWEST) return;
+  problems_add(problems, case_run_line(r, "resolution"),
+               "runs.%s.resolution: found '%.6g', %.3g nodes on the %s; allowed: at least %d "
+               "nodes; raise it to %g",
+               r->name, r->resolution, length * r->resolution, part, FEWEST, ceil(FEWEST / length));
+}
+
+static void check_regions(const struct case_file *c, const struct case_run *r,
+                          struct problems *problems) {
+  struct flow_column column;
+  struct geo_box b = geo_lines_box(&c->water);
+  double wide = (b.max[0] - b.min[0]) / c->H, high = (b.max[1] - b.min[1]) / c->H;
   check_film(c, r, problems);
   if (c->water.pieces != 1) {
     problems_add(problems, case_run_line(r, "solver"),
@@ -66,9 +53,7 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  r->name, c->water.pieces);
     return;
   }
-  struct geo_box b = geo_lines_box(&c->water);
-  if (!is_rectangle(&c->water, &b) || fabs(b.min[0] - c->tank.min[0]) > near ||
-      fabs(b.min[1] - c->tank.min[1]) > near)
+  if (!flow_find_column(c, &column) || !column.left)
     problems_add(
         problems, case_run_line(r, "solver"),
         "runs.%s.solver: found 'bem' with other water; allowed: a rectangle that stands on "
@@ -79,46 +64,76 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "runs.%s.solver: found 'bem' with moving water; allowed: water at rest at t = 0; "
                  "remove water.velocity",
                  r->name);
-  double shortest = fmin(b.max[0] - b.min[0], b.max[1] - b.min[1]) / c->H;
-  if (shortest * r->resolution < FEWEST)
-    problems_add(problems, case_run_line(r, "resolution"),
-                 "runs.%s.resolution: found '%.6g', %.3g nodes on the shorter side of the water; "
-                 "allowed: at least %d nodes; raise it to %g",
-                 r->name, r->resolution, shortest * r->resolution, FEWEST, ceil(FEWEST / shortest));
-  check_most(r, (b.max[0] - b.min[0] + b.max[1] - b.min[1]) / c->H, problems);
+  check_fewest(r, fmin(wide, high), "shorter side of the water", problems);
+  check_most(r, wide + high, problems);
 }
 
-enum status bem_start_surface(const struct case_file *c, const struct case_run *r,
-                              struct bem_flow *f) {
-  struct bem_surface *s = &f->surface;
-  struct geo_box b = geo_lines_box(&c->water);
-  double tank = (c->tank.max[0] - c->tank.min[0]) / c->H;
-  double wide = tank, high = c->wave.depth / c->H;
-  if (c->wave.kind == CASE_WAVE_NONE) {
-    wide = (b.max[0] - b.min[0]) / c->H;
-    high = (b.max[1] - b.min[1]) / c->H;
+void bem_start_check(const struct case_file *c, const struct case_run *r,
+                     struct problems *problems) {
+  double width = (c->tank.max[0] - c->tank.min[0]) / c->H;
+  if (!c->rectangular)
+    problems_add(
+        problems, case_run_line(r, "solver"),
+        "runs.%s.solver: found 'bem' in a tank that is not rectangular; allowed: one wall, "
+        "open at the top, down the left side, along a flat bed, up the right side; take another "
+        "solver",
+        r->name);
+  if (!flow_is_wave(c->flow)) {
+    check_regions(c, r, problems);
+    return;
   }
-  bool released = wide < tank * (1 - NEAR);
-  f->mesh.resolution = r->resolution;
-  f->level = wide * high / tank;
-  s->tank = tank;
+  check_fewest(r, width, "surface", problems);
+  check_most(r, width, problems);
+}
+
+/* From wall to wall, with the potential that the flow has there. */
+static enum status start_wave(const struct case_file *c, double resolution, struct bem_surface *s) {
+  size_t last = (size_t)ceil(s->tank * resolution);
+  double speed = sqrt(c->gravity * c->H);
+  s->right = BEM_END_WALL;
+  s->length = s->tank;
+  TRY(bem_surface_reserve(s, last + 1));
+  double *x = s->state, *y = x + s->n, *phi = y + s->n;
+  for (size_t k = 0; k < s->n; k++) {
+    x[k] = s->tank * (double)k / (double)last;
+    double at = c->tank.min[0] + c->H * x[k], eta = c->flow->elevation(c, at);
+    y[k] = (eta - c->tank.min[1]) / c->H;
+    phi[k] = flow_potential(c, at, eta) / (c->H * speed);
+  }
+  return OK;
+}
+
+/* At rest: from wall to wall, or over the top and down the free side of a released one. */
+static enum status start_column(double wide, double high, struct bem_flow *f) {
+  struct bem_surface *s = &f->surface;
+  bool released = wide < s->tank * (1 - CASE_SAME);
   s->right = released ? BEM_END_BED : BEM_END_WALL;
-  s->length = released ? 2 * tank : tank;
+  s->length = released ? 2 * s->tank : s->tank;
   s->tip = released ? TOE : 0;
-  size_t top = (size_t)ceil(wide * r->resolution),
-         side = released ? (size_t)ceil(high * r->resolution) : 0;
+  size_t top = (size_t)ceil(wide * f->mesh.resolution),
+         side = released ? (size_t)ceil(high * f->mesh.resolution) : 0;
   s->corner = released ? top : 0;
   TRY(bem_surface_reserve(s, top + side + 1));
   double *x = s->state, *y = x + s->n, *phi = y + s->n;
-  bool wave = c->wave.kind != CASE_WAVE_NONE;
-  double k0 = wave ? 2 * M_PI * c->H / c->wave.wavelength : 0;
   for (size_t k = 0; k < s->n; k++) {
     x[k] = k < top ? wide * (double)k / (double)top : wide;
     y[k] = k <= top ? high : high * (double)(s->n - 1 - k) / (double)side;
     phi[k] = 0;
-    if (wave) y[k] += c->wave.amplitude / c->H * cos(k0 * x[k]);
   }
   if (released) /* the spacing at the toe is found by repetition */
     for (int i = 0; i < 4; i++) TRY(bem_mesh_regrid(&f->mesh, s));
   return OK;
+}
+
+enum status bem_start_surface(const struct case_file *c, const struct case_run *r,
+                              struct bem_flow *f) {
+  struct geo_box b = geo_lines_box(&c->water);
+  bool wave = flow_is_wave(c->flow);
+  double tank = (c->tank.max[0] - c->tank.min[0]) / c->H;
+  double wide = wave ? tank : (b.max[0] - b.min[0]) / c->H;
+  double high = (wave ? c->flow->scale(c).mean : b.max[1] - b.min[1]) / c->H;
+  f->mesh.resolution = r->resolution;
+  f->surface.tank = tank;
+  f->level = wide * high / tank;
+  return wave ? start_wave(c, r->resolution, &f->surface) : start_column(wide, high, f);
 }

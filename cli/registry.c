@@ -1,11 +1,11 @@
 #include "cli/registry.h"
 
 #include "bem/solver.h"
-#include "common/flow/wave_solver.h"
 #include "compare/measure.h"
+#include "exact/solver.h"
 #include "sph/solver.h"
 
-static const struct solver *const solvers[] = {&sph_solver, &bem_solver, &wave_solver};
+static const struct solver *const solvers[] = {&sph_solver, &bem_solver, &exact_solver};
 
 const struct registry registry = {
     .solvers = solvers,

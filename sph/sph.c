@@ -128,7 +128,7 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   s->h = o->h_over_dx * s->dx;
   s->support = kernel_support((enum sph_kernel)o->kernel) * s->h;
   s->skin = skin_width * s->dx;
-  s->tank = sph_tank_of(&c->walls);
+  s->tank = tank_of(&c->walls);
   ATTEMPT(sph_initial_fill(s, c));
   ATTEMPT(sph_allocate(s->f.room, sizeof *s->pack, &s->pack));
   ATTEMPT(sph_allocate(s->f.room / SPH_LANES, sizeof *s->cluster_totals, &s->cluster_totals));

@@ -10,7 +10,7 @@
 
 #include "common/base/geometry.h"
 #include "common/base/status.h"
-#include "sph/domain/tank.h"
+#include "common/tank/tank.h"
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"
 #include "sph/scheme.h"
@@ -58,7 +58,7 @@ struct sph {
   struct sph_scheme scheme;
   double rho0, c0, g, dx, h; /* kg m^-3, m/s, m s^-2, m, m */
   double support;            /* m, radius of the kernel */
-  struct sph_tank tank;
+  struct tank tank;
 
   double t, dt; /* s; of the last step */
   size_t steps, evaluations, rebuilds, reflections;
@@ -95,6 +95,6 @@ bool sph_lists_hold(const struct sph *s);
 enum status sph_neighbours_widen(struct sph *s);
 
 /* Takes particles that cannot come back out of the computation, into the budget: those that have
- * passed over a wall and fallen below its top, and those more than the support outside the tank. Between
- * steps only. ERR_DIVERGED when none is left. */
+ * passed over a wall and fallen below its top, and those more than the support outside the tank.
+ * Between steps only. ERR_DIVERGED when none is left. */
 enum status sph_remove_outside(struct sph *s);

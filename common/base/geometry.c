@@ -181,3 +181,7 @@ const double *geo_cut_span(const struct geo_cut *cut, double along) {
   }
   return best;
 }
+
+size_t geo_intervals(double length, double spacing) {
+  return (size_t)fmax(1, floor(length / spacing + 0.5));
+}

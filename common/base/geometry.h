@@ -71,3 +71,6 @@ void geo_cut_destroy(struct geo_cut *cut); /* NULL is fine */
 
 /* The span nearest to a coordinate along the cut; NULL when there is none. */
 const double *geo_cut_span(const struct geo_cut *cut, double along);
+
+/* How many intervals of about `spacing` a length is divided into, evenly; at least one. */
+size_t geo_intervals(double length, double spacing);

@@ -8,6 +8,7 @@
 
 #include "common/base/text.h"
 #include "common/case/case_draft.h"
+#include "common/flow/flow.h"
 
 enum { MOST_BYTES = 10 * 1024 * 1024 };
 
@@ -132,14 +133,33 @@ enum status case_parse(const char *name, const char *text, const struct registry
   return conclude(status, name, 0, NULL, problems);
 }
 
+static void print_section(FILE *out, const char *name, const struct param *params, size_t n) {
+  fprintf(out, "%s\n", name);
+  params_print(out, params, n);
+  fputc('\n', out);
+}
+
+static void print_waves(FILE *out) {
+  char name[96];
+  for (size_t i = 0; i < flow_waves.n; i++) {
+    snprintf(name, sizeof name, "water.wave of kind %s", flow_wave_names[i]);
+    print_section(out, name, flow_waves.flow[i]->params, flow_waves.flow[i]->n_params);
+  }
+}
+
 void case_print_keys(FILE *out) {
   const struct case_table *const lists[] = {case_section_tables, case_run_tables};
   for (size_t i = 0; i < 2; i++)
     for (const struct case_table *t = lists[i]; t->name; t++) {
-      fprintf(out, "%s\n", t->name);
-      params_print(out, t->params, t->n);
-      fputc('\n', out);
+      print_section(out, t->name, t->params, t->n);
+      if (!strcmp(t->name, "water.wave")) print_waves(out);
     }
+}
+
+void case_release_form(struct case_file *c) {
+  if (c->form) params_release(c->flow->params, c->flow->n_params, c->form);
+  free(c->form);
+  c->form = NULL;
 }
 
 void case_destroy(struct case_file *c) {
@@ -147,6 +167,7 @@ void case_destroy(struct case_file *c) {
   free(c->path);
   free(c->text);
   free(c->title);
+  case_release_form(c);
   geo_lines_destroy(&c->walls);
   geo_lines_destroy(&c->water);
   for (size_t i = 0; i < c->n_probes; i++) free(c->probes[i].name);

@@ -8,10 +8,7 @@
 #include "common/base/status.h"
 #include "common/solver.h"
 
-enum case_pressure { CASE_PRESSURE_HYDROSTATIC, CASE_PRESSURE_RELEASED };
-
-/* Waves that may fill the tank instead of regions. */
-enum case_wave { CASE_WAVE_NONE, CASE_WAVE_STANDING };
+struct flow;
 
 struct case_probe { /* wall pressure sensor */
   char *name;
@@ -67,13 +64,10 @@ struct case_file {
   struct geo_box tank;    /* box of the walls */
   bool rectangular;       /* one open piece: left wall, flat bed, right wall */
 
-  struct geo_lines water; /* closed counter-clockwise regions, or the initial outline of the wave */
-  double velocity[2];     /* of the regions at t = 0, m/s */
-  enum case_pressure pressure;
-  struct {
-    enum case_wave kind;
-    double amplitude, wavelength, depth; /* m; y is measured upwards from the bed at tank.min[1] */
-  } wave;
+  const struct flow *flow; /* the water at t = 0 (common/flow/flow.h) */
+  void *form;              /* what the case says of it, in a struct of its own; owned */
+  struct geo_lines water;  /* closed counter-clockwise regions, or the outline of the wave */
+  double velocity[2];      /* of the regions at t = 0, m/s */
 
   double end;    /* s, last output time */
   double every;  /* s: surfaces and particles are written at exactly the multiples of it */
@@ -117,6 +111,18 @@ void problems_finish(struct problems *p, const char *file, size_t n_set, const c
 
 /* Where to point when value `key` of a run is wrong: the line of the key, of the run without it. */
 int case_run_line(const struct case_run *r, const char *key);
+
+/* For the check of a flow: what is wrong at a key of its section (NULL: with all of it), as
+ * case_doc_problem takes it. */
+struct case_draft;
+void case_flow_problem(struct case_draft *d, const char *key, const char *found,
+                       const char *allowed, const char *todo);
+
+/* Lengths, areas and times closer than this part of the whole are the same: decimal input and its
+ * rounding in "5.366 H" stay far below, and no particle or node resolves it. */
+extern const double CASE_SAME;
+double case_tank_size(const struct case_file *c); /* the longer side of the tank's box, m */
+double case_near(const struct case_file *c);      /* lengths closer than this (m) are the same */
 
 /* Reads, overrides and checks a case; `path` "-" is standard input. `set` holds "path=value"
  * strings (runs.NAME.key=value, time.end=...). On ERR_INPUT *problems lists every problem found

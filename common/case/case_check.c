@@ -10,6 +10,10 @@ enum { MOST_OUTPUTS = 100000, MOST_SAMPLES = 10000000 };
 
 const double CASE_SAME = 1e-9;
 
+double case_near(const struct case_file *c) {
+  return CASE_SAME * case_tank_size(c);
+}
+
 double case_tank_size(const struct case_file *c) {
   return fmax(c->tank.max[0] - c->tank.min[0], c->tank.max[1] - c->tank.min[1]);
 }

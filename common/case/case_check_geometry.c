@@ -6,27 +6,8 @@
 
 #include "common/base/geometry_check.h"
 #include "common/case/case_draft.h"
-
-/* Left wall down, flat bed, right wall up; further points along them are no matter. */
-static bool is_rectangular(const struct case_file *c) {
-  const struct geo_lines *w = &c->walls;
-  const struct geo_box *box = &c->tank;
-  double near = CASE_SAME * case_tank_size(c);
-  enum { LEFT, BED, RIGHT } part = LEFT;
-  if (w->pieces != 1 || w->closed[0] || w->points < 4) return false;
-  for (size_t i = 0; i + 1 < w->points; i++) {
-    const double *p = w->p[i], *q = w->p[i + 1];
-    if (part == LEFT && i > 0 && fabs(p[1] - box->min[1]) <= near) part = BED;
-    if (part == BED && fabs(p[0] - box->max[0]) <= near) part = RIGHT;
-    double side = part == LEFT ? box->min[0] : box->max[0];
-    bool along = part == BED ? fabs(p[1] - box->min[1]) <= near &&
-                                   fabs(q[1] - box->min[1]) <= near && q[0] > p[0]
-                             : fabs(p[0] - side) <= near && fabs(q[0] - side) <= near &&
-                                   (part == LEFT ? q[1] < p[1] : q[1] > p[1]);
-    if (!along) return false;
-  }
-  return part == RIGHT;
-}
+#include "common/flow/flow.h"
+#include "common/tank/tank.h"
 
 /* ---- geometry ---- */
 
@@ -174,66 +155,70 @@ static void check_regions(struct case_draft *d) {
   d->good.water = good;
 }
 
-/* The released pressure is solved for between upright walls and a flat bed. */
-static void check_pressure(struct case_draft *d) {
+void case_flow_problem(struct case_draft *d, const char *key, const char *found,
+                       const char *allowed, const char *todo) {
+  bool wave = flow_is_wave(d->c->flow);
+  int node = wave ? case_doc_member(&d->doc, d->at.water, "wave") : d->at.water;
+  char path[CASE_PATH];
+  snprintf(path, sizeof path, "water%s%s%s", wave ? ".wave" : "", key ? "." : "", key ? key : "");
+  case_doc_problem(&d->doc,
+                   key ? case_doc_member_line(&d->doc, node, key) : case_doc_line(&d->doc, node),
+                   path, found, allowed, todo);
+}
+
+/* What every wave asks of the tank that it fills. */
+static void check_tank_of_wave(struct case_draft *d) {
   const struct case_file *c = d->c;
-  if (c->pressure != CASE_PRESSURE_RELEASED || (!c->wave.kind && c->rectangular)) return;
-  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "pressure"),
-                   "water.pressure",
-                   c->wave.kind ? "'released' with a wave" : "'released' in another tank",
-                   "released for regions of water in a rectangular tank", "write hydrostatic");
+  const struct flow_scale scale = c->flow->scale(c);
+  double height = c->tank.max[1] - c->tank.min[1], crest = scale.depth + scale.amplitude;
+  char found[96], allowed[128], todo[96];
+  if (!c->rectangular) {
+    case_flow_problem(d, NULL, "a wave in a tank that is not rectangular",
+                      "one wall: down the left side, along a flat bed, up the right side",
+                      "change tank.walls or give water.regions");
+    return;
+  }
+  if (crest > height * (1 + CASE_SAME)) {
+    snprintf(found, sizeof found, "crests %.6g m above the bed", crest);
+    snprintf(allowed, sizeof allowed, "up to the walls' top, %.6g m", height);
+    case_flow_problem(d, "depth", found, allowed, "make the walls higher");
+  }
+  if (c->velocity[0] != 0 || c->velocity[1] != 0) {
+    snprintf(todo, sizeof todo, "remove it: a %s wave %s", flow_name(c->flow),
+             c->flow->velocity ? "has its own" : "starts at rest");
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "velocity"),
+                     "water.velocity", "a velocity with a wave", "a velocity of regions", todo);
+  }
 }
 
 static void check_wave(struct case_draft *d) {
   const struct case_file *c = d->c;
-  int wave = case_doc_member(&d->doc, d->at.water, "wave");
-  double a = c->wave.amplitude, lambda = c->wave.wavelength, depth = c->wave.depth;
-  double length = c->tank.max[0] - c->tank.min[0], height = c->tank.max[1] - c->tank.min[1];
-  double halves = 2 * length / lambda;
-  char found[96], allowed[128];
-  int line = case_doc_member_line(&d->doc, wave, "amplitude");
-  /* Mercer & Roberts (Phys. Fluids A 4, 1992): the steepest standing wave in deep water is 0.2
-   * wavelengths high, trough to crest */
-  if (a > 0.1 * lambda || a > 0.5 * depth) {
-    snprintf(found, sizeof found, "an amplitude of %.6g m", a);
-    snprintf(allowed, sizeof allowed,
-             "up to a tenth of the wavelength and half the depth, here %.6g m",
-             fmin(0.1 * lambda, 0.5 * depth));
-    case_doc_problem(&d->doc, line, "water.wave.amplitude", found, allowed,
-                     "a steeper standing wave breaks at once");
-  }
-  if (!d->good.tank) return;
-  if (!c->rectangular) {
-    case_doc_problem(&d->doc, case_doc_line(&d->doc, wave), "water.wave",
-                     "a wave in a tank that is not rectangular",
-                     "one wall: down the left side, along a flat bed, up the right side",
-                     "change tank.walls or give water.regions");
+  if (d->good.tank) check_tank_of_wave(d);
+  if (c->flow->check) c->flow->check(c, d);
+}
+
+/* Regions choose their pressure; it is the waves' own. */
+static void check_pressure(struct case_draft *d) {
+  const struct case_file *c = d->c;
+  const char *name = flow_region_names[d->pressure];
+  char found[96], allowed[96];
+  if (!flow_is_wave(c->flow)) {
+    if (c->flow->check) c->flow->check(c, d);
     return;
   }
-  if (fabs(halves - round(halves)) > 1e-6 * halves || halves < 0.5) {
-    snprintf(found, sizeof found, "%.6g half wavelengths between the walls", halves);
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, wave, "wavelength"),
-                     "water.wave.wavelength", found, "a whole number of them",
-                     "change the wavelength or the tank's length");
-  }
-  if (depth + a > height * (1 + CASE_SAME)) {
-    snprintf(found, sizeof found, "crests %.6g m above the bed", depth + a);
-    snprintf(allowed, sizeof allowed, "up to the walls' top, %.6g m", height);
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, wave, "depth"), "water.wave.depth",
-                     found, allowed, "make the walls higher");
-  }
-  if (c->velocity[0] != 0 || c->velocity[1] != 0)
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "velocity"),
-                     "water.velocity", "a velocity with a wave", "a velocity of regions",
-                     "remove it: a standing wave starts at rest");
+  if (d->pressure == 0) return;
+  snprintf(found, sizeof found, "'%s' with a wave", name);
+  snprintf(allowed, sizeof allowed, "%s for regions of water in a rectangular tank", name);
+  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "pressure"),
+                   "water.pressure", found, allowed, "write hydrostatic");
 }
 
 void case_check_geometry(struct case_draft *d) {
   struct case_file *c = d->c;
   size_t faults = d->doc.faults;
   if (d->good.tank) check_walls(d);
-  if (d->good.tank) c->rectangular = is_rectangular(c);
-  if (d->good.water && c->wave.kind)
+  if (d->good.tank) c->rectangular = tank_is_rectangular(&c->walls, case_near(c));
+  if (d->good.water && flow_is_wave(c->flow))
     check_wave(d);
   else if (d->good.water)
     check_regions(d);

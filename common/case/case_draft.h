@@ -16,6 +16,7 @@ struct case_draft {
     bool scales, tank, water, time, probes, gauges, runs;
     bool shapes; /* tank and water make sense together */
   } good;
+  int pressure; /* water.pressure: place among the flows of regions */
 };
 
 enum { CASE_MOST_ITEMS = 1000 }; /* runs, probes, times ... in one list */
@@ -46,6 +47,7 @@ bool case_read_pair(struct case_doc *doc, int node, const char *path, const stru
                     const char *what, double out[2]);
 bool case_read_point(struct case_doc *doc, int node, const char *path, double out[2]);
 enum status case_allocate(void **out, size_t n, size_t size); /* zeroed */
+void case_release_form(struct case_file *c);
 
 /* case_runs.c: runs, then compare, which names them. */
 enum status case_read_runs(struct case_draft *d);
@@ -65,11 +67,6 @@ void case_check_tolerances(struct case_draft *d); /* their times are among compa
 void case_time_words(struct case_draft *d, int node, double seconds, char out[64]);
 void case_check_averages(struct case_draft *d, double end, const char *what); /* s */
 void case_check_window(struct case_draft *d);
-double case_tank_size(const struct case_file *c); /* the longer side of the tank's box, m */
-
-/* Lengths, areas and times closer than this part of the whole are the same: decimal input and its
- * rounding in "5.366 H" stay far below, and no particle or node resolves it. */
-extern const double CASE_SAME;
 
 /* case_check_geometry.c: tank and water; what fails is no longer good. */
 void case_check_geometry(struct case_draft *d);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "common/case/case_draft.h"
+#include "common/flow/flow.h"
 #include "revision.h"
 
 static void write_lines(FILE *out, const char *name, const struct geo_lines *l) {
@@ -20,9 +21,9 @@ static void write_inputs(FILE *out, const struct case_file *c, const struct case
   fprintf(out, "fluid %.17g %.17g\nH %.17g\n", c->density, c->gravity, c->H);
   write_lines(out, "wall", &c->walls);
   write_lines(out, "water", &c->water);
-  fprintf(out, "velocity %.17g %.17g\npressure %d\n", c->velocity[0], c->velocity[1], c->pressure);
-  fprintf(out, "wave %d %.17g %.17g %.17g\n", c->wave.kind, c->wave.amplitude, c->wave.wavelength,
-          c->wave.depth);
+  fprintf(out, "velocity %.17g %.17g\nflow %s\n", c->velocity[0], c->velocity[1],
+          flow_name(c->flow));
+  params_write(out, c->flow->params, c->flow->n_params, c->form);
   fprintf(out, "time %.17g %.17g %.17g\n", c->end, c->every, c->sample);
   for (size_t i = 0; i < c->n_probes; i++)
     fprintf(out, "probe %s %.17g %.17g %.17g\n", c->probes[i].name, c->probes[i].x, c->probes[i].y,
@@ -56,20 +57,30 @@ static void write_rounded_lines(FILE *out, const char *name, const struct geo_li
   }
 }
 
+/* The numbers on one line, whatever else there is as it is. */
+static void write_form(FILE *out, const struct flow *flow, const void *form) {
+  fputs("form", out);
+  for (size_t i = 0; i < flow->n_params; i++)
+    if (flow->params[i].type == PARAM_REAL)
+      fprintf(out, " %.12g", *(const double *)((const char *)form + flow->params[i].offset) + 0.0);
+  fputc('\n', out);
+  for (size_t i = 0; i < flow->n_params; i++)
+    if (flow->params[i].type != PARAM_REAL) params_write(out, &flow->params[i], 1, form);
+}
+
 /* A wave by its parameters: its outline is only as fine as this version draws it. */
 static void write_water(FILE *out, const struct case_file *c) {
   const double scales[] = {c->density, c->gravity, c->H};
-  const double wave[] = {c->wave.amplitude, c->wave.wavelength, c->wave.depth};
   write_rounded(out, "scales", 3, scales);
   write_rounded_lines(out, "wall", &c->walls);
-  if (c->wave.kind) {
-    fprintf(out, "wave %d\n", c->wave.kind);
-    write_rounded(out, "form", 3, wave);
+  if (flow_is_wave(c->flow)) {
+    fprintf(out, "wave %zu\n", 1 + flow_place(c->flow));
+    write_form(out, c->flow, c->form);
     return;
   }
   write_rounded_lines(out, "water", &c->water);
   write_rounded(out, "velocity", 2, c->velocity);
-  fprintf(out, "pressure %d\n", c->pressure);
+  fprintf(out, "pressure %zu\n", flow_place(c->flow));
 }
 
 /* `r` NULL: of the water alone. Without memory: a fingerprint that matches no file's. */

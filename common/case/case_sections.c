@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "common/case/case_draft.h"
+#include "common/flow/flow.h"
 
 enum { MOST_POINTS = 20000 };
-enum { WAVE_POINTS = 256 }; /* of the initial outline, a wavelength */
 
 static const struct param coordinate = {
     .type = PARAM_REAL, .quantity = QTY_LENGTH, .min = -1e6, .max = 1e6};
@@ -94,40 +94,30 @@ static const struct param tank_rows[] = {
 struct water_section {
   int regions, wave, velocity, pressure;
 };
-static const char *const pressure_names[] = {"hydrostatic", "released", NULL};
-static const char *const pressure_helps[] = {
-    "that of the surface above each point",
-    "that just after the gate before the water has gone: zero on every face without a wall"};
 static const struct param water_rows[] = {
     NODE(struct water_section, regions, "", "a list of regions, each a list of points [x, y]"),
-    NODE(struct water_section, wave, "", "a mapping with kind, amplitude, wavelength, depth"),
+    NODE(struct water_section, wave, "", "a mapping with kind and the keys of that kind"),
     NODE(struct water_section, velocity, "", "a list of 2 velocities [u, v]"),
     {.key = "pressure",
      .type = PARAM_CHOICE,
      .offset = offsetof(struct water_section, pressure),
-     .choices = pressure_names,
+     .choices = flow_region_names,
      .value = "hydrostatic",
      .help = "pressure at t = 0",
-     .helps = pressure_helps},
+     .helps = flow_region_helps},
 };
 
 struct wave_section {
   int kind;
-  double amplitude, wavelength, depth;
 };
-static const char *const wave_names[] = {"standing", NULL};
 static const struct param wave_rows[] = {
     {.key = "kind",
      .type = PARAM_CHOICE,
      .offset = offsetof(struct wave_section, kind),
-     .choices = wave_names,
+     .choices = flow_wave_names,
      .value = "standing",
-     .help = "kind of wave"},
-    REAL(struct wave_section, amplitude, QTY_LENGTH, PARAM_ABOVE_0, 1e6, NULL,
-         "height of the crest above the water at rest"),
-    REAL(struct wave_section, wavelength, QTY_LENGTH, PARAM_ABOVE_0, 1e6, NULL, "wavelength"),
-    REAL(struct wave_section, depth, QTY_LENGTH, PARAM_ABOVE_0, 1e6, NULL,
-         "depth of the water at rest"),
+     .help = "kind of wave",
+     .helps = flow_wave_helps},
 };
 
 static const struct param time_rows[] = {
@@ -175,27 +165,45 @@ static enum status read_tank(struct case_draft *d) {
   return OK;
 }
 
+/* The kind that a wave says it is, or nearly says: it decides which keys there are. */
+static const struct flow *kind_of_wave(struct case_draft *d, int wave) {
+  const char *text = case_doc_text(&d->doc, case_doc_member(&d->doc, wave, "kind"));
+  const char *name = text ? param_nearest(text, flow_waves.n, flow_wave_names) : NULL;
+  for (size_t i = 0; name && i < flow_waves.n; i++)
+    if (!strcmp(flow_wave_names[i], name)) return flow_waves.flow[i];
+  return flow_waves.flow[0];
+}
+
+static enum status read_wave(struct case_draft *d, int wave) {
+  const struct flow *flow = kind_of_wave(d, wave);
+  struct case_file *c = d->c;
+  struct wave_section s = {0};
+  case_release_form(c);
+  c->flow = flow;
+  TRY(case_allocate(&c->form, 1, flow->params_size));
+  struct case_block blocks[] = {{wave_rows, ROWS(wave_rows), &s},
+                                {flow->params, flow->n_params, c->form}};
+  case_doc_read(&d->doc, wave, "water.wave", case_doc_line(&d->doc, wave), ROWS(blocks), blocks);
+  return OK;
+}
+
 static enum status read_water(struct case_draft *d) {
   struct water_section s = {0};
-  struct wave_section w = {0};
   struct case_file *c = d->c;
   static const struct param speed = {
       .type = PARAM_REAL, .quantity = QTY_VELOCITY, .min = -1e6, .max = 1e6};
   size_t faults = d->doc.faults;
   if (d->at.water && case_read_section(d, d->at.water, "water", water_rows, ROWS(water_rows), &s)) {
-    c->pressure = (enum case_pressure)s.pressure;
+    d->pressure = s.pressure;
+    c->flow = flow_regions.flow[s.pressure];
     if (!s.regions == !s.wave)
       case_doc_problem(&d->doc, case_doc_line(&d->doc, d->at.water), "water",
                        s.wave ? "both regions and wave" : "neither regions nor wave",
                        "either regions or wave", s.wave ? "remove one" : "add one");
     else if (s.regions)
       TRY(read_lines(&d->doc, s.regions, "water.regions", 3, true, &c->water));
-    else if (case_read_section(d, s.wave, "water.wave", wave_rows, ROWS(wave_rows), &w)) {
-      c->wave.kind = (enum case_wave)(CASE_WAVE_STANDING + w.kind);
-      c->wave.amplitude = w.amplitude;
-      c->wave.wavelength = w.wavelength;
-      c->wave.depth = w.depth;
-    }
+    else
+      TRY(read_wave(d, s.wave));
     if (s.velocity)
       case_read_pair(&d->doc, s.velocity, "water.velocity", &speed, "velocities [u, v]",
                      c->velocity);
@@ -212,11 +220,9 @@ static enum status find_H(struct case_draft *d) {
   d->doc.problems = &unheard;
   enum status status = read_tank(d);
   if (status == OK) status = read_water(d);
-  if (doc->faults == faults && d->c->wave.kind) {
-    d->c->H = d->c->wave.depth;
-  } else if (doc->faults == faults) {
-    d->c->H = geo_lines_box(&d->c->water).max[1] - d->c->tank.min[1];
-  }
+  if (doc->faults == faults)
+    d->c->H = flow_is_wave(d->c->flow) ? d->c->flow->scale(d->c).depth
+                                       : geo_lines_box(&d->c->water).max[1] - d->c->tank.min[1];
   bool missed = doc->H_missed;
   problems_destroy(&unheard);
   doc->problems = told;
@@ -285,22 +291,6 @@ static enum status read_gauges(struct case_draft *d) {
   return OK;
 }
 
-/* The water at t = 0 under a standing wave at its highest: eta = a cos(k x) from the left wall. */
-static enum status draw_wave(struct case_file *c) {
-  double left = c->tank.min[0], bed = c->tank.min[1], length = c->tank.max[0] - left;
-  double k = 2 * M_PI / c->wave.wavelength;
-  size_t n = (size_t)ceil(fmin(length / c->wave.wavelength, 64) * WAVE_POINTS);
-  geo_lines_clear(&c->water);
-  TRY(geo_lines_begin(&c->water, true));
-  TRY(geo_lines_add(&c->water, left, bed));
-  TRY(geo_lines_add(&c->water, c->tank.max[0], bed));
-  for (size_t i = n + 1; i-- > 0;) {
-    double x = length * (double)i / (double)n;
-    TRY(geo_lines_add(&c->water, left + x, bed + c->wave.depth + c->wave.amplitude * cos(k * x)));
-  }
-  return OK;
-}
-
 static const struct param top_rows[] = {
     TEXT(struct case_file, title, 200, "", "title of the report"),
 };
@@ -339,6 +329,7 @@ enum status case_read_sections(struct case_draft *d) {
   struct case_file *c = d->c;
   struct case_doc *doc = &d->doc;
   int root = case_doc_root(doc);
+  c->flow = flow_regions.flow[0];
   struct case_block top[] = {{top_rows, ROWS(top_rows), c}, {section_rows, ROWS(section_rows), d}};
   case_doc_read(doc, root, "", case_doc_line(doc, root), 2, top);
   if (!case_doc_is_mapping(doc, root)) return OK; /* said just now; the rest would only repeat it */
@@ -354,7 +345,7 @@ enum status case_read_sections(struct case_draft *d) {
 
   TRY(read_tank(d));
   TRY(read_water(d));
-  if (d->good.tank && d->good.water && c->wave.kind) TRY(draw_wave(c));
+  if (d->good.tank && d->good.water && flow_is_wave(c->flow)) TRY(flow_outline(c, &c->water));
   read_time(d);
   TRY(read_probes(d));
   TRY(read_gauges(d));

@@ -3,11 +3,11 @@
 
 #include "common/base/geometry_check.h"
 #include "common/case/case.h"
+#include "common/flow/flow.h"
 
 double case_water_area(const struct case_file *c) {
   double area = 0;
-  if (c->wave.kind) /* the crests fill the troughs in a whole number of half waves */
-    return c->wave.depth * (c->tank.max[0] - c->tank.min[0]);
+  if (flow_is_wave(c->flow)) return c->flow->scale(c).mean * (c->tank.max[0] - c->tank.min[0]);
   for (size_t k = 0; k < c->water.pieces; k++) area += geo_piece_area(&c->water, k);
   return area;
 }

@@ -35,8 +35,8 @@ static size_t tank_strips(const struct sph *s, const struct geo_lines *walls,
   size_t last = walls->points - 1;
   double dx = s->dx, x0 = s->tank.box.min[0], x1 = s->tank.box.max[0], y0 = s->tank.box.min[1];
   size_t layers = (size_t)ceil(s->support / dx - 1e-9);
-  size_t nl = sph_intervals(p[0][1] - y0, dx), nr = sph_intervals(p[last][1] - y0, dx);
-  size_t nb = sph_intervals(x1 - x0, dx);
+  size_t nl = geo_intervals(p[0][1] - y0, dx), nr = geo_intervals(p[last][1] - y0, dx);
+  size_t nb = geo_intervals(x1 - x0, dx);
   double dl = (p[0][1] - y0) / (double)nl, dr = (p[last][1] - y0) / (double)nr;
   double db = (x1 - x0) / (double)nb;
   double out_left = x0 - dx / 2, out_right = x1 + dx / 2, under = y0 - dx / 2;
@@ -83,7 +83,7 @@ static enum status ghosts_create(struct sph *s, const struct geo_lines *walls) {
         strip_of[at] = k;
       }
   double reach = s->support + s->dx;
-  struct geo_box box = sph_tank_around(&s->tank, reach);
+  struct geo_box box = tank_around(&s->tank, reach);
   ATTEMPT(sph_grid_create(&s->w.grid, &box, s->dx));
   sph_grid_sort(&s->w.grid, n, x, y, NULL, key, order);
   for (size_t i = 0; i < g->room; i++) {

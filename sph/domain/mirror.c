@@ -24,7 +24,7 @@ static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
   (void)walls;
   TRY(sph_allocate(1, sizeof(struct mirror), &s->w.data));
   double reach = s->support + s->skin;
-  struct geo_box box = sph_tank_around(&s->tank, reach);
+  struct geo_box box = tank_around(&s->tank, reach);
   return sph_grid_create(&s->w.grid, &box, s->dx);
 }
 
@@ -67,22 +67,22 @@ static enum status make_room(struct sph *s, size_t n) {
 static size_t images_of(const struct sph *s, uint32_t i, double reach,
                         struct image out[MAX_IMAGES]) {
   double x = s->f.w.x[i], y = s->f.w.y[i];
-  const struct sph_tank *t = &s->tank;
+  const struct tank *t = &s->tank;
   bool bed = y < t->box.min[1] + reach;
   size_t n = 0;
   if (bed) out[n++] = (struct image){i, 0, 2 * t->box.min[1], 1, -1};
-  for (int side = SPH_LEFT; side <= SPH_RIGHT; side++) {
-    double wall = sph_tank_wall(t, side);
-    if (y >= t->top[side] + s->skin || sph_tank_inside(t, side, x) >= reach) continue;
+  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) {
+    double wall = tank_wall(t, side);
+    if (y >= t->top[side] + s->skin || tank_inside(t, side, x) >= reach) continue;
     out[n++] = (struct image){i, 2 * wall, 0, -1, 1};
     if (bed) out[n++] = (struct image){i, 2 * wall, 2 * t->box.min[1], -1, -1};
   }
   return n;
 }
 
-/* A pair of water and image is at most the support apart, so that either is at most that far from the wall
- * when the other is inside it; the skin covers the ways until the next lists, through the wall and
- * along it. */
+/* A pair of water and image is at most the support apart, so that either is at most that far from
+ * the wall when the other is inside it; the skin covers the ways until the next lists, through the
+ * wall and along it. */
 static enum status mirror_list(struct sph *s) {
   struct mirror *m = s->w.data;
   const double reach = s->support + s->skin;

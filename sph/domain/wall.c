@@ -27,8 +27,8 @@ static bool went_over(const struct sph *s, size_t i, double wall, double top) {
 
 static bool confine_sides(struct sph *s, size_t i) {
   const struct sph_state *w = &s->f.w;
-  int side = sph_tank_nearer(&s->tank, w->x[i]);
-  double wall = sph_tank_wall(&s->tank, side);
+  int side = tank_nearer(&s->tank, w->x[i]);
+  double wall = tank_wall(&s->tank, side);
   if (went_over(s, i, wall, s->tank.top[side])) {
     s->f.over[i] = 1;
     return false;

@@ -33,15 +33,15 @@ struct sph_lip {
 
 /* Whether any lane is above the top of its wall; if so, *lip is filled. */
 SPECIALISE bool sph_lip_at(const struct sph *s, vec x, vec y, vec over, struct sph_lip *lip) {
-  const struct sph_tank *t = &s->tank;
+  const struct tank *t = &s->tank;
   bool any = false;
   for (size_t l = 0; l < SPH_LANES; l++) any |= over[l] != 0 || y[l] > s->tank.lowest_top;
   if (!any) return false;
   for (size_t l = 0; l < SPH_LANES; l++) {
-    int side = sph_tank_nearer(t, x[l]);
-    lip->wall[l] = sph_tank_wall(t, side);
+    int side = tank_nearer(t, x[l]);
+    lip->wall[l] = tank_wall(t, side);
     lip->top[l] = t->top[side];
-    lip->outwards[l] = side == SPH_RIGHT ? 1 : -1;
+    lip->outwards[l] = side == TANK_RIGHT ? 1 : -1;
     lip->rise[l] = fmax(y[l] - lip->top[l], 0);
     double way = lip->outwards[l] * (lip->wall[l] - x[l]);
     lip->inside[l] = over[l] != 0 ? -1 : lip->rise[l] > 0 ? way : fabs(way);

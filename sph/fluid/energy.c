@@ -35,7 +35,7 @@ double sph_rest_potential(const struct sph *s) {
   /* with p = rho0 g (D - y), the mass is rho0 (D + q D^2) times the width, q = g/2c0^2 */
   double q = s->g / (2 * s->c0 * s->c0), A = mass / (s->rho0 * width);
   double D = 2 * A / (1 + sqrt(1 + 4 * q * A));
-  size_t n = sph_intervals(D, s->dx);
+  size_t n = geo_intervals(D, s->dx);
   double dy = D / (double)n;
   for (size_t j = 0; j < n; j++) {
     double Y = ((double)j + 0.5) * dy, rho = s->rho0 * (1 + 2 * q * (D - Y));

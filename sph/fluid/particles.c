@@ -97,7 +97,3 @@ void sph_particles_permute(struct sph_particles *p, size_t n) {
   p->n = n;
   sph_particles_pad(p);
 }
-
-size_t sph_intervals(double length, double dx) {
-  return (size_t)fmax(1, floor(length / dx + 0.5));
-}

@@ -41,6 +41,3 @@ void sph_particles_permute(struct sph_particles *p, size_t n);
 
 /* Zeroed memory aligned to 64 bytes, freed with free(); ERR_MEMORY. */
 enum status sph_allocate(size_t n, size_t size, void *pointer_to_pointer);
-
-/* How many intervals of about dx a length is divided into, evenly; at least one. */
-size_t sph_intervals(double length, double dx);

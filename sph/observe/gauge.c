@@ -6,13 +6,13 @@
 #include "sph/domain/wall.h"
 
 double sph_gauge(const struct sph *s, const struct geo_lines *surface, double x) {
-  const struct sph_tank *t = &s->tank;
+  const struct tank *t = &s->tank;
   double bed = t->box.min[1], there = gauge_elevation(surface, x, bed);
-  int side = sph_tank_nearer(t, x);
-  double away = sph_tank_inside(t, side, x), wall = sph_tank_wall(t, side);
+  int side = tank_nearer(t, x);
+  double away = tank_inside(t, side, x), wall = tank_wall(t, side);
   double layer = sph_walls[s->scheme.walls]->layer * s->dx;
   if (!(away < layer)) return there;
-  double inwards = side == SPH_RIGHT ? -layer : layer;
+  double inwards = side == TANK_RIGHT ? -layer : layer;
   double near = gauge_elevation(surface, wall + inwards, bed);
   double far = gauge_elevation(surface, wall + 2 * inwards, bed);
   double level = near + (near - far) * (1 - away / layer);

@@ -35,7 +35,7 @@ static double budget_of(const struct result_energy *e) {
 static double gap(const struct sph *s, int side, size_t *at) {
   double nearest = INFINITY;
   for (size_t i = 0; i < s->f.n; i++) {
-    double d = sph_tank_inside(&s->tank, side, s->f.w.x[i]);
+    double d = tank_inside(&s->tank, side, s->f.w.x[i]);
     if (d < nearest) {
       nearest = d;
       *at = i;
@@ -55,7 +55,7 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   o->started = progress_wall_clock();
   o->room = s->f.n;
   size_t at = 0;
-  for (int side = SPH_LEFT; side <= SPH_RIGHT; side++)
+  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++)
     o->dry[side] = gap(s, side, &at) > 1.5 * s->dx;
   struct result_energy e = sph_energy(s);
   o->budget = o->budget0 = budget_of(&e);
@@ -183,16 +183,15 @@ static enum status write_impact(struct sph_output *o, const struct sph *s, int s
   double open = gap(s, side, &i);
   if (open > 0) return OK;
   o->dry[side] = false;
-  double speed = side == SPH_LEFT ? -s->f.w.u[i] : s->f.w.u[i];
+  double speed = side == TANK_LEFT ? -s->f.w.u[i] : s->f.w.u[i];
   double ago = speed > 0 ? -open / speed : 0;
-  return result_event(o->result, "wall_impact", s->t - ago, sph_tank_wall(&s->tank, side),
-                      s->f.w.y[i]);
+  return result_event(o->result, "wall_impact", s->t - ago, tank_wall(&s->tank, side), s->f.w.y[i]);
 }
 
 enum status sph_output_step(struct sph_output *o, struct sph *s, double dt) {
   const struct case_file *c = o->c;
   const double late = 1e-9 * c->every;
-  for (int side = SPH_LEFT; side <= SPH_RIGHT; side++)
+  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++)
     if (o->dry[side]) TRY(write_impact(o, s, side));
   if (s->t >= (double)o->n_sample * c->sample - late) {
     TRY(write_series(o, s, dt));

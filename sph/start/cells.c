@@ -176,8 +176,8 @@ enum status sph_cells_create(const struct geo_lines *region, double dx, size_t *
   struct lattice l = {.box = geo_lines_box(region)};
   double w = l.box.max[0] - l.box.min[0], h = l.box.max[1] - l.box.min[1];
   *cells = NULL;
-  l.nx = sph_intervals(w, dx);
-  l.ny = sph_intervals(h, dx);
+  l.nx = geo_intervals(w, dx);
+  l.ny = geo_intervals(h, dx);
   l.dx = w / (double)l.nx;
   l.dy = h / (double)l.ny;
   ATTEMPT(sph_allocate(l.nx * l.ny, sizeof *l.part, &l.part));

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "common/case/case.h"
+#include "common/flow/flow.h"
 #include "common/result/result.h"
 
 struct sample_options {
@@ -59,6 +60,7 @@ static inline struct case_file *sample_case(void) {
   for (int i = 0; i < 4; i++) geo_lines_add(&c->water, water[i][0], water[i][1]);
   c->tank = geo_lines_box(&c->walls);
   c->rectangular = true;
+  c->flow = &flow_hydrostatic;
   c->end = 1;
   c->every = 0.1;
   c->sample = 0.01;

@@ -1,5 +1,6 @@
 /* Good case files: what the reader makes of them. Bad ones: test_case_bad.c. */
 #include "common/case/case.h"
+#include "common/flow/flow.h"
 
 #include <stdlib.h>
 
@@ -27,7 +28,7 @@ static void test_minimal_case_has_the_documented_defaults(void) {
   if (!c) return;
   EXPECT(c->density == 1000 && c->gravity == 9.81);
   EXPECT(c->H == 0.75); /* the water's height above the bed */
-  EXPECT(c->rectangular && c->pressure == CASE_PRESSURE_HYDROSTATIC && !c->wave.kind);
+  EXPECT(c->rectangular && c->flow == &flow_hydrostatic);
   EXPECT_NEAR(c->every, 0.02, 1e-15);
   EXPECT_NEAR(c->sample, 0.002, 1e-15);
   EXPECT_STR(c->title, "case");

@@ -1,9 +1,9 @@
 /* Water of any shape: exact area, pressure from the surface above, released pressure. */
 #include "tests/test.h"
 
+#include "common/flow/release.h"
 #include "sph/fluid/energy.h"
 #include "sph/start/cells.h"
-#include "sph/start/released.h"
 #include "tests/sph/pool.h"
 
 #define TANK    "title: polygons\nscales: {H: 1}\ntank: {walls: [[[0, 3], [0, 0], [4, 0], [4, 3]]]}\n"
@@ -163,16 +163,16 @@ static struct geo_lines rectangle(double x0, double x1, double y1) {
  * are not those of the lattice. `from`: where the column's wall, or its middle, is. */
 static double released_error(double x0, double x1, double from, double side, double spacing) {
   const double H = 0.873;
-  struct sph_tank tank = {{{0, 0}, {4, 3}}, {3, 3}, 3};
+  struct tank tank = {{{0, 0}, {4, 3}}, {3, 3}, 3};
   struct geo_lines water = rectangle(x0, x1, H);
-  struct sph_released *r;
-  EXPECT_OK(sph_released_create(&water, &tank, spacing, 1e-9, &r));
+  struct release *r;
+  EXPECT_OK(release_create(&water, &tank, spacing, 1e-9, &r));
   double sum = 0, L = side > 0 ? x1 - from : from - x0;
   int n = 0;
   for (double x = 0.003; x < L; x += 0.0171)
     for (double y = 0.0021; y < H; y += 0.0171, n++)
-      sum += pow(sph_released_at(r, from + side * x, y) - sph_released_head(x, y, L, H), 2);
-  sph_released_destroy(r);
+      sum += pow(release_at(r, from + side * x, y) - release_head(x, y, L, H), 2);
+  release_destroy(r);
   geo_lines_destroy(&water);
   return sqrt(sum / n) / H;
 }
@@ -199,15 +199,15 @@ static void test_sparse_solve_converges_to_the_column(void) {
  * errors of the stencils cut by the surface, of second order, have opposite signs in x and y here.
  * Largest error. */
 static double triangle_error(double spacing) {
-  struct sph_tank tank = {{{0, 0}, {4, 3}}, {3, 3}, 3};
+  struct tank tank = {{{0, 0}, {4, 3}}, {3, 3}, 3};
   struct case_file *c = water_of("regions: [[[0, 0], [1, 0], [0, 1]]], pressure: released", 20);
-  struct sph_released *r;
-  EXPECT_OK(sph_released_create(&c->water, &tank, spacing, 1e-9, &r));
+  struct release *r;
+  EXPECT_OK(release_create(&c->water, &tank, spacing, 1e-9, &r));
   double worst = 0;
   for (double x = 0.003; x < 1; x += 0.0171)
     for (double y = 0.0021; y < 1 - x; y += 0.0171)
-      worst = fmax(worst, fabs(sph_released_at(r, x, y) - (0.5 - y + (y * y - x * x) / 2)));
-  sph_released_destroy(r);
+      worst = fmax(worst, fabs(release_at(r, x, y) - (0.5 - y + (y * y - x * x) / 2)));
+  release_destroy(r);
   case_destroy(c);
   return worst;
 }
@@ -234,21 +234,20 @@ static void test_regions_that_touch_are_one_water(void) {
       water_of("regions: [[[0, 0], [0.97, 0], [0.97, 1], [0, 1]], [[0.97, 0], [4, 0], [4, 0.27], "
                "[0.97, 0.27]]], pressure: released",
                20)};
-  struct sph_released *r[2];
-  struct sph_tank tank = {c[0]->tank, {3, 3}, 3};
-  for (int k = 0; k < 2; k++)
-    EXPECT_OK(sph_released_create(&c[k]->water, &tank, 0.05, 1e-9, &r[k]));
+  struct release *r[2];
+  struct tank tank = {c[0]->tank, {3, 3}, 3};
+  for (int k = 0; k < 2; k++) EXPECT_OK(release_create(&c[k]->water, &tank, 0.05, 1e-9, &r[k]));
   double worst = 0, most = 0;
   for (double x = 0.01; x < 4; x += 0.0371)
     for (double y = 0.01; y < surface_of_L(x); y += 0.0371) {
-      worst = fmax(worst, fabs(sph_released_at(r[0], x, y) - sph_released_at(r[1], x, y)));
-      most = fmax(most, sph_released_at(r[0], x, y));
+      worst = fmax(worst, fabs(release_at(r[0], x, y) - release_at(r[1], x, y)));
+      most = fmax(most, release_at(r[0], x, y));
     }
   EXPECT_NEAR(worst, 0, 1e-12);
   /* below the hydrostatic one of the column, above that of a column on a dry bed */
-  EXPECT(most < 1 && most > sph_released_head(0, 0, 0.97, 1));
+  EXPECT(most < 1 && most > release_head(0, 0, 0.97, 1));
   for (int k = 0; k < 2; k++) {
-    sph_released_destroy(r[k]);
+    release_destroy(r[k]);
     case_destroy(c[k]);
   }
 }

@@ -3,10 +3,10 @@
 
 #include <omp.h>
 
+#include "common/flow/release.h"
 #include "sph/domain/wall.h"
 #include "sph/fluid/energy.h"
 #include "sph/observe/probe.h"
-#include "sph/start/released.h"
 #include "sph/time/integrator.h"
 #include "sph/time/timestep.h"
 #include "tests/sph/pool.h"
@@ -24,16 +24,16 @@ static enum status march(struct sph *s, int steps) {
 static void test_released_pressure_solves_its_problem(void) {
   const double L = 1.7, H = 0.85, d = 1e-3;
   for (double t = 0.05; t < 1; t += 0.1) {
-    EXPECT_NEAR(sph_released_head(L * t, H, L, H), 0, 1e-9);
-    EXPECT_NEAR(sph_released_head(L, H * t, L, H), 0, 2e-6); /* the series ends after 10^6 terms */
+    EXPECT_NEAR(release_head(L * t, H, L, H), 0, 1e-9);
+    EXPECT_NEAR(release_head(L, H * t, L, H), 0, 2e-6); /* the series ends after 10^6 terms */
     double x = L * t * 0.9 + 0.05, y = H * t * 0.9 + 0.04;
-    double middle = sph_released_head(x, y, L, H);
-    double around = sph_released_head(x + d, y, L, H) + sph_released_head(x - d, y, L, H) +
-                    sph_released_head(x, y + d, L, H) + sph_released_head(x, y - d, L, H);
+    double middle = release_head(x, y, L, H);
+    double around = release_head(x + d, y, L, H) + release_head(x - d, y, L, H) +
+                    release_head(x, y + d, L, H) + release_head(x, y - d, L, H);
     EXPECT_NEAR((around - 4 * middle) / (d * d), 0, 1e-4);
-    EXPECT_NEAR((sph_released_head(d, y, L, H) - sph_released_head(0, y, L, H)) / d, 0, 2e-3);
+    EXPECT_NEAR((release_head(d, y, L, H) - release_head(0, y, L, H)) / d, 0, 2e-3);
   }
-  EXPECT_NEAR(sph_released_head(0, 0, 2, 1), 0.930060, 5e-7);
+  EXPECT_NEAR(release_head(0, 0, 2, 1), 0.930060, 5e-7);
 }
 
 /* The mass is that of the compressed water, the volume that of the region, to rounding. */

@@ -4,20 +4,20 @@
  * divergence: laplace p = 0, with p = 0 on every free surface, dp/dx = 0 on the side walls and
  * dp/dy = -rho g on the bed. Water that falls free has none. */
 #pragma once
-#include "sph/domain/tank.h"
+#include "common/tank/tank.h"
 
 /* In a column of width L and height H that stands at a wall, x from that wall and y from the bed:
  * H - y minus a Fourier series that makes the other side free of pressure. */
-double sph_released_head(double x, double y, double L, double H);
+double release_head(double x, double y, double L, double H);
 
 /* Any water in such a tank, by finite volumes on a lattice of about `spacing`: five-point stencils
  * with the distance of the surface where it comes between two nodes (Gibou, Fedkiw, Cheng & Kang,
  * J. Comput. Phys. 176, 2002: symmetric, and of second order in p where p is smooth), factorised by
  * CHOLMOD. */
-struct sph_released;
+struct release;
 
 /* `near`: regions within this distance (m) are one body. ERR_MEMORY, ERR_SOLVER. */
-enum status sph_released_create(const struct geo_lines *water, const struct sph_tank *tank,
-                                double spacing, double near, struct sph_released **out);
-void sph_released_destroy(struct sph_released *r); /* NULL is fine */
-double sph_released_at(const struct sph_released *r, double x, double y);
+enum status release_create(const struct geo_lines *water, const struct tank *tank, double spacing,
+                           double near, struct release **out);
+void release_destroy(struct release *r); /* NULL is fine */
+double release_at(const struct release *r, double x, double y);

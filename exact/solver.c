@@ -1,6 +1,6 @@
-/* Standing waves by theory (common/flow/waves.h) as a run. Output times and series rows fall on
+/* What a flow's theory (common/flow/flow.h) says, as a run. Output times and series rows fall on
  * exactly the multiples of time.every and time.sample: there are no steps. */
-#include "common/flow/wave_solver.h"
+#include "exact/solver.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -8,18 +8,18 @@
 
 #include "common/base/progress.h"
 #include "common/case/case.h"
-#include "common/flow/waves.h"
+#include "common/flow/flow.h"
 #include "common/result/record.h"
 #include "common/result/result.h"
 
-struct wave_options {
+struct options {
   int order;
 };
 
-static const struct param wave_params[] = {
+static const struct param params[] = {
     {.key = "order",
      .type = PARAM_INT,
-     .offset = offsetof(struct wave_options, order),
+     .offset = offsetof(struct options, order),
      .min = 1,
      .max = 2,
      .value = "2",
@@ -27,7 +27,7 @@ static const struct param wave_params[] = {
              "order (Tadjbakhsh & Keller, J. Fluid Mech. 8, 1960)"},
 };
 
-/* What a series of two terms leaves out (waves.h): beyond MOST_ERROR it means nothing; beyond
+/* What theory leaves out: beyond MOST_ERROR it means nothing; beyond
  * CLEAR_ERROR the run says so, since no difference from it below that is the other solver's. */
 static const double MOST_ERROR = 0.5, CLEAR_ERROR = 0.02;
 
@@ -35,58 +35,88 @@ static double tank_width(const struct case_file *c) {
   return c->tank.max[0] - c->tank.min[0];
 }
 
-static struct wave_standing theory(const struct case_file *c, const struct case_run *r) {
-  const struct wave_options *o = r->options;
-  return wave_standing_create(c->wave.amplitude, c->wave.wavelength, c->wave.depth, c->gravity,
-                              c->tank.min[0], c->tank.min[1], o->order);
+/* A theory of the case's water. */
+struct theory {
+  const struct case_file *c;
+  const struct flow_theory *flow;
+  void *of; /* what the flow's functions take; owned */
+  int order;
+};
+
+static enum status theory_create(const struct case_file *c, const struct case_run *r,
+                                 struct theory *w) {
+  const struct options *o = r->options;
+  *w = (struct theory){c, c->flow->theory, c->flow->theory->create(c, o->order), o->order};
+  CHECK(w->of, ERR_MEMORY, "no memory for the theory of a wave");
+  return OK;
 }
 
-static void wave_check(const struct case_file *c, const struct case_run *r,
-                       struct problems *problems) {
-  if (c->wave.kind != CASE_WAVE_STANDING) {
+/* "a standing wave": those that have a theory. */
+static void name_waves(size_t n, char out[]) {
+  size_t at = (size_t)snprintf(out, n, "a");
+  const char *before = " ";
+  for (size_t i = 0; i < flow_waves.n && at < n; i++) {
+    if (!flow_waves.flow[i]->theory) continue;
+    at += (size_t)snprintf(out + at, n - at, "%s%s", before, flow_wave_names[i]);
+    before = " or ";
+  }
+  if (at < n) snprintf(out + at, n - at, " wave");
+}
+
+static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
+  struct theory w;
+  if (!c->flow->theory) {
+    char waves[256];
+    name_waves(sizeof waves, waves);
     problems_add(problems, case_run_line(r, "solver"),
-                 "runs.%s.solver: found 'exact' with regions of water; allowed: a standing wave; "
-                 "give water.wave or take another solver",
-                 r->name);
+                 "runs.%s.solver: found 'exact' with %s; allowed: %s; give water.wave or take "
+                 "another solver",
+                 r->name,
+                 flow_is_wave(c->flow) ? "a wave that no theory follows" : "regions of water",
+                 waves);
     return;
   }
-  struct wave_standing w = theory(c, r);
-  double error = wave_standing_error(&w, c->end);
+  if (theory_create(c, r, &w) != OK) {
+    problems->out_of_memory = true;
+    return;
+  }
+  double error = w.flow->error(w.of, c->end);
   if (error > MOST_ERROR)
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'exact' where what theory leaves out is %.2g of the wave; "
                  "allowed: at most %g; lower water.wave.amplitude or raise water.wave.depth",
                  r->name, error, MOST_ERROR);
+  free(w.of);
 }
 
 /* An instant of the theory. */
 struct moment {
-  const struct case_file *c;
-  const struct wave_standing *w;
+  const struct theory *w;
   double t; /* s */
 };
 
 static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
   const struct moment *m = solver;
+  const struct theory *w = m->w;
   double p[RECORD_PARTS][2], sum = 0;
-  size_t parts = record_sensor(m->c, probe, p);
-  for (size_t i = 0; i < parts; i++) sum += wave_standing_pressure(m->w, p[i][0], p[i][1], m->t);
-  *pressure = m->c->density * sum / (double)parts;
+  size_t parts = record_sensor(w->c, probe, p);
+  for (size_t i = 0; i < parts; i++) sum += w->flow->pressure(w->of, p[i][0], p[i][1], m->t);
+  *pressure = w->c->density * sum / (double)parts;
   return OK;
 }
 
 static enum status elevation_of(void *solver, double x, double *elevation) {
   const struct moment *m = solver;
-  *elevation = wave_standing_elevation(m->w, x, m->t);
+  *elevation = m->w->flow->elevation(m->w->of, x, m->t);
   return OK;
 }
 
-static enum status write_series(const struct case_file *c, const struct wave_standing *w, double t,
-                                size_t row, double start, struct result *out) {
-  double width = tank_width(c);
-  double kinetic = c->density * wave_standing_kinetic(w, width, t);
-  double potential = c->density * wave_standing_potential_energy(w, width, t);
-  struct moment moment = {c, w, t};
+static enum status write_series(const struct theory *w, double t, size_t row, double start,
+                                struct result *out) {
+  const struct case_file *c = w->c;
+  double kinetic = c->density * w->flow->kinetic(w->of, t);
+  double potential = c->density * w->flow->potential_energy(w->of, t);
+  struct moment moment = {w, t};
   struct record r = {.energy = {.time = t,
                                 .kinetic = kinetic,
                                 .potential = potential,
@@ -95,7 +125,7 @@ static enum status write_series(const struct case_file *c, const struct wave_sta
                               .dt = c->sample,
                               .evaluations = (double)row,
                               .wall_time = progress_wall_clock() - start,
-                              .volume = width * c->wave.depth},
+                              .volume = case_water_area(c)},
                      .solver = &moment,
                      .pressure = pressure_of,
                      .elevation = elevation_of};
@@ -126,16 +156,17 @@ static enum status points_create(struct surface_points *s, const struct case_fil
   return OK;
 }
 
-static enum status write_output(const struct case_file *c, const struct wave_standing *w, double t,
-                                struct surface_points *s, struct result *out) {
+static enum status write_output(const struct theory *w, double t, struct surface_points *s,
+                                struct result *out) {
+  const struct geo_box *tank = &w->c->tank;
   geo_lines_clear(&s->line);
   TRY(geo_lines_begin(&s->line, false));
   for (size_t i = 0; i < s->n; i++) {
     double f = (double)i / (double)(s->n - 1), velocity[2];
-    s->x[i] = c->tank.min[0] * (1 - f) + c->tank.max[0] * f;
-    s->y[i] = wave_standing_elevation(w, s->x[i], t);
-    s->phi[i] = wave_standing_potential(w, s->x[i], s->y[i], t);
-    wave_standing_velocity(w, s->x[i], s->y[i], t, velocity);
+    s->x[i] = tank->min[0] * (1 - f) + tank->max[0] * f;
+    s->y[i] = w->flow->elevation(w->of, s->x[i], t);
+    s->phi[i] = w->flow->potential(w->of, s->x[i], s->y[i], t);
+    w->flow->velocity(w->of, s->x[i], s->y[i], t, velocity);
     s->u[i] = velocity[0];
     s->v[i] = velocity[1];
     TRY(geo_lines_add(&s->line, s->x[i], s->y[i]));
@@ -149,9 +180,9 @@ static enum status write_output(const struct case_file *c, const struct wave_sta
   return result_flush(out);
 }
 
-static enum status write_error(const struct case_file *c, const struct wave_standing *w,
-                               struct result *out, struct progress *progress) {
-  double error = wave_standing_error(w, c->end);
+static enum status write_error(const struct theory *w, struct result *out,
+                               struct progress *progress) {
+  double error = w->flow->error(w->of, w->c->end);
   if (error > CLEAR_ERROR)
     progress_say(progress,
                  "exact: this wave is steep for a theory of order %d: what it leaves out is about "
@@ -162,21 +193,22 @@ static enum status write_error(const struct case_file *c, const struct wave_stan
                           "of energy up to the end, or the next term of its series");
 }
 
-static enum status wave_run(const struct case_file *c, const struct case_run *r, struct result *out,
-                            struct progress *progress) {
+static enum status run(const struct case_file *c, const struct case_run *r, struct result *out,
+                       struct progress *progress) {
   enum status status = OK;
   struct surface_points points = {0};
-  struct wave_standing w = theory(c, r);
+  struct theory w = {0};
   const double slack = 1e-9 * c->sample, start = progress_wall_clock();
+  ATTEMPT(theory_create(c, r, &w));
   ATTEMPT(points_create(&points, c, r->resolution));
-  ATTEMPT(write_error(c, &w, out, progress));
+  ATTEMPT(write_error(&w, out, progress));
   for (size_t row = 0, outputs = 0; (double)row * c->sample <= c->end + slack; row++) {
     double t = (double)row * c->sample;
-    ATTEMPT(write_series(c, &w, t, row, start, out));
+    ATTEMPT(write_series(&w, t, row, start, out));
     for (; (double)outputs * c->every < t + c->sample - slack; outputs++) {
       double at = (double)outputs * c->every;
       if (at > c->end + slack) break;
-      ATTEMPT(write_output(c, &w, at, &points, out));
+      ATTEMPT(write_output(&w, at, &points, out));
     }
     progress_step(progress, row, t, c->sample, (double)(row * points.n), "point", 0);
     if (progress_stop_requested()) {
@@ -186,26 +218,27 @@ static enum status wave_run(const struct case_file *c, const struct case_run *r,
   }
 done:
   points_destroy(&points);
+  free(w.of);
   return status;
 }
 
 /* Measured on the standing wave of cases/, 17 to 16,000 points: 3 microseconds a point and output,
  * 0.8 ms a sample, 3 kB a point. */
-static void wave_estimate(const struct case_file *c, const struct case_run *r,
-                          struct solver_estimate *e) {
+static void estimate(const struct case_file *c, const struct case_run *r,
+                     struct solver_estimate *e) {
   e->points = ceil(r->resolution * tank_width(c) / c->H);
   e->unit = "points";
   e->bytes = 30e6 + 3000 * e->points;
   e->seconds = c->end / c->every * e->points * 3e-6 + c->end / c->sample * 0.8e-3;
 }
 
-const struct solver wave_solver = {
+const struct solver exact_solver = {
     .name = "exact",
     .help = "wave theory: standing waves in a rectangular tank, to second order",
-    .params = wave_params,
-    .n_params = sizeof wave_params / sizeof *wave_params,
-    .options_size = sizeof(struct wave_options),
-    .check = wave_check,
-    .estimate = wave_estimate,
-    .run = wave_run,
+    .params = params,
+    .n_params = sizeof params / sizeof *params,
+    .options_size = sizeof(struct options),
+    .check = check,
+    .estimate = estimate,
+    .run = run,
 };

@@ -1,12 +1,10 @@
-#include "sph/start/released.h"
+#include "common/flow/release.h"
 
 #include <cholmod.h>
 #include <math.h>
 #include <stdlib.h>
 
-#include "sph/fluid/particles.h"
-
-double sph_released_head(double x, double y, double L, double H) {
+double release_head(double x, double y, double L, double H) {
   double head = H - y;
   /* k_n y = (2n+1) theta; cos by the recurrence cos(a + b) = 2 cos a cos b - cos(a - b), with
    * b = 2 theta. cosh(k x)/cosh(k L) written with decaying exponentials only. */
@@ -36,8 +34,8 @@ struct node {
   double reach[WAYS]; /* m, to what it sees; of a wall, to the mirror image */
 };
 
-struct sph_released {
-  struct sph_tank tank;
+struct release {
+  struct tank tank;
   double near, h[2]; /* m: spacing of the lattice in x and y */
   int n[2];          /* nodes in x and y, half a spacing inside the tank */
   int n_unknowns;
@@ -48,15 +46,15 @@ struct sph_released {
 /* More nodes than this do not make the start better: the pressure is smooth at that scale. */
 static const double MOST_NODES = 4e5;
 
-static struct node *node_at(const struct sph_released *r, int i, int j) {
+static struct node *node_at(const struct release *r, int i, int j) {
   return &r->node[(size_t)i * (size_t)r->n[1] + (size_t)j];
 }
 
-static double place(const struct sph_released *r, int axis, int i) {
+static double place(const struct release *r, int axis, int i) {
   return r->tank.box.min[axis] + (i + 0.5) * r->h[axis];
 }
 
-static struct node *neighbour(const struct sph_released *r, int i, int j, enum way way) {
+static struct node *neighbour(const struct release *r, int i, int j, enum way way) {
   int di = (way == RIGHT) - (way == LEFT), dj = (way == UP) - (way == DOWN);
   return node_at(r, i + di, j + dj);
 }
@@ -64,7 +62,7 @@ static struct node *neighbour(const struct sph_released *r, int i, int j, enum w
 /* ---- what the nodes see ---- */
 
 /* One way of a node in the span of a cut: the next node, the tank's wall, or the span's end. */
-static void see(const struct sph_released *r, struct node *p, enum way way, double at, double end,
+static void see(const struct release *r, struct node *p, enum way way, double at, double end,
                 double wall, bool walled) {
   double h = r->h[way == DOWN || way == UP], away = fabs(end - at);
   if (walled && fabs(end - wall) <= r->near && fabs(wall - at) < h) {
@@ -81,8 +79,8 @@ static void see(const struct sph_released *r, struct node *p, enum way way, doub
 
 /* The nodes on one line of the lattice: on a column (axis 0) they look down and up, on a row (axis
  * 1) left and right. */
-static enum status see_along(struct sph_released *r, const struct geo_lines *water, int axis,
-                             int line, struct geo_cut *cut) {
+static enum status see_along(struct release *r, const struct geo_lines *water, int axis, int line,
+                             struct geo_cut *cut) {
   const struct geo_box *box = &r->tank.box;
   double at = place(r, axis, line);
   bool low_wall = axis == 0 || at <= r->tank.top[0];
@@ -101,7 +99,7 @@ static enum status see_along(struct sph_released *r, const struct geo_lines *wat
 }
 
 /* Wet are the nodes that both cuts say are; a way that leads to another ends at a surface. */
-static void number_nodes(struct sph_released *r) {
+static void number_nodes(struct release *r) {
   for (int i = 0; i < r->n[0]; i++)
     for (int j = 0; j < r->n[1]; j++) {
       struct node *p = node_at(r, i, j);
@@ -119,16 +117,17 @@ static void number_nodes(struct sph_released *r) {
       }
 }
 
-static enum status lay_lattice(struct sph_released *r, const struct geo_lines *water,
-                               double spacing) {
+static enum status lay_lattice(struct release *r, const struct geo_lines *water, double spacing) {
   struct geo_box box = geo_lines_box(water);
   double width = r->tank.box.max[0] - r->tank.box.min[0], height = box.max[1] - r->tank.box.min[1];
   double h = fmax(spacing, sqrt(width * height / MOST_NODES));
-  r->n[0] = (int)sph_intervals(width, h);
-  r->n[1] = (int)sph_intervals(height, h);
+  r->n[0] = (int)geo_intervals(width, h);
+  r->n[1] = (int)geo_intervals(height, h);
   r->h[0] = width / r->n[0];
   r->h[1] = height / r->n[1];
-  TRY(sph_allocate((size_t)r->n[0] * (size_t)r->n[1], sizeof *r->node, &r->node));
+  r->node = calloc((size_t)r->n[0] * (size_t)r->n[1], sizeof *r->node);
+  CHECK(r->node, ERR_MEMORY, "no memory for the released pressure at %d x %d nodes", r->n[0],
+        r->n[1]);
   struct geo_cut cut = {0};
   enum status status = OK;
   for (int axis = 0; axis < 2; axis++)
@@ -142,7 +141,7 @@ done:
 /* ---- the solve ---- */
 
 /* The lower half of the matrix, a row for each node: the flux out of its cell, m. */
-static void fill_row(const struct sph_released *r, int i, int j, cholmod_triplet *t, double *flux) {
+static void fill_row(const struct release *r, int i, int j, cholmod_triplet *t, double *flux) {
   const struct node *p = node_at(r, i, j);
   double diagonal = 0;
   int *row = t->i, *column = t->j;
@@ -166,7 +165,7 @@ static void fill_row(const struct sph_released *r, int i, int j, cholmod_triplet
   value[t->nnz++] = diagonal;
 }
 
-static cholmod_dense *solve(const struct sph_released *r, cholmod_common *common) {
+static cholmod_dense *solve(const struct release *r, cholmod_common *common) {
   size_t n = (size_t)r->n_unknowns;
   cholmod_triplet *t = cholmod_allocate_triplet(n, n, 3 * n, -1, CHOLMOD_REAL, common);
   cholmod_dense *flux = cholmod_zeros(n, 1, CHOLMOD_REAL, common), *head = NULL;
@@ -185,9 +184,10 @@ static cholmod_dense *solve(const struct sph_released *r, cholmod_common *common
   return head;
 }
 
-static enum status solve_heads(struct sph_released *r) {
+static enum status solve_heads(struct release *r) {
   if (!r->n_unknowns) return OK;
-  TRY(sph_allocate((size_t)r->n_unknowns, sizeof *r->head, &r->head));
+  r->head = calloc((size_t)r->n_unknowns, sizeof *r->head);
+  CHECK(r->head, ERR_MEMORY, "no memory for the released pressure at %d nodes", r->n_unknowns);
   cholmod_common common;
   cholmod_start(&common);
   common.print = 0;
@@ -204,26 +204,26 @@ static enum status solve_heads(struct sph_released *r) {
   return OK;
 }
 
-enum status sph_released_create(const struct geo_lines *water, const struct sph_tank *tank,
-                                double spacing, double near, struct sph_released **out) {
+enum status release_create(const struct geo_lines *water, const struct tank *tank, double spacing,
+                           double near, struct release **out) {
   enum status status = OK;
-  struct sph_released *r;
+  struct release *r = calloc(1, sizeof *r);
   *out = NULL;
-  TRY(sph_allocate(1, sizeof *r, &r));
+  CHECK(r, ERR_MEMORY, "no memory for the released pressure");
   r->tank = *tank;
   r->near = near;
   ATTEMPT(lay_lattice(r, water, spacing));
   ATTEMPT(solve_heads(r));
 done:
   if (status != OK) {
-    sph_released_destroy(r);
+    release_destroy(r);
     r = NULL;
   }
   *out = r;
   return status;
 }
 
-void sph_released_destroy(struct sph_released *r) {
+void release_destroy(struct release *r) {
   if (!r) return;
   free(r->node);
   free(r->head);
@@ -233,8 +233,7 @@ void sph_released_destroy(struct sph_released *r) {
 /* ---- between the nodes ---- */
 
 /* The wet node nearest to a point, among that of its cell and those around it; NULL: none. */
-static const struct node *nearest_node(const struct sph_released *r, double x, double y,
-                                       int at[2]) {
+static const struct node *nearest_node(const struct release *r, double x, double y, int at[2]) {
   const struct node *best = NULL;
   double nearest = INFINITY;
   int i0 = (int)floor((x - r->tank.box.min[0]) / r->h[0]);
@@ -253,8 +252,7 @@ static const struct node *nearest_node(const struct sph_released *r, double x, d
   return best;
 }
 
-static double seen(const struct sph_released *r, const struct node *p, const int at[2],
-                   enum way way) {
+static double seen(const struct release *r, const struct node *p, const int at[2], enum way way) {
   if (p->end[way] == SURFACE) return 0;
   if (p->end[way] == NODE) return r->head[neighbour(r, at[0], at[1], way)->unknown];
   return r->head[p->unknown] + (way == DOWN ? r->h[1] : 0); /* the mirror image in the wall */
@@ -262,15 +260,15 @@ static double seen(const struct sph_released *r, const struct node *p, const int
 
 /* Change of the head along one axis from the node to a distance s: the parabola through the node
  * and what it sees both ways. */
-static double change(const struct sph_released *r, const struct node *p, const int at[2],
-                     enum way low, enum way high, double s) {
+static double change(const struct release *r, const struct node *p, const int at[2], enum way low,
+                     enum way high, double s) {
   double a = p->reach[low], b = p->reach[high], here = r->head[p->unknown];
   double below = (seen(r, p, at, low) - here) / -a, above = (seen(r, p, at, high) - here) / b;
   double curvature = (above - below) / (a + b);
   return s * (below + curvature * (s + a));
 }
 
-double sph_released_at(const struct sph_released *r, double x, double y) {
+double release_at(const struct release *r, double x, double y) {
   int at[2] = {0, 0};
   const struct node *p = nearest_node(r, x, y, at);
   if (!p) return 0;

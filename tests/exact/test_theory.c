@@ -1,4 +1,4 @@
-#include "common/flow/wave_solver.h"
+#include "exact/solver.h"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include "common/result/result.h"
 #include "tests/test.h"
 
-static const struct solver *const solvers[] = {&wave_solver};
+static const struct solver *const solvers[] = {&exact_solver};
 static const struct registry registry = {.solvers = solvers, .n_solvers = 1};
 
 static const char good[] =
@@ -32,7 +32,7 @@ static void test_run_writes_the_theory_at_the_multiples_of_the_output_times(void
   EXPECT_OK(case_parse("case.yaml", good, &registry, &problems, &c));
   if (!c) return;
   EXPECT_OK(result_create(path, c, &c->runs[0], &out));
-  EXPECT_OK(wave_solver.run(c, &c->runs[0], out, progress));
+  EXPECT_OK(exact_solver.run(c, &c->runs[0], out, progress));
   EXPECT_OK(result_finish(out));
   result_destroy(out);
   EXPECT_OK(result_read(path, &f));

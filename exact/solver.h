@@ -2,4 +2,4 @@
 #pragma once
 #include "common/solver.h"
 
-extern const struct solver wave_solver;
+extern const struct solver exact_solver;

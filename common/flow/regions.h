@@ -1,0 +1,13 @@
+/* What initial states of regions share. */
+#pragma once
+#include "common/case/case.h"
+
+/* Of every region alike: case_file.velocity. */
+void flow_regions_velocity(const struct case_file *c, double x, double y, double velocity[2]);
+
+/* Water that is one rectangle on the bed, against one side of the tank or both. */
+struct flow_column {
+  bool left, right;   /* the sides that it touches */
+  struct geo_box box; /* m */
+};
+bool flow_find_column(const struct case_file *c, struct flow_column *column);

@@ -1,0 +1,66 @@
+/* Regions with the pressure of the instant after everything that held them has gone (release.h):
+ * the Fourier series for one column at a wall, the sparse solve for everything else. */
+#include "common/flow/release.h"
+
+#include <stdlib.h>
+
+#include "common/flow/flow.h"
+#include "common/flow/regions.h"
+
+struct pressure {
+  bool alone; /* a column at just one wall */
+  struct flow_column column;
+  struct release *solved; /* any other water; owned */
+};
+
+/* The pressure is solved for between upright walls and a flat bed. */
+static void check(const struct case_file *c, struct case_draft *d) {
+  if (!c->rectangular)
+    case_flow_problem(d, "pressure", "'released' in another tank",
+                      "released for regions of water in a rectangular tank", "write hydrostatic");
+}
+
+static void finish(void *prepared) {
+  struct pressure *p = prepared;
+  if (!p) return;
+  release_destroy(p->solved);
+  free(p);
+}
+
+static enum status prepare(const struct case_file *c, double spacing, void **prepared) {
+  const struct tank tank = tank_of(&c->walls);
+  enum status status = OK;
+  struct pressure *p = calloc(1, sizeof *p);
+  CHECK(p, ERR_MEMORY, "no memory for the released pressure");
+  p->alone = flow_find_column(c, &p->column) && p->column.left != p->column.right;
+  if (!p->alone) ATTEMPT(release_create(&c->water, &tank, spacing, case_near(c), &p->solved));
+done:
+  if (status != OK) {
+    finish(p);
+    p = NULL;
+  }
+  *prepared = p;
+  return status;
+}
+
+static enum status head(const struct case_file *c, void *prepared, const struct flow_point *p,
+                        double *out) {
+  const struct pressure *pressure = prepared;
+  const struct geo_box *b = &pressure->column.box;
+  (void)c;
+  if (pressure->alone)
+    *out = release_head(pressure->column.left ? p->x - b->min[0] : b->max[0] - p->x,
+                        p->y - b->min[1], b->max[0] - b->min[0], b->max[1] - b->min[1]);
+  else
+    *out = release_at(pressure->solved, p->x, p->y);
+  return OK;
+}
+
+const struct flow flow_released = {
+    .example = "pressure: released, regions: [[[0, 0], [1, 0], [1, 1], [0, 1]]]",
+    .check = check,
+    .velocity = flow_regions_velocity,
+    .prepare = prepare,
+    .head = head,
+    .finish = finish,
+};

@@ -1,0 +1,100 @@
+/* Every solver that takes an initial state starts from the same water. */
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "cli/registry.h"
+#include "common/base/progress.h"
+#include "common/case/case.h"
+#include "common/flow/flow.h"
+#include "common/result/result.h"
+#include "tests/test.h"
+
+/* A run of the flow's example; NULL when the solver refuses it. */
+static struct case_file *case_of(const struct flow *f, const char *solver) {
+  struct problems problems = {0};
+  struct case_file *c = NULL;
+  char text[2000];
+  snprintf(text, sizeof text,
+           "scales: {H: 1}\ntank: {walls: [[[0, 2], [0, 0], [4, 0], [4, 2]]]}\nwater: {%s}\n"
+           "time: {end: 0.1, every: 0.1}\nruns: [{solver: %s, resolution: 20}]\n",
+           f->example, solver);
+  if (case_parse("flow", text, &registry, &problems, &c) != OK)
+    for (size_t i = 0; i < problems.n; i++)
+      EXPECT(strstr(problems.text[i], "take another solver")); /* nothing else is wrong with it */
+  problems_destroy(&problems);
+  return c;
+}
+
+static struct result_file *run(const struct case_file *c) {
+  char path[] = "/tmp/plunge-flow-XXXXXX.h5", xdmf[sizeof path + 2];
+  int handle = mkstemps(path, 3);
+  struct result *out = NULL;
+  struct result_file *f = NULL;
+  struct progress *progress = progress_create(PROGRESS_QUIET);
+  progress_begin(progress, "test", c->end, 1);
+  EXPECT_OK(result_create(path, c, &c->runs[0], &out));
+  EXPECT_OK(c->runs[0].solver->run(c, &c->runs[0], out, progress));
+  EXPECT_OK(result_finish(out));
+  result_destroy(out);
+  EXPECT_OK(result_read(path, &f));
+  progress_destroy(progress);
+  close(handle);
+  unlink(path);
+  snprintf(xdmf, sizeof xdmf, "%.*s.xdmf", (int)strlen(path) - 3, path);
+  unlink(xdmf);
+  return f;
+}
+
+/* Potential energy over rho g of the case's outline, m^3. */
+static double moment_of(const struct geo_lines *l) {
+  double moment = 0;
+  for (size_t k = 0; k < l->pieces; k++)
+    for (size_t i = l->first[k]; i < l->first[k + 1]; i++) {
+      const double *p = l->p[i], *q = l->p[i + 1 < l->first[k + 1] ? i + 1 : l->first[k]];
+      moment += (p[0] * q[1] - q[0] * p[1]) * (p[1] + q[1]) / 6;
+    }
+  return moment;
+}
+
+/* Columns of the particles' width integrate a wave's elevation by the midpoint rule, which misses
+ * width dx^2/24 times the curvature, at most twice a cosine's; regions are divided exactly. Water
+ * that SPH compresses by its weight has up to g top/c0^2, c0 = 20 sqrt(gH), more mass. */
+static void expect_same_start(const struct case_file *c, const struct result_file *f) {
+  double area = case_water_area(c), dx = c->H / c->runs[0].resolution, missed = 0;
+  double potential = c->density * c->gravity * moment_of(&c->water);
+  if (flow_is_wave(c->flow)) {
+    struct flow_scale s = c->flow->scale(c);
+    double curvature = 2 * s.amplitude * pow(2 * M_PI / s.length, 2);
+    missed = (c->tank.max[0] - c->tank.min[0]) * dx * dx / 24 * curvature;
+  }
+  EXPECT(f->n_steps > 1 && f->n_energy > 1 && f->steps[0].time == 0 && f->energy[0].time == 0);
+  printf("     %-12s %-6s volume, potential energy off by %.1e, %.1e of it\n", flow_name(c->flow),
+         f->solver, f->steps[0].volume / area - 1, f->energy[0].potential / potential - 1);
+  EXPECT_NEAR(f->steps[0].volume, area, missed + 1e-12 * area);
+  EXPECT_NEAR(f->energy[0].potential, potential,
+              potential * geo_lines_box(&c->water).max[1] / c->H / 400);
+}
+
+static int run_flow(const struct flow *f) {
+  int taken = 0;
+  for (size_t s = 0; s < registry.n_solvers; s++) {
+    struct case_file *c = case_of(f, registry.solvers[s]->name);
+    if (!c) continue;
+    struct result_file *r = run(c);
+    if (r) expect_same_start(c, r);
+    result_file_destroy(r);
+    case_destroy(c);
+    taken++;
+  }
+  return taken;
+}
+
+static void test_every_flow_runs_in_the_solvers_that_take_it(void) {
+  for (size_t i = 0; i < flow_regions.n; i++) EXPECT(run_flow(flow_regions.flow[i]) >= 1);
+  for (size_t i = 0; i < flow_waves.n; i++) EXPECT(run_flow(flow_waves.flow[i]) >= 2);
+}
+
+int main(void) {
+  RUN(test_every_flow_runs_in_the_solvers_that_take_it);
+  return TEST_RESULT;
+}
