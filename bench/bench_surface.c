@@ -26,7 +26,7 @@ static enum status measure(int k) {
   ATTEMPT(sph_surface_create(&s));
   for (int run = 0; run < 10; run++) {
     double start = progress_wall_clock();
-    ATTEMPT(sph_surface_extract(s, n, x, y, NULL, dx, &walls, &out));
+    ATTEMPT(sph_surface_extract(s, &(struct sph_cloud){n, x, y, NULL, dx}, &walls, &out));
     double took = progress_wall_clock() - start;
     if (took < best) best = took;
   }

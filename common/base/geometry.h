@@ -1,6 +1,7 @@
 /* Plane geometry: one container for everything made of polylines (tank walls, water regions, free
  * surfaces), kept as nested offsets exactly as the result file stores it. */
 #pragma once
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -39,6 +40,22 @@ struct geo_box geo_lines_box(const struct geo_lines *l);          /* of no point
 static inline size_t geo_piece_segments(const struct geo_lines *l, size_t piece) {
   size_t n = l->first[piece + 1] - l->first[piece];
   return l->closed[piece] ? n : n ? n - 1 : 0;
+}
+
+/* The point at which a segment of a piece ends. */
+static inline const double *geo_segment_end(const struct geo_lines *l, size_t piece,
+                                            size_t segment) {
+  size_t i = l->first[piece] + segment + 1;
+  return l->p[i < l->first[piece + 1] ? i : l->first[piece]];
+}
+
+/* Foot of the perpendicular from (x, y) on the line through a and b, as a fraction of a to b, and
+ * the distance from the line, positive on the left. */
+static inline double geo_line_foot(const double a[2], const double b[2], double x, double y,
+                                   double *distance) {
+  double ex = b[0] - a[0], ey = b[1] - a[1], l2 = ex * ex + ey * ey;
+  *distance = (ex * (y - a[1]) - ey * (x - a[0])) / sqrt(l2);
+  return ((x - a[0]) * ex + (y - a[1]) * ey) / l2;
 }
 
 /* The point of the segment from a to b that is nearest to p, into foot; returns how far along it

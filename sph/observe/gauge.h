@@ -13,3 +13,7 @@
  * than one spacing above what is there: a jet that rises along the wall, water that has left it and
  * steep faces keep their own height. */
 double sph_gauge(const struct sph *s, const struct geo_lines *surface, double x);
+
+/* From where to where (x, m) the surface must be known for that: a strip of it (surface.h) reads
+ * the same as the whole one. */
+void sph_gauge_strip(const struct sph *s, double x, double strip[2]);

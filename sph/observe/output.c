@@ -16,8 +16,8 @@ struct sph_output {
   const struct case_file *c;
   struct result *result;
   struct sph_surface *extractor;
-  struct geo_lines surface;
-  double surface_time;               /* s, of `surface`; negative: none yet */
+  struct geo_lines surface;          /* or the part of it at a gauge */
+  bool crowded;                      /* gauges: the whole surface costs less than their strips */
   double started;                    /* wall clock, s */
   size_t n_every, n_sample;          /* multiples written so far */
   double budget0, available, budget; /* J/m */
@@ -44,6 +44,15 @@ static double gap(const struct sph *s, int side, size_t *at) {
   return nearest - s->dx / 2;
 }
 
+static bool is_crowded(const struct case_file *c, const struct sph *s) {
+  double width = 0, strip[2];
+  for (size_t k = 0; k < c->n_gauges; k++) {
+    sph_gauge_strip(s, c->gauges[k].x, strip);
+    width += strip[1] - strip[0];
+  }
+  return width > s->tank.box.max[0] - s->tank.box.min[0];
+}
+
 enum status sph_output_create(const struct case_file *c, const struct sph *s, struct result *result,
                               struct sph_output **out) {
   enum status status = OK;
@@ -51,9 +60,9 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   TRY(sph_allocate(1, sizeof *o, &o));
   o->c = c;
   o->result = result;
-  o->surface_time = -1;
   o->started = progress_wall_clock();
   o->room = s->f.n;
+  o->crowded = is_crowded(c, s);
   size_t at = 0;
   for (int side = TANK_LEFT; side <= TANK_RIGHT; side++)
     o->dry[side] = gap(s, side, &at) > 1.5 * s->dx;
@@ -120,12 +129,15 @@ static size_t sort_by_id(struct sph_output *o, const struct sph *s) {
   return n;
 }
 
-static enum status find_surface(struct sph_output *o, const struct sph *s) {
-  if (o->surface_time == s->t) return OK;
-  size_t n = sort_by_id(o, s);
-  TRY(sph_surface_extract(o->extractor, n, o->x, o->y, NULL, s->dx, &o->c->walls, &o->surface));
-  o->surface_time = s->t;
-  return OK;
+/* Where the particles are, by id; infinitely far for those taken out. */
+static struct sph_cloud cloud_of(struct sph_output *o, const struct sph *s) {
+  if (s->f.n < o->room)
+    for (size_t k = 0; k < o->room; k++) o->x[k] = o->y[k] = INFINITY;
+  for (size_t i = 0; i < s->f.n; i++) {
+    o->x[s->f.id[i]] = s->f.w.x[i];
+    o->y[s->f.id[i]] = s->f.w.y[i];
+  }
+  return (struct sph_cloud){o->room, o->x, o->y, NULL, s->dx};
 }
 
 static enum status write_state(struct sph_output *o, const struct sph *s) {
@@ -137,15 +149,17 @@ static enum status write_state(struct sph_output *o, const struct sph *s) {
                                         {"velocity", "m/s", "velocity", o->u, o->v}};
   TRY(result_points(o->result, s->t, n, o->x, o->y, RESULT_VERTICES, sizeof fields / sizeof *fields,
                     fields));
-  TRY(find_surface(o, s));
+  const struct sph_cloud cloud = cloud_of(o, s);
+  TRY(sph_surface_extract(o->extractor, &cloud, &o->c->walls, &o->surface));
   TRY(result_surface(o->result, s->t, &o->surface));
   return result_flush(o->result);
 }
 
-/* The water and what its surface is, for the record. */
+/* The water, for the record. */
 struct moment {
   struct sph_output *o;
   const struct sph *s;
+  struct sph_cloud cloud; /* where there are gauges */
 };
 
 static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
@@ -155,12 +169,17 @@ static enum status pressure_of(void *solver, const struct case_probe *probe, dou
 
 static enum status elevation_of(void *solver, double x, double *elevation) {
   const struct moment *m = solver;
-  *elevation = sph_gauge(m->s, &m->o->surface, x);
+  struct sph_output *o = m->o;
+  double strip[2];
+  sph_gauge_strip(m->s, x, strip);
+  if (!o->crowded)
+    TRY(sph_surface_strip(o->extractor, &m->cloud, &o->c->walls, strip, &o->surface));
+  *elevation = sph_gauge(m->s, &o->surface, x);
   return OK;
 }
 
 static enum status write_series(struct sph_output *o, struct sph *s, double dt) {
-  struct moment moment = {o, s};
+  struct moment moment = {.o = o, .s = s};
   struct record r = {.energy = sph_energy(s),
                      .step = {.time = s->t,
                               .dt = dt,
@@ -173,7 +192,8 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
                      .elevation = elevation_of};
   o->budget = budget_of(&r.energy);
   if (o->c->n_probes) sph_pack_water(s);
-  if (o->c->n_gauges) TRY(find_surface(o, s));
+  if (o->c->n_gauges) moment.cloud = cloud_of(o, s);
+  if (o->crowded) TRY(sph_surface_extract(o->extractor, &moment.cloud, &o->c->walls, &o->surface));
   return record_row(o->result, o->c, &r);
 }
 

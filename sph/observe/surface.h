@@ -2,14 +2,14 @@
 #pragma once
 #include "common/base/geometry.h"
 #include "common/base/status.h"
+#include "sph/observe/fraction.h"
 
 struct sph_surface; /* the grid and other scratch memory; it grows when needed and is then kept */
 
 enum status sph_surface_create(struct sph_surface **s);
 void sph_surface_destroy(struct sph_surface *s); /* NULL is fine */
 
-/* Finds the free surface of n particles at (x, y) [n], m, of the given volumes [n], m^2 (NULL: dx^2
- * each), where dx (m) is their mean spacing, inside `walls` (water on their left; none: no walls).
+/* Finds the free surface of a cloud inside `walls` (water on their left; none: no walls).
  *
  * *out gets (geometry.h) pieces with the water on their right: open ones, which start and end
  * exactly on walls (or on the straight continuation of a wall beyond its end), the longest first
@@ -17,9 +17,15 @@ void sph_surface_destroy(struct sph_surface *s); /* NULL is fine */
  * counter-clockwise. Points are about dx/2 apart. Neither a drop of one or two particles nor a
  * pocket of air of less than 4 dx^2 is seen.
  *
- * Particles that are not finite, or farther out of the box of the walls than its diagonal, are left
- * out. Serial, so that the result has the same bits for any thread count.
- * ERR_MEMORY; ERR_INPUT when the particles are so scattered that no grid of spacing dx/2 fits. */
-enum status sph_surface_extract(struct sph_surface *s, size_t n, const double *x, const double *y,
-                                const double *volume, double dx, const struct geo_lines *walls,
-                                struct geo_lines *out);
+ * It has the same bits for any number of threads. Particles that are left out, and errors: as
+ * sph_fraction_fill has it. */
+enum status sph_surface_extract(struct sph_surface *s, const struct sph_cloud *c,
+                                const struct geo_lines *walls, struct geo_lines *out);
+
+/* The same with all that lies out of the strip, from x = strip[0] to strip[1] (m), taken to be dry:
+ * curves that leave it are closed along its edges, half a dx inside. Away from there it has the
+ * same points as the whole surface, but for drops and pockets that an edge cuts, whose size is that
+ * of the part inside. */
+enum status sph_surface_strip(struct sph_surface *s, const struct sph_cloud *c,
+                              const struct geo_lines *walls, const double strip[2],
+                              struct geo_lines *out);

@@ -1,5 +1,6 @@
 #include "sph/observe/surface.h"
 
+#include <omp.h>
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -83,7 +84,8 @@ static void extract(const struct cloud *c, const double *volume, double spacing,
                     const struct geo_lines *walls, struct geo_lines *out) {
   struct sph_surface *s = NULL;
   EXPECT_OK(sph_surface_create(&s));
-  EXPECT_OK(sph_surface_extract(s, c->n, c->x, c->y, volume, spacing, walls, out));
+  EXPECT_OK(
+      sph_surface_extract(s, &(struct sph_cloud){c->n, c->x, c->y, volume, spacing}, walls, out));
   sph_surface_destroy(s);
 }
 
@@ -392,25 +394,98 @@ static void test_escaped_particles_change_nothing(void) {
   tank(&walls, 60 * dx, 50 * dx);
   cloud_block(&c, 0, 0, 30 * dx, 20 * dx, dx);
   EXPECT_OK(sph_surface_create(&s));
-  EXPECT_OK(sph_surface_extract(s, c.n, c.x, c.y, NULL, dx, &walls, &l));
+  EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx}, &walls, &l));
   cloud_add(&c, NAN, dx);
   cloud_add(&c, dx, INFINITY);
   cloud_add(&c, -1e30, 1e30);
-  EXPECT_OK(sph_surface_extract(s, c.n, c.x, c.y, NULL, dx, &walls, &again));
+  EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx}, &walls, &again));
   EXPECT(l.points == again.points && l.pieces == again.pieces);
   EXPECT(memcmp(l.p, again.p, l.points * sizeof *l.p) == 0);
-  EXPECT_OK(sph_surface_extract(s, 0, NULL, NULL, NULL, dx, &walls, &again));
+  EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){.dx = dx}, &walls, &again));
   EXPECT(again.pieces == 0 && again.points == 0);
   cloud_destroy(&c);
   cloud_add(&c, 0, 0);
   cloud_add(&c, 1e9 * dx, 1e9 * dx);
   struct geo_lines none = {0};
-  EXPECT(sph_surface_extract(s, c.n, c.x, c.y, NULL, dx, &none, &again) == ERR_INPUT);
+  EXPECT(sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx}, &none, &again) ==
+         ERR_INPUT);
   sph_surface_destroy(s);
   cloud_destroy(&c);
   geo_lines_destroy(&walls);
   geo_lines_destroy(&l);
   geo_lines_destroy(&again);
+}
+
+/* Water with a wavy surface, with drops above it, and with holes of all sizes in it. */
+static void cloud_breaker(struct cloud *c, double width, double depth) {
+  struct cloud full = {0};
+  double hole[40][3];
+  for (int k = 0; k < 40; k++) {
+    hole[k][0] = width * (0.5 + 0.5 * noise());
+    hole[k][1] = 1.2 * depth * (0.5 + 0.5 * noise());
+    hole[k][2] = dx * (1.5 + 1.5 * noise());
+  }
+  cloud_block(&full, 0, 0, width, 1.5 * depth, dx);
+  for (size_t i = 0; i < full.n; i++) {
+    double x = full.x[i], y = full.y[i], top = depth * (1 + 0.15 * sin(9 * x / width));
+    bool gone = false, drop = false;
+    for (int k = 0; k < 40; k++) {
+      bool near = hypot(x - hole[k][0], y - hole[k][1]) < hole[k][2];
+      gone |= near;
+      drop |= near;
+    }
+    if (y < top ? !gone : drop) cloud_add(c, x, y);
+  }
+  cloud_jitter(c, 0.3 * dx);
+  cloud_destroy(&full);
+}
+
+/* Away from its edges: the elevations that a gauge reads. */
+static void test_strip_is_the_same_as_the_whole_to_the_last_bit(void) {
+  struct cloud c = {0};
+  struct geo_lines walls = {0}, whole = {0}, part = {0};
+  struct sph_surface *s = NULL;
+  const double width = 120 * dx;
+  tank(&walls, width, 90 * dx);
+  cloud_breaker(&c, width, 40 * dx);
+  const struct sph_cloud cloud = {c.n, c.x, c.y, NULL, dx};
+  EXPECT_OK(sph_surface_create(&s));
+  EXPECT_OK(sph_surface_extract(s, &cloud, &walls, &whole));
+  EXPECT(whole.pieces > 10);
+  int wet = 0;
+  for (int k = 0; k <= 200; k++) {
+    double x = width * k / 200;
+    EXPECT_OK(sph_surface_strip(s, &cloud, &walls, (double[]){x - 8 * dx, x + 8 * dx}, &part));
+    double right = gauge_elevation(&whole, x, 0), read = gauge_elevation(&part, x, 0);
+    EXPECT(read == right || (isnan(read) && isnan(right)));
+    wet += isfinite(right);
+  }
+  EXPECT(wet > 150);
+  EXPECT_OK(sph_surface_strip(s, &cloud, &walls, (double[]){-9, -8}, &part));
+  EXPECT(part.pieces == 0);
+  sph_surface_destroy(s);
+  cloud_destroy(&c);
+  geo_lines_destroy(&walls);
+  geo_lines_destroy(&whole);
+  geo_lines_destroy(&part);
+}
+
+static void test_any_number_of_threads_finds_the_same_bits(void) {
+  struct cloud c = {0};
+  struct geo_lines walls = {0}, l[2] = {0};
+  tank(&walls, 150 * dx, 90 * dx);
+  cloud_breaker(&c, 150 * dx, 50 * dx);
+  for (int k = 0; k < 2; k++) {
+    omp_set_num_threads(k ? 3 : 1);
+    extract(&c, NULL, dx, &walls, &l[k]);
+  }
+  omp_set_num_threads(1);
+  EXPECT(l[0].points > 300 && l[0].points == l[1].points && l[0].pieces == l[1].pieces);
+  EXPECT(memcmp(l[0].p, l[1].p, l[0].points * sizeof *l[0].p) == 0);
+  cloud_destroy(&c);
+  geo_lines_destroy(&walls);
+  geo_lines_destroy(&l[0]);
+  geo_lines_destroy(&l[1]);
 }
 
 int main(void) {
@@ -427,5 +502,7 @@ int main(void) {
   RUN(test_oblique_walls_are_filled);
   RUN(test_water_above_the_end_of_a_wall_is_cut_on_its_continuation);
   RUN(test_escaped_particles_change_nothing);
+  RUN(test_strip_is_the_same_as_the_whole_to_the_last_bit);
+  RUN(test_any_number_of_threads_finds_the_same_bits);
   return TEST_RESULT;
 }
