@@ -7,13 +7,13 @@
 
 static enum status reserve(struct bem_curve *c, size_t n) {
   if (n <= c->room) return OK;
-  double *memory = malloc(6 * n * sizeof *memory);
+  double *memory = malloc(7 * n * sizeof *memory);
   CHECK(memory, ERR_MEMORY, "no memory for a curve through %zu nodes", n);
   free(c->memory);
   c->memory = memory;
   c->room = n;
   c->arc = memory;
-  for (size_t field = 0; field < BEM_FIELDS; field++) c->second[field] = memory + (1 + field) * n;
+  c->second = memory + n;
   c->scratch = memory + (1 + BEM_FIELDS) * n;
   return OK;
 }
@@ -33,11 +33,9 @@ enum status bem_curve_fit(struct bem_curve *c, const struct bem_surface *s, size
   c->arc[0] = start;
   for (size_t k = 1; k < c->n; k++)
     c->arc[k] = c->arc[k - 1] + hypot(x[k] - x[k - 1], y[k] - y[k - 1]);
-  for (size_t field = 0; field < BEM_FIELDS; field++)
-    bem_spline_fit(c->n, c->arc, c->value[field], c->second[field], c->scratch);
-  return OK;
+  return bem_spline_fit(c->n, c->arc, BEM_FIELDS, c->value, c->second, c->scratch);
 }
 
 double bem_curve_value(struct bem_curve *c, size_t field, double arc) {
-  return bem_spline_value(c->n, c->arc, c->value[field], c->second[field], arc, &c->from);
+  return bem_spline_value(c->n, c->arc, c->value[field], c->second + field * c->n, arc, &c->from);
 }

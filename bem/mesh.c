@@ -1,5 +1,7 @@
 #include "bem/mesh.h"
 
+#include <assert.h>
+#include <lapack.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -14,8 +16,9 @@ static const double OPEN = 0.15;             /* rad: a kink that turns less is n
 static const size_t FEWEST = 7;              /* nodes of a piece */
 
 enum status bem_mesh_reserve(struct bem_mesh *m, size_t n) {
-  double **array[] = {&m->work.rho, &m->work.dx,   &m->work.dy,   &m->work.ddx,
-                      &m->work.ddy, &m->work.bend, &m->work.sweep};
+  double **array[] = {&m->work.rho,      &m->work.share, &m->work.growth, &m->work.dx,
+                      &m->work.dy,       &m->work.ddx,   &m->work.ddy,    &m->work.bend,
+                      &m->work.diagonal, &m->work.beside};
   enum { ARRAYS = sizeof array / sizeof *array };
   if (n <= m->work.room) return OK;
   double *memory = malloc(ARRAYS * n * sizeof *memory);
@@ -47,31 +50,36 @@ static void measure_bend(struct bem_mesh *m, const struct bem_surface *s, const 
   }
 }
 
-/* Solves (1 - SPREAD delta^2) smooth = rough in place; nothing is lost at the ends. */
-static void spread(size_t n, double *rho, double *upper) {
-  for (size_t j = 0; j < n; j++) {
-    double side = (j > 0 ? SPREAD : 0) + (j + 1 < n ? SPREAD : 0), low = j > 0 ? SPREAD : 0;
-    double pivot = 1 + side - (j > 0 ? low * upper[j - 1] : 0);
-    upper[j] = SPREAD / pivot;
-    rho[j] = (rho[j] + (j > 0 ? low * rho[j - 1] : 0)) / pivot;
+/* Solves (1 - SPREAD delta^2) smooth = rough in place; nothing is lost at the ends. The matrix is
+ * positive definite: there is always a solution. */
+static void spread(size_t panels, double *rho, double *diagonal, double *beside) {
+  for (size_t j = 0; j < panels; j++) {
+    bool end = j == 0 || j + 1 == panels;
+    diagonal[j] = 1 + (end ? 1 : 2) * SPREAD;
+    beside[j] = -SPREAD;
   }
-  for (size_t j = n - 1; j-- > 0;) rho[j] += upper[j] * rho[j + 1];
+  lapack_int n = (lapack_int)panels, one = 1, failed;
+  LAPACK_dptsv(&n, &one, diagonal, beside, rho, &n, &failed);
+  assert(failed == 0);
 }
 
-/* Density of nodes wanted on every panel, and the tangents. */
+/* Density of nodes wanted on every panel, and how many it is worth. */
 static void measure_density(struct bem_mesh *m, const struct bem_surface *s, const double *state) {
   const size_t n = s->n;
   const double *x = state, *y = state + n, *bend = m->work.bend;
-  double *rho = m->work.rho, distance = 0;
+  double *rho = m->work.rho, *share = m->work.share, distance = 0;
   measure_bend(m, s, x, y);
   for (size_t j = n - 1; j-- > 0;) {
-    double l = hypot(x[j + 1] - x[j], y[j + 1] - y[j]);
+    double l = share[j] = hypot(x[j + 1] - x[j], y[j + 1] - y[j]);
     double near = s->tip > 0 ? 1 / (s->tip + GROWTH * (distance + 0.5 * l)) : 0;
     rho[j] = sqrt(1 + 0.5 * (bend[j] + bend[j + 1]) / (BEND * BEND) + near * near);
     distance += l;
   }
-  spread(n - 1, rho, m->work.sweep);
-  for (size_t j = 0; j + 1 < n; j++) rho[j] *= m->resolution;
+  spread(n - 1, rho, m->work.diagonal, m->work.beside);
+  for (size_t j = 0; j + 1 < n; j++) {
+    rho[j] *= m->resolution;
+    share[j] *= rho[j];
+  }
 }
 
 /* The last node of the piece that begins at node a. */
@@ -79,22 +87,30 @@ static size_t piece_end(const struct bem_surface *s, size_t a) {
   return a < s->corner ? s->corner : s->n - 1;
 }
 
+/* Rate at which the water stretches every panel, in nodes. */
+static void measure_growth(struct bem_mesh *m, const struct bem_surface *s, const double *state,
+                           const double *u, const double *v) {
+  const double *x = state, *y = state + s->n;
+  for (size_t j = 0; j + 1 < s->n; j++) {
+    double lx = x[j + 1] - x[j], ly = y[j + 1] - y[j];
+    double stretch = (lx * (u[j + 1] - u[j]) + ly * (v[j + 1] - v[j])) / (lx * lx + ly * ly);
+    m->work.growth[j] = m->work.share[j] * stretch;
+  }
+}
+
 /* On the piece from node a to node b: keeps the number of nodes up to each point, counted by
  * density, at its share of the whole. */
-static void piece_velocity(size_t a, size_t b, const double *x, const double *y, const double *u,
-                           const double *v, const double *rho, double *q) {
-  double whole = 0, growth = 0;
+static void piece_velocity(const struct bem_mesh *m, size_t a, size_t b, double *q) {
+  const double *rho = m->work.rho;
+  double whole = 0, growth = 0, count = 0, stretch = 0;
   for (size_t j = a; j < b; j++) {
-    double lx = x[j + 1] - x[j], ly = y[j + 1] - y[j], l = hypot(lx, ly);
-    whole += rho[j] * l;
-    growth += rho[j] * (lx * (u[j + 1] - u[j]) + ly * (v[j + 1] - v[j])) / l;
+    whole += m->work.share[j];
+    growth += m->work.growth[j];
   }
-  double count = 0, stretch = 0;
   q[a] = q[b] = 0;
   for (size_t j = a; j + 1 < b; j++) {
-    double lx = x[j + 1] - x[j], ly = y[j + 1] - y[j], l = hypot(lx, ly);
-    count += rho[j] * l;
-    stretch += rho[j] * (lx * (u[j + 1] - u[j]) + ly * (v[j + 1] - v[j])) / l;
+    count += m->work.share[j];
+    stretch += m->work.growth[j];
     double share = (double)(j + 1 - a) / (double)(b - a);
     q[j + 1] = (share * growth - stretch + (share * whole - count) / RELAX) /
                (0.5 * (rho[j] + rho[j + 1]));
@@ -105,6 +121,7 @@ void bem_mesh_velocity(struct bem_mesh *m, const struct bem_surface *s, const do
                        const double *u, const double *v, double *tx, double *ty, double *q) {
   const double *dx = m->work.dx, *dy = m->work.dy;
   measure_density(m, s, state);
+  measure_growth(m, s, state, u, v);
   for (size_t k = 0; k < s->n; k++) {
     double speed = hypot(dx[k], dy[k]);
     tx[k] = dx[k] / speed;
@@ -112,7 +129,7 @@ void bem_mesh_velocity(struct bem_mesh *m, const struct bem_surface *s, const do
   }
   for (size_t a = 0, b; a + 1 < s->n; a = b) {
     b = piece_end(s, a);
-    piece_velocity(a, b, state, state + s->n, u, v, m->work.rho, q);
+    piece_velocity(m, a, b, q);
   }
 }
 
@@ -122,12 +139,6 @@ static double kink(const struct bem_surface *s) {
       remainder(atan2(y[1] - y[0], x[1] - x[0]) - atan2(y[0] - y[-1], x[0] - x[-1]), 2 * M_PI));
 }
 
-/* Nodes that the panel after node j is worth. */
-static double share(const struct bem_mesh *m, const struct bem_surface *s, size_t j) {
-  const double *x = s->state, *y = x + s->n;
-  return m->work.rho[j] * hypot(x[j + 1] - x[j], y[j + 1] - y[j]);
-}
-
 bool bem_mesh_is_poor(struct bem_mesh *m, const struct bem_surface *s) {
   if (s->corner && kink(s) < OPEN) return true;
   measure_density(m, s, s->state);
@@ -135,8 +146,8 @@ bool bem_mesh_is_poor(struct bem_mesh *m, const struct bem_surface *s) {
     b = piece_end(s, a);
     double whole = 0, most = 0;
     for (size_t j = a; j < b; j++) {
-      whole += share(m, s, j);
-      most = fmax(most, share(m, s, j));
+      whole += m->work.share[j];
+      most = fmax(most, m->work.share[j]);
     }
     double ratio = whole / (double)(b - a);
     if (ratio > 1.25 || (ratio < 0.6 && b - a >= FEWEST) || most > 2.5) return true;
@@ -145,10 +156,9 @@ bool bem_mesh_is_poor(struct bem_mesh *m, const struct bem_surface *s) {
 }
 
 /* Panels for the piece from node a to node b. */
-static enum status count_panels(const struct bem_mesh *m, const struct bem_surface *s, size_t a,
-                                size_t b, size_t *panels) {
+static enum status count_panels(const struct bem_mesh *m, size_t a, size_t b, size_t *panels) {
   double whole = 0;
-  for (size_t j = a; j < b; j++) whole += share(m, s, j);
+  for (size_t j = a; j < b; j++) whole += m->work.share[j];
   CHECK(whole < BEM_MOST_NODES, ERR_SOLVER,
         "the surface asks for %.3g nodes, more than %d: it has become too rough, or the "
         "resolution is too high",
@@ -186,7 +196,7 @@ enum status bem_mesh_regrid(struct bem_mesh *m, struct bem_surface *s) {
   measure_density(m, s, s->state);
   size_t panels[2] = {0}, pieces = 0; /* two at most: there is one kink */
   for (size_t a = 0; a + 1 < s->n; a = piece_end(s, a))
-    TRY(count_panels(m, s, a, piece_end(s, a), &panels[pieces++]));
+    TRY(count_panels(m, a, piece_end(s, a), &panels[pieces++]));
 
   struct bem_surface fresh = {0};
   TRY(bem_surface_follow(&fresh, s, panels[0] + panels[1] + 1));
@@ -199,7 +209,7 @@ enum status bem_mesh_regrid(struct bem_mesh *m, struct bem_surface *s) {
   }
   fresh.corner = s->corner ? panels[0] : 0;
   bem_surface_replace(s, &fresh);
-  return OK;
+  return bem_mesh_reserve(m, s->n);
 done:
   bem_surface_destroy(&fresh);
   return status;

@@ -1,5 +1,6 @@
 #include "bem/solve.h"
 
+#include <lapack.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
 #include <omp.h>
@@ -8,10 +9,6 @@
 #include <sunlinsol/sunlinsol_spgmr.h>
 
 #include "bem/integrals.h"
-
-extern void dgetrf_(const int *m, const int *n, double *a, const int *lda, int *pivot, int *info);
-extern void dgetrs_(const char *trans, const int *n, const int *nrhs, const double *a,
-                    const int *lda, const int *pivot, double *b, const int *ldb, int *info);
 
 /* OpenBLAS's, absent from other libraries. */
 extern void openblas_set_num_threads(int n) __attribute__((weak));
@@ -27,7 +24,8 @@ struct bem_solve {
   double *row;                     /* scratch, two rows a thread */
   double *f, *x;                   /* right-hand side and solution, [n] */
   const struct bem_panels *panels; /* of the last assembly */
-  int dense, *pivot;
+  int dense;
+  lapack_int *pivot;
 
   SUNContext context;
   N_Vector vector_f, vector_x;
@@ -162,9 +160,9 @@ static enum status iterate(struct bem_solve *s) {
 static enum status finish(struct bem_solve *s, double *psi) {
   const size_t n = s->n;
   if (s->dense) {
-    int size = (int)n, one = 1, info;
+    lapack_int size = (lapack_int)n, one = 1, info;
     memcpy(s->x, s->f, n * sizeof *s->x);
-    dgetrs_("T", &size, &one, s->a, &size, s->pivot, s->x, &size, &info);
+    LAPACK_dgetrs("T", &size, &one, s->a, &size, s->pivot, s->x, &size, &info);
   } else {
     memcpy(s->x, psi + 1, n * sizeof *s->x);
     TRY(iterate(s));
@@ -180,8 +178,8 @@ enum status bem_solve_first(struct bem_solve *s, const struct bem_panels *p, con
   s->panels = p;
   TRY(assemble(s, phi, keep));
   if (s->dense) {
-    int size = (int)s->n, info;
-    dgetrf_(&size, &size, s->a, &size, s->pivot, &info);
+    lapack_int size = (lapack_int)s->n, info;
+    LAPACK_dgetrf(&size, &size, s->a, &size, s->pivot, &info);
     CHECK(info == 0, ERR_SOLVER, "the boundary system of %d unknowns is singular", size);
     s->count.dense_factorisations++;
   }

@@ -1,35 +1,42 @@
 #include "bem/spline.h"
 
-/* The tridiagonal system of the inner second derivatives; continuity of the third derivative at the
- * last but one node on either side gives the outer ones from them. */
-void bem_spline_fit(size_t n, const double *s, const double *f, double *second, double *scratch) {
-  const size_t last = n - 1;
-  double *upper = scratch;
-  double before = 0;
-  for (size_t k = 1; k < last; k++) {
-    double h = s[k] - s[k - 1], next = s[k + 1] - s[k];
-    double lower = h, diagonal = 2 * (h + next), right = next;
-    double rhs = 6 * ((f[k + 1] - f[k]) / next - (f[k] - f[k - 1]) / h);
-    if (k == 1) { /* second[0] = second[1] (1 + h/next) - second[2] h/next */
-      diagonal += h * (1 + h / next);
-      right -= h * h / next;
-      lower = 0;
-    }
-    if (k + 1 == last) {
-      diagonal += next * (1 + next / h);
-      lower -= next * next / h;
-      right = 0;
-    }
-    double pivot = diagonal - (k > 1 ? lower * upper[k - 1] : 0);
-    upper[k] = right / pivot;
-    second[k] = (rhs - (k > 1 ? lower * before : 0)) / pivot;
-    before = second[k];
+#include <lapack.h>
+
+/* Second derivative at an end from those at the two nodes next to it: the third derivative does not
+ * jump at the first of them. r: length of the outer interval over that of the inner. */
+static double outer(double r, double first, double second) {
+  return first * (1 + r) - second * r;
+}
+
+/* The tridiagonal system of the inner second derivatives, the outer ones eliminated by `outer`. */
+enum status bem_spline_fit(size_t n, const double *s, size_t n_f, const double *const *f,
+                           double *second, double *scratch) {
+  const size_t m = n - 2, last = n - 1;
+  double *lower = scratch, *diagonal = lower + m, *upper = diagonal + m;
+  for (size_t i = 0; i < m; i++) { /* of node i + 1 */
+    double h = s[i + 1] - s[i], next = s[i + 2] - s[i + 1];
+    diagonal[i] = 2 * (h + next);
+    upper[i] = next;
+    if (i > 0) lower[i - 1] = h;
+    for (size_t k = 0; k < n_f; k++)
+      second[k * n + i + 1] =
+          6 * ((f[k][i + 2] - f[k][i + 1]) / next - (f[k][i + 1] - f[k][i]) / h);
   }
-  for (size_t k = last - 1; k-- > 1;) second[k] -= upper[k] * second[k + 1];
-  double r = (s[1] - s[0]) / (s[2] - s[1]);
-  second[0] = second[1] * (1 + r) - second[2] * r;
-  r = (s[last] - s[last - 1]) / (s[last - 1] - s[last - 2]);
-  second[last] = second[last - 1] * (1 + r) - second[last - 2] * r;
+  double first = s[1] - s[0], r = first / (s[2] - s[1]);
+  diagonal[0] += first * (1 + r);
+  upper[0] -= first * r;
+  double end = s[last] - s[last - 1], q = end / (s[last - 1] - s[last - 2]);
+  diagonal[m - 1] += end * (1 + q);
+  lower[m - 2] -= end * q;
+
+  lapack_int rows = (lapack_int)m, columns = (lapack_int)n_f, stride = (lapack_int)n, failed;
+  LAPACK_dgtsv(&rows, &columns, lower, diagonal, upper, second + 1, &stride, &failed);
+  CHECK(failed == 0, ERR_SOLVER, "the spline through %zu nodes has no solution", n);
+  for (double *d = second; d < second + n_f * n; d += n) {
+    d[0] = outer(r, d[1], d[2]);
+    d[last] = outer(q, d[last - 1], d[last - 2]);
+  }
+  return OK;
 }
 
 double bem_spline_value(size_t n, const double *s, const double *f, const double *second, double at,

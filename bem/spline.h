@@ -2,10 +2,15 @@
 #pragma once
 #include <stddef.h>
 
-/* Second derivatives of the spline through f at the increasing abscissae s; f, s, second: [n], n >=
- * 4; scratch: [n]. */
-void bem_spline_fit(size_t n, const double *s, const double *f, double *second, double *scratch);
+#include "common/base/status.h"
 
-/* Its value at `at`; *from is where the search starts and is left at the interval found. */
+/* Second derivatives of the splines through n_f functions f[i] at the increasing abscissae s; s,
+ * f[i]: [n], n >= 4; second: [n_f][n]; scratch: [3n]. ERR_SOLVER when its equations are singular.
+ */
+enum status bem_spline_fit(size_t n, const double *s, size_t n_f, const double *const *f,
+                           double *second, double *scratch);
+
+/* Value of one of them at `at`; *from is where the search starts and is left at the interval found.
+ */
 double bem_spline_value(size_t n, const double *s, const double *f, const double *second, double at,
                         size_t *from);
