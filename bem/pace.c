@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
+
 static const double SHORTEST = 1e-9; /* sqrt(H/g), steps that lead nowhere */
 static const double CRAWL = 0.01;    /* sqrt(H/g) in a stretch: a hundredth of the usual pace */
 enum {
@@ -21,13 +23,7 @@ enum status bem_pace_add(struct bem_pace *p, double time, double dt) {
   if (p->steps % STRETCH == 0) p->mark = time - dt;
   p->steps++;
   if (++p->since <= SETTLE) return OK;
-  if (p->settled == p->room) {
-    size_t room = 2 * p->room + STRETCH;
-    double *more = realloc(p->dt, room * sizeof *more);
-    CHECK(more, ERR_MEMORY, "no memory for the lengths of %zu time steps", room);
-    p->dt = more;
-    p->room = room;
-  }
+  TRY(array_grow(&p->dt, &p->room, p->settled + 1, "lengths of time steps"));
   p->dt[p->settled++] = dt;
   return OK;
 }
@@ -40,17 +36,12 @@ bool bem_pace_is_lost(struct bem_pace *p, double time) {
   return p->tiny >= PATIENCE || (p->steps > 0 && p->steps % STRETCH == 0 && time - p->mark < CRAWL);
 }
 
-static int compare(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 double bem_pace_cut(const struct bem_pace *p) {
   double *sorted = p->settled ? malloc(p->settled * sizeof *sorted) : NULL;
   size_t cut = 0;
   if (!sorted) return 0;
   memcpy(sorted, p->dt, p->settled * sizeof *sorted);
-  qsort(sorted, p->settled, sizeof *sorted, compare);
+  qsort(sorted, p->settled, sizeof *sorted, array_ascending);
   while (cut < p->settled && sorted[cut] < 0.1 * sorted[p->settled / 2]) cut++;
   free(sorted);
   return (double)cut;

@@ -3,26 +3,21 @@
 #include <math.h>
 #include <stdlib.h>
 
-static enum status grow(void *array, size_t count, size_t size) {
-  void *more = realloc(*(void **)array, count * size);
-  CHECK(more, ERR_MEMORY, "no memory for %zu boundary nodes", count);
-  *(void **)array = more;
-  return OK;
-}
+#include "common/base/array.h"
 
 enum status bem_panels_reserve(struct bem_panels *p, size_t n) {
   if (n <= p->room) return OK;
-  TRY(grow(&p->zeta, n, sizeof *p->zeta));
-  TRY(grow(&p->dzeta, n, sizeof *p->dzeta));
-  TRY(grow(&p->re, n, sizeof *p->re));
-  TRY(grow(&p->im, n, sizeof *p->im));
-  TRY(grow(&p->middle, n, sizeof *p->middle));
-  TRY(grow(&p->half, n, sizeof *p->half));
-  TRY(grow(&p->basis, n, sizeof *p->basis));
-  TRY(grow(&p->weight, n, sizeof *p->weight));
-  TRY(grow(&p->weight_re, n, sizeof *p->weight_re));
-  TRY(grow(&p->weight_im, n, sizeof *p->weight_im));
-  TRY(grow(&p->slope, n, sizeof *p->slope));
+  TRY(array_resize(&p->zeta, n, "boundary nodes"));
+  TRY(array_resize(&p->dzeta, n, "boundary nodes"));
+  TRY(array_resize(&p->re, n, "boundary nodes"));
+  TRY(array_resize(&p->im, n, "boundary nodes"));
+  TRY(array_resize(&p->middle, n, "boundary nodes"));
+  TRY(array_resize(&p->half, n, "boundary nodes"));
+  TRY(array_resize(&p->basis, n, "boundary nodes"));
+  TRY(array_resize(&p->weight, n, "boundary nodes"));
+  TRY(array_resize(&p->weight_re, n, "boundary nodes"));
+  TRY(array_resize(&p->weight_im, n, "boundary nodes"));
+  TRY(array_resize(&p->slope, n, "boundary nodes"));
   p->room = n;
   return OK;
 }

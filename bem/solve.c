@@ -9,6 +9,7 @@
 #include <sunlinsol/sunlinsol_spgmr.h>
 
 #include "bem/integrals.h"
+#include "common/base/array.h"
 
 /* OpenBLAS's, absent from other libraries. */
 extern void openblas_set_num_threads(int n) __attribute__((weak));
@@ -67,16 +68,23 @@ static void vectors_destroy(struct bem_solve *s) {
   s->vector_f = s->vector_x = NULL;
 }
 
-void bem_solve_destroy(struct bem_solve *s) {
-  if (!s) return;
-  vectors_destroy(s);
-  if (s->context) SUNContext_Free(&s->context);
+static void arrays_destroy(struct bem_solve *s) {
   free(s->a);
   free(s->b);
   free(s->row);
   free(s->f);
   free(s->x);
   free(s->pivot);
+  s->a = s->b = s->row = s->f = s->x = NULL;
+  s->pivot = NULL;
+  s->room = 0;
+}
+
+void bem_solve_destroy(struct bem_solve *s) {
+  if (!s) return;
+  vectors_destroy(s);
+  arrays_destroy(s);
+  if (s->context) SUNContext_Free(&s->context);
   free(s);
 }
 
@@ -84,25 +92,18 @@ struct bem_solve_counts bem_solve_count(const struct bem_solve *s) {
   return s->count;
 }
 
-static enum status take(void *array, size_t count, size_t size) {
-  free(*(void **)array);
-  *(void **)array = malloc(count * size);
-  CHECK(*(void **)array, ERR_MEMORY, "no memory for a boundary system of %zu numbers", count);
-  return OK;
-}
-
 /* Arrays and SUNDIALS handles for n unknowns. */
 static enum status resize(struct bem_solve *s, size_t n) {
   if (n == s->n) return OK;
   if (n > s->room) {
     size_t room = n + n / 4;
-    TRY(take(&s->a, room * room, sizeof *s->a));
-    free(s->b);
-    s->b = NULL;
-    TRY(take(&s->row, 2 * (room + 2) * (size_t)omp_get_max_threads(), sizeof *s->row));
-    TRY(take(&s->f, room, sizeof *s->f));
-    TRY(take(&s->x, room, sizeof *s->x));
-    TRY(take(&s->pivot, room, sizeof *s->pivot));
+    const char *what = "numbers of a boundary system";
+    arrays_destroy(s);
+    TRY(array_create(&s->a, room * room, what));
+    TRY(array_create(&s->row, 2 * (room + 2) * (size_t)omp_get_max_threads(), what));
+    TRY(array_create(&s->f, room, what));
+    TRY(array_create(&s->x, room, what));
+    TRY(array_create(&s->pivot, room, what));
     s->room = room;
   }
   s->n = n;
@@ -125,7 +126,8 @@ static enum status resize(struct bem_solve *s, size_t n) {
 static enum status assemble(struct bem_solve *s, const double *phi, int keep) {
   const struct bem_panels *p = s->panels;
   const size_t n = s->n;
-  if (keep && !s->b) TRY(take(&s->b, s->room * (s->room + 2), sizeof *s->b));
+  if (keep && !s->b)
+    TRY(array_create(&s->b, s->room * (s->room + 2), "numbers of a boundary system"));
 #pragma omp parallel for schedule(dynamic, 8)
   for (size_t k = 0; k < n; k++) {
     double *a = s->row + 2 * (n + 2) * (size_t)omp_get_thread_num();

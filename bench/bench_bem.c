@@ -16,6 +16,7 @@
 #include "bem/integrals.h"
 #include "bem/solve.h"
 #include "bench/bench.h"
+#include "common/base/array.h"
 
 enum { REPEATS = 7 };
 
@@ -50,7 +51,7 @@ static double median(enum status (*work)(struct system *), struct system *s) {
     }
     if (i >= 0) t[i] = bench_seconds() - start;
   }
-  qsort(t, REPEATS, sizeof *t, bench_ascending);
+  qsort(t, REPEATS, sizeof *t, array_ascending);
   return t[REPEATS / 2];
 }
 

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 
 #include "bench/bench.h"
+#include "common/base/array.h"
 #include "common/case/case.h"
 #include "sph/domain/wall.h"
 #include "sph/pair/diffusion.h"
@@ -69,7 +70,7 @@ static double measure(struct sph *s, enum status (*what)(struct sph *)) {
     }
     t[r] = (bench_seconds() - start) / (double)s->f.n * 1e9;
   }
-  qsort(t, REPEATS, sizeof *t, bench_ascending);
+  qsort(t, REPEATS, sizeof *t, array_ascending);
   return t[REPEATS / 2];
 }
 

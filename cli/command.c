@@ -14,6 +14,7 @@
 
 #include "cli/registry.h"
 #include "cli/room.h"
+#include "common/base/array.h"
 #include "common/base/text.h"
 #include "compare/output.h"
 
@@ -56,9 +57,7 @@ void command_list_problems(const struct problems *problems) {
 int command_set_add(struct command_set *set, const char *assignment, struct argp_state *state) {
   if (!strchr(assignment, '='))
     argp_error(state, "--set %s: write PATH=VALUE, as in runs.NAME.alpha=0", assignment);
-  const char **more = realloc(set->item, (set->n + 1) * sizeof *more);
-  if (!more) return ENOMEM;
-  set->item = more;
+  if (array_resize(&set->item, set->n + 1, "words of --set") != OK) return ENOMEM;
   set->item[set->n++] = assignment;
   return 0;
 }

@@ -3,16 +3,13 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "common/base/array.h"
+
 /* The output of particles at t, SIZE_MAX for none. */
 static size_t output_at(const struct comparison *c, const struct result_file *f, double t) {
   for (size_t i = 0; i < f->n_outputs; i++)
     if (fabs(f->output_time[i] / c->scales.T - t) < 1e-6) return i;
   return SIZE_MAX;
-}
-
-static int ascending(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
 }
 
 static bool fills_the_water(const struct cmp_run *run, size_t n) {
@@ -33,7 +30,7 @@ static enum status cloud_write(const struct comparison *c, size_t r, struct cmp_
   for (size_t i = 0; i < points->n; i++)
     fprintf(data, "%.6g,%.6g,%.5g\n", points->p[i][0] / c->scales.H, points->p[i][1] / c->scales.H,
             points->value[i] / c->scales.p);
-  qsort(points->value, points->n, sizeof *points->value, ascending);
+  qsort(points->value, points->n, sizeof *points->value, array_ascending);
   *cloud =
       (struct cmp_cloud){points->n, points->value[points->n - 1 - points->n / 100] / c->scales.p};
   return cmp_figure_data_end(fig, data);

@@ -4,14 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "compare/surfaces.h"
 
 /* ---- what is compared where and when ---- */
-
-static int ascending(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
 
 static enum status times_set(struct comparison *c) {
   const struct case_file *s = c->settings;
@@ -26,7 +22,7 @@ static enum status times_set(struct comparison *c) {
   if (!n && ref->n) /* nothing asked: the outputs nearest to the thirds of the reference's time */
     for (size_t k = 1; k <= 3; k++)
       c->times[n++] = ref->t[cmp_data_output(ref, ref->t[ref->n - 1] * (double)k / 3, INFINITY)];
-  qsort(c->times, n, sizeof *c->times, ascending);
+  qsort(c->times, n, sizeof *c->times, array_ascending);
   c->n_times = 0;
   for (size_t i = 0; i < n; i++)
     if (!c->n_times || c->times[i] - c->times[c->n_times - 1] > 1e-6)

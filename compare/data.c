@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "common/base/gauge.h"
 #include "common/result/health.h"
 #include "compare/text.h"
@@ -339,18 +340,13 @@ size_t cmp_data_output(const struct cmp_data *d, double t, double slack) {
   return best;
 }
 
-static int ascending(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 double cmp_data_interval(const struct cmp_data *d) {
   if (d->n < 2) return 0;
   double *gap = malloc(d->n * sizeof *gap),
          median = (d->t[d->n - 1] - d->t[0]) / (double)(d->n - 1);
   if (!gap) return median;
   for (size_t i = 0; i + 1 < d->n; i++) gap[i] = d->t[i + 1] - d->t[i];
-  qsort(gap, d->n - 1, sizeof *gap, ascending);
+  qsort(gap, d->n - 1, sizeof *gap, array_ascending);
   median = gap[(d->n - 1) / 2];
   free(gap);
   return median;

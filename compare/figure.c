@@ -9,6 +9,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "common/base/array.h"
 #include "common/base/file.h"
 #include "common/base/progress.h"
 #include "compare/output.h"
@@ -112,13 +113,7 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
                              int width, int height, struct cmp_figure **figure, const char *name,
                              ...) {
   CHECK(!progress_is_stopped(), INTERRUPTED, "stopped while preparing figures");
-  if (f->n == f->room) {
-    size_t room = f->room ? 2 * f->room : 16;
-    struct cmp_figure *more = realloc(f->figure, room * sizeof *more);
-    CHECK(more, ERR_MEMORY, "no memory for %zu figures", room);
-    f->figure = more;
-    f->room = room;
-  }
+  TRY(array_grow(&f->figure, &f->room, f->n + 1, "figures"));
   struct cmp_figure *fig = &f->figure[f->n];
   *fig =
       (struct cmp_figure){.section = section, .raster = raster, .width = width, .height = height};

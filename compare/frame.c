@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "common/base/array.h"
+
 /* Everything is dimensionless: less than a fiftieth never counts as straying. */
 #define LEAST_SIZE 0.02
 
@@ -9,18 +11,13 @@ struct extent { /* of a series: of all rows, and of all but one in two hundred a
   struct cmp_frame whole, usual;
 };
 
-static int ascending(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 static bool extent_take(const struct cmp_series *s, double end, struct extent *e) {
   double *v = s ? malloc((s->n + 1) * sizeof *v) : NULL;
   size_t n = 0;
   for (size_t i = 0; v && i < s->n; i++)
     if (isfinite(s->value[i]) && s->t[i] <= end) v[n++] = s->value[i];
   if (n) {
-    qsort(v, n, sizeof *v, ascending);
+    qsort(v, n, sizeof *v, array_ascending);
     *e = (struct extent){{v[0], v[n - 1]}, {v[n / 200], v[n - 1 - n / 200]}};
   }
   free(v);
@@ -28,7 +25,7 @@ static bool extent_take(const struct cmp_series *s, double end, struct extent *e
 }
 
 static double median(double *v, size_t n) { /* the lower one; leaves v sorted */
-  qsort(v, n, sizeof *v, ascending);
+  qsort(v, n, sizeof *v, array_ascending);
   return v[(n - 1) / 2];
 }
 

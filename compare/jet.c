@@ -12,14 +12,11 @@ struct fold {         /* between a right-hand and a left-hand vertical tangent o
   double overhang;
 };
 
-static bool inside(const double *p, const struct geo_box *box) {
-  return p[0] >= box->min[0] && p[0] <= box->max[0] && p[1] >= box->min[1] && p[1] <= box->max[1];
-}
-
 /* Whether a fold can be a jet: in the window, and its cavity not inside a film on a wall. */
 static bool fold_counts(const double (*p)[2], size_t right, size_t left,
                         const struct cmp_jet_place *place) {
-  return inside(p[right], &place->window) && inside(p[left], &place->window) &&
+  return geo_box_contains(&place->window, p[right][0], p[right][1]) &&
+         geo_box_contains(&place->window, p[left][0], p[left][1]) &&
          cmp_wall_distance(place->walls, p[right]) >= place->film &&
          cmp_wall_distance(place->walls, p[left]) >= place->film;
 }

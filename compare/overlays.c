@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "compare/chart.h"
 #include "compare/cloud.h"
 #include "compare/outline.h"
@@ -18,11 +19,6 @@ static const char palette[] =
     "set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', "
     "5 '#27ad81', 6 '#5cc863', 7 '#aadc32', 8 '#fde725')\n";
 
-static int ascending(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
 /* The top of the colours, common to all runs: the (lower) median of theirs, so that a run full of
  * noise does not take the contrast from the others. */
 static double colour_top(const struct comparison *c, const struct cmp_cloud *cloud) {
@@ -31,7 +27,7 @@ static double colour_top(const struct comparison *c, const struct cmp_cloud *clo
   for (size_t r = 0; top && r < c->n_runs; r++)
     if (cloud[r].n) top[n++] = cloud[r].top;
   if (n) {
-    qsort(top, n, sizeof *top, ascending);
+    qsort(top, n, sizeof *top, array_ascending);
     median = top[(n - 1) / 2];
   }
   free(top);

@@ -53,13 +53,9 @@ static bool segment_clip(const double *p, const double *q, const struct geo_box 
   return *u < *v;
 }
 
-static bool inside(const double *p, const struct geo_box *box) {
-  return p[0] >= box->min[0] && p[0] <= box->max[0] && p[1] >= box->min[1] && p[1] <= box->max[1];
-}
-
 static bool piece_inside(const struct geo_lines *l, size_t k, const struct geo_box *box) {
   for (size_t i = l->first[k]; i < l->first[k + 1]; i++)
-    if (!inside(l->p[i], box)) return false;
+    if (!geo_box_contains(box, l->p[i][0], l->p[i][1])) return false;
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "compare/outline.h"
 
 /* Outputs this close (in sqrt(H/g)) count as simultaneous. */
@@ -76,13 +77,7 @@ struct tasks {
 };
 
 static enum status task_add(struct tasks *tasks, const struct task *task) {
-  if (tasks->n == tasks->room) {
-    size_t room = tasks->room ? 2 * tasks->room : 256;
-    struct task *more = realloc(tasks->task, room * sizeof *more);
-    CHECK(more, ERR_MEMORY, "no memory for %zu pairs of surfaces", room);
-    tasks->task = more;
-    tasks->room = room;
-  }
+  TRY(array_grow(&tasks->task, &tasks->room, tasks->n + 1, "pairs of surfaces"));
   tasks->task[tasks->n++] = *task;
   return OK;
 }

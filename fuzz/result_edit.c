@@ -202,7 +202,7 @@ static enum status edit_file(void *data) {
 
 static enum status carry_edit(struct carrier *c, void *data) {
   struct edit *e = data;
-  return carry_array(c, &e->size, (void **)&e->data, 1);
+  return carry_array(c, &e->size, &e->data);
 }
 
 size_t edit_through_hdf5(uint8_t *data, size_t size, size_t most, uint32_t *state) {

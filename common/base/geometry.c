@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
+
 void geo_lines_destroy(struct geo_lines *l) {
   if (!l) return;
   free(l->first);
@@ -17,23 +19,13 @@ void geo_lines_clear(struct geo_lines *l) {
 }
 
 static enum status reserve(struct geo_lines *l, size_t pieces, size_t points) {
-  if (!l->first || pieces > l->piece_room) {
-    size_t room = pieces > 2 * l->piece_room ? pieces : 2 * l->piece_room;
-    size_t *first = realloc(l->first, (room + 1) * sizeof *first);
-    if (first) l->first = first;
-    unsigned char *closed = realloc(l->closed, room ? room : 1);
-    if (closed) l->closed = closed;
-    CHECK(first && closed, ERR_MEMORY, "no memory for %zu polylines", room);
+  size_t room = array_room(l->piece_room, pieces);
+  if (!l->first || room > l->piece_room) {
+    TRY(array_resize(&l->first, room + 1, "polylines"));
+    TRY(array_resize(&l->closed, room, "polylines"));
     l->piece_room = room;
   }
-  if (points > l->point_room) {
-    size_t room = points > 2 * l->point_room ? points : 2 * l->point_room;
-    double(*p)[2] = realloc(l->p, room * sizeof *p);
-    CHECK(p, ERR_MEMORY, "no memory for %zu points", room);
-    l->p = p;
-    l->point_room = room;
-  }
-  return OK;
+  return array_grow(&l->p, &l->point_room, points, "points of polylines");
 }
 
 enum status geo_lines_begin(struct geo_lines *l, bool closed) {
@@ -115,20 +107,6 @@ bool geo_lines_contain(const struct geo_lines *l, double x, double y) {
 
 /* ---- cuts ---- */
 
-static int ascending(const void *a, const void *b) {
-  double x = *(const double *)a, y = *(const double *)b;
-  return (x > y) - (x < y);
-}
-
-static enum status cut_reserve(struct geo_cut *cut, size_t n) {
-  if (n <= cut->room) return OK;
-  double(*span)[2] = realloc(cut->span, n * sizeof *span);
-  CHECK(span, ERR_MEMORY, "no memory for %zu spans of a cut", n);
-  cut->span = span;
-  cut->room = n;
-  return OK;
-}
-
 /* Adds the spans of one piece: its crossings with the line, in order, go in and out of it in turn.
  */
 static void cut_piece(const struct geo_lines *l, size_t piece, int axis, double at,
@@ -141,17 +119,18 @@ static void cut_piece(const struct geo_lines *l, size_t piece, int axis, double 
     double t = (at - p[axis]) / (q[axis] - p[axis]);
     crossing[n++] = p[!axis] + (q[!axis] - p[!axis]) * t;
   }
-  qsort(crossing, n, sizeof *crossing, ascending);
+  qsort(crossing, n, sizeof *crossing, array_ascending);
   cut->n += n / 2;
 }
 
 enum status geo_lines_cut(const struct geo_lines *l, int axis, double at, double near,
                           struct geo_cut *cut) {
   cut->n = 0;
-  TRY(cut_reserve(cut, l->points + 1)); /* a piece is crossed as often as it has sides */
+  /* a piece is crossed as often as it has sides */
+  TRY(array_grow(&cut->span, &cut->room, l->points + 1, "spans of a cut"));
   for (size_t k = 0; k < l->pieces; k++)
     if (l->closed[k]) cut_piece(l, k, axis, at, cut);
-  qsort(cut->span, cut->n, sizeof *cut->span, ascending);
+  qsort(cut->span, cut->n, sizeof *cut->span, array_ascending);
   size_t joined = 0;
   for (size_t k = 0; k < cut->n; k++) {
     double *last = joined ? cut->span[joined - 1] : NULL;

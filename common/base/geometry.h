@@ -23,6 +23,10 @@ struct geo_box {
   double min[2], max[2]; /* m */
 };
 
+static inline bool geo_box_contains(const struct geo_box *b, double x, double y) {
+  return x >= b->min[0] && x <= b->max[0] && y >= b->min[1] && y <= b->max[1];
+}
+
 void geo_lines_destroy(struct geo_lines *l); /* frees the arrays and zeroes *l; NULL is fine */
 void geo_lines_clear(struct geo_lines *l);   /* empty again, keeps the memory */
 

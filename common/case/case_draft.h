@@ -46,7 +46,6 @@ bool case_read_section(struct case_draft *d, int node, const char *path, const s
 bool case_read_pair(struct case_doc *doc, int node, const char *path, const struct param *row,
                     const char *what, double out[2]);
 bool case_read_point(struct case_doc *doc, int node, const char *path, double out[2]);
-enum status case_allocate(void **out, size_t n, size_t size); /* zeroed */
 void case_release_form(struct case_file *c);
 
 /* case_runs.c: runs, then compare, which names them. */

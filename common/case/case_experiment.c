@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "common/base/text.h"
 #include "common/case/case_draft.h"
 
@@ -52,13 +53,10 @@ static bool parse_row(char *line, double row[2]) {
 }
 
 static enum status append(struct case_experiment *e, size_t *room, double t, double value) {
-  if (e->n == *room) {
-    size_t more = *room ? 2 * *room : 256;
-    double *a = realloc(e->t, more * sizeof *a);
-    if (a) e->t = a;
-    double *b = realloc(e->value, more * sizeof *b);
-    if (b) e->value = b;
-    CHECK(a && b, ERR_MEMORY, "no memory for %zu measured values", more);
+  size_t more = array_room(*room, e->n + 1);
+  if (more > *room) {
+    TRY(array_resize(&e->t, more, "measured values"));
+    TRY(array_resize(&e->value, more, "measured values"));
     *room = more;
   }
   e->t[e->n] = t;

@@ -1,4 +1,5 @@
 /* The list of what is wrong with a case file. */
+#include "common/base/array.h"
 #include "common/case/case_doc.h"
 
 #include <stdarg.h>
@@ -8,16 +9,13 @@
 
 enum { MOST_LISTED = 100 }; /* nobody reads more, and a hostile file has millions */
 
-static bool make_room(struct problems *p) {
-  if (p->n < p->room) return true;
-  size_t room = p->room ? 2 * p->room : 16;
-  char **text = realloc(p->text, room * sizeof *text);
-  if (text) p->text = text;
-  int *line = realloc(p->line, room * sizeof *line);
-  if (line) p->line = line;
-  if (!text || !line) return false;
+static enum status make_room(struct problems *p) {
+  size_t room = array_room(p->room, p->n + 1);
+  if (room == p->room) return OK;
+  TRY(array_resize(&p->text, room, "problems"));
+  TRY(array_resize(&p->line, room, "problems"));
   p->room = room;
-  return true;
+  return OK;
 }
 
 void problems_add(struct problems *p, int line, const char *format, ...) {
@@ -30,7 +28,7 @@ void problems_add(struct problems *p, int line, const char *format, ...) {
   va_start(args, format);
   if (vasprintf(&text, format, args) < 0) text = NULL;
   va_end(args);
-  if (!text || !make_room(p)) {
+  if (!text || make_room(p) != OK) {
     free(text);
     p->out_of_memory = true;
     return;
@@ -87,7 +85,7 @@ static bool say_where(struct problems *p, size_t i, const char *file, size_t n_s
 
 void problems_finish(struct problems *p, const char *file, size_t n_set, const char *const *set) {
   put_in_order(p);
-  if (p->unlisted && make_room(p)) {
+  if (p->unlisted && make_room(p) == OK) {
     char *text = NULL;
     if (asprintf(&text, "%zu more problems are not listed", p->unlisted) >= 0) {
       p->text[p->n] = text;

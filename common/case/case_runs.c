@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "common/case/case_draft.h"
 
 struct run_section {
@@ -39,7 +40,7 @@ static const struct solver *find_solver(struct case_draft *d, int run, const cha
 static enum status note_lines(struct case_draft *d, int node, struct case_run *run) {
   const struct solver *solver = run->solver;
   size_t n = solver ? solver->n_params : 0;
-  TRY(case_allocate((void **)&run->key_line, ROWS(run_rows) + n, sizeof *run->key_line));
+  TRY(array_create(&run->key_line, ROWS(run_rows) + n, "entries of the case"));
   for (size_t i = 0; i < ROWS(run_rows); i++)
     run->key_line[i] = case_doc_member_line(&d->doc, node, run_rows[i].key);
   for (size_t i = 0; i < n; i++)
@@ -68,7 +69,8 @@ static enum status read_run(struct case_draft *d, int node, size_t i, struct cas
     return OK;
   }
   struct run_section section = {0};
-  if (solver) TRY(case_allocate(&run->options, 1, solver->options_size));
+  if (solver) run->options = array_memory(NULL, 1, solver->options_size, "options of a run");
+  if (solver && !run->options) return ERR_MEMORY;
   struct case_block blocks[] = {
       {run_rows, ROWS(run_rows), &section},
       {solver ? solver->params : NULL, solver ? solver->n_params : 0, run->options},
@@ -92,7 +94,7 @@ enum status case_read_runs(struct case_draft *d) {
   size_t faults = doc->faults, n = 0;
   if (d->at.runs && case_doc_expect_list(doc, d->at.runs, "runs", 1, CASE_MOST_ITEMS, "runs"))
     n = case_doc_size(doc, d->at.runs);
-  TRY(case_allocate((void **)&c->runs, n, sizeof *c->runs));
+  TRY(array_create(&c->runs, n, "entries of the case"));
   for (size_t i = 0; i < n; i++)
     TRY(read_run(d, case_doc_item(doc, d->at.runs, i), i, &c->runs[c->n_runs++]));
   d->good.runs = n && doc->faults == faults;
@@ -148,7 +150,7 @@ static size_t find_run(struct case_draft *d, int node, const char *path) {
 /* The output times nearest to the thirds of the run; fewer where there are not three. */
 static enum status default_times(struct case_file *c) {
   double outputs = floor(c->end / c->every * (1 + 1e-12));
-  TRY(case_allocate((void **)&c->compare.times, 3, sizeof *c->compare.times));
+  TRY(array_create(&c->compare.times, 3, "entries of the case"));
   for (int i = 1; i <= 3; i++) {
     double time = round(outputs * i / 3) * c->every;
     size_t n = c->compare.n_times;
@@ -162,7 +164,7 @@ static enum status read_times(struct case_draft *d, int node) {
   struct case_doc *doc = &d->doc;
   if (!case_doc_expect_list(doc, node, "compare.times", 1, CASE_MOST_ITEMS, "times")) return OK;
   size_t n = case_doc_size(doc, node);
-  TRY(case_allocate((void **)&d->c->compare.times, n, sizeof *d->c->compare.times));
+  TRY(array_create(&d->c->compare.times, n, "entries of the case"));
   for (size_t i = 0; i < n; i++) {
     char path[CASE_PATH];
     snprintf(path, sizeof path, "compare.times[%zu]", i);
@@ -224,7 +226,7 @@ static enum status read_tolerance_runs(struct case_draft *d, int node, const cha
   snprintf(item, sizeof item, "%s.runs", path);
   if (!case_doc_expect_list(doc, node, item, 1, CASE_MOST_ITEMS, "runs")) return OK;
   size_t n = case_doc_size(doc, node);
-  TRY(case_allocate((void **)&t->runs, n, sizeof *t->runs));
+  TRY(array_create(&t->runs, n, "entries of the case"));
   for (size_t i = 0; i < n; i++) {
     int name = case_doc_item(doc, node, i);
     snprintf(item, sizeof item, "%s.runs[%zu]", path, i);
@@ -243,7 +245,7 @@ static enum status read_tolerances(struct case_draft *d, int node) {
   if (!case_doc_expect_list(doc, node, "compare.tolerances", 0, CASE_MOST_ITEMS, "tolerances"))
     return OK;
   size_t n = case_doc_size(doc, node);
-  TRY(case_allocate((void **)&d->c->compare.tolerances, n, sizeof *d->c->compare.tolerances));
+  TRY(array_create(&d->c->compare.tolerances, n, "entries of the case"));
   for (size_t i = 0; i < n; i++) {
     struct tolerance_section s = {.at = NAN};
     struct case_tolerance *t = &d->c->compare.tolerances[d->c->compare.n_tolerances++];
@@ -298,7 +300,7 @@ static enum status read_averages(struct case_draft *d, int node) {
   if (!case_doc_expect_list(doc, node, "compare.averages", 0, CASE_MOST_ITEMS, "averages"))
     return OK;
   size_t n = case_doc_size(doc, node);
-  TRY(case_allocate((void **)&d->c->compare.averages, n, sizeof *d->c->compare.averages));
+  TRY(array_create(&d->c->compare.averages, n, "entries of the case"));
   for (size_t i = 0; i < n; i++) read_average(d, case_doc_item(doc, node, i), i);
   return OK;
 }
@@ -370,7 +372,7 @@ enum status case_read_compare(struct case_draft *d) {
                             "experiments"))
     return OK;
   size_t n = case_doc_size(doc, s.experiments);
-  TRY(case_allocate((void **)&c->compare.experiments, n, sizeof *c->compare.experiments));
+  TRY(array_create(&c->compare.experiments, n, "entries of the case"));
   for (size_t i = 0; i < n; i++) TRY(read_experiment(d, case_doc_item(doc, s.experiments, i), i));
   return OK;
 }

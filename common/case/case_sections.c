@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "common/case/case_draft.h"
 #include "common/flow/flow.h"
 
@@ -180,7 +181,8 @@ static enum status read_wave(struct case_draft *d, int wave) {
   struct wave_section s = {0};
   case_release_form(c);
   c->flow = flow;
-  TRY(case_allocate(&c->form, 1, flow->params_size));
+  c->form = array_memory(NULL, 1, flow->params_size, "parameters of a flow");
+  if (!c->form) return ERR_MEMORY;
   struct case_block blocks[] = {{wave_rows, ROWS(wave_rows), &s},
                                 {flow->params, flow->n_params, c->form}};
   case_doc_read(&d->doc, wave, "water.wave", case_doc_line(&d->doc, wave), ROWS(blocks), blocks);
@@ -244,19 +246,13 @@ static void read_time(struct case_draft *d) {
   if (c->sample == 0) c->sample = c->every / 10;
 }
 
-enum status case_allocate(void **out, size_t n, size_t size) {
-  *out = calloc(n ? n : 1, size ? size : 1);
-  CHECK(*out, ERR_MEMORY, "no memory for %zu entries of the case", n);
-  return OK;
-}
-
 static enum status read_probes(struct case_draft *d) {
   struct case_doc *doc = &d->doc;
   size_t faults = doc->faults, n = case_doc_size(doc, d->at.probes);
   if (!d->at.probes ||
       !case_doc_expect_list(doc, d->at.probes, "probes", 0, CASE_MOST_ITEMS, "probes"))
     n = 0;
-  TRY(case_allocate((void **)&d->c->probes, n, sizeof *d->c->probes));
+  TRY(array_create(&d->c->probes, n, "entries of the case"));
   for (size_t i = 0; i < n; i++) {
     struct case_probe *probe = &d->c->probes[d->c->n_probes++];
     struct probe_section s = {0};
@@ -280,7 +276,7 @@ static enum status read_gauges(struct case_draft *d) {
   if (!d->at.gauges ||
       !case_doc_expect_list(doc, d->at.gauges, "gauges", 0, CASE_MOST_ITEMS, "gauges"))
     n = 0;
-  TRY(case_allocate((void **)&d->c->gauges, n, sizeof *d->c->gauges));
+  TRY(array_create(&d->c->gauges, n, "entries of the case"));
   for (size_t i = 0; i < n; i++) {
     char path[CASE_PATH];
     int node = case_doc_item(doc, d->at.gauges, i);

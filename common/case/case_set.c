@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "common/case/case_doc.h"
 
 enum { MOST_DEPTH = 16, MOST_NODES = 10000 }; /* of a value: bounds alias bombs */
@@ -237,13 +238,7 @@ struct sink {
 
 static int sink_write(void *to, unsigned char *bytes, size_t size) {
   struct sink *s = to;
-  if (s->n + size + 1 > s->room) {
-    size_t room = 2 * (s->n + size + 1);
-    char *text = realloc(s->text, room);
-    if (!text) return 0;
-    s->text = text;
-    s->room = room;
-  }
+  if (array_grow(&s->text, &s->room, s->n + size + 1, "bytes of a case") != OK) return 0;
   memcpy(s->text + s->n, bytes, size);
   s->n += size;
   s->text[s->n] = 0;

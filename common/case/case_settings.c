@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "common/base/text.h"
 #include "common/case/case_draft.h"
 
@@ -14,13 +15,13 @@ static enum status take_frame(struct case_file *c, const struct case_frame *fram
   c->H = frame->H;
   c->gravity = frame->gravity;
   c->tank = frame->tank;
-  TRY(case_allocate((void **)&c->runs, frame->n_runs, sizeof *c->runs));
+  TRY(array_create(&c->runs, frame->n_runs, "entries of the case"));
   for (size_t i = 0; i < frame->n_runs; i++) {
     struct case_run *r = &c->runs[c->n_runs++];
     r->name = strdup(frame->runs[i]);
     CHECK(r->name, ERR_MEMORY, "no memory for the name of a run");
   }
-  TRY(case_allocate((void **)&c->probes, frame->n_probes, sizeof *c->probes));
+  TRY(array_create(&c->probes, frame->n_probes, "entries of the case"));
   for (size_t i = 0; i < frame->n_probes; i++) {
     struct case_probe *p = &c->probes[c->n_probes++];
     p->name = strdup(frame->probes[i]);

@@ -61,9 +61,8 @@ static enum status receive_room(struct carrier *c, size_t n, size_t size, void *
   *array = NULL;
   if (n > c->room / size) return broken();
   c->room -= n * size;
-  *array = calloc(n + 1, size);
-  CHECK(*array, ERR_MEMORY, "no memory for %zu bytes", n * size);
-  return OK;
+  *array = array_memory(NULL, n + 1, size, "elements from another process");
+  return *array ? OK : ERR_MEMORY;
 }
 
 enum status carry_text(struct carrier *c, char **text) {
@@ -73,18 +72,18 @@ enum status carry_text(struct carrier *c, char **text) {
     *text = NULL;
     return OK;
   }
-  if (!c->sending) TRY(receive_room(c, n, 1, (void **)text));
+  if (!c->sending) TRY(array_lend(text, receive_room(c, n, 1, &memory_)));
   return carry_bytes(c, *text, n);
 }
 
-enum status carry_array(struct carrier *c, size_t *n, void **array, size_t size) {
+enum status carry_elements(struct carrier *c, size_t *n, void **array, size_t size) {
   TRY(carry_number(c, n));
   if (!c->sending) TRY(receive_room(c, *n, size, array));
   return carry_bytes(c, *array, *n * size);
 }
 
-enum status carry_each(struct carrier *c, size_t *n, void **array, size_t size,
-                       enum status (*carry)(struct carrier *c, void *element)) {
+enum status carry_each_element(struct carrier *c, size_t *n, void **array, size_t size,
+                               enum status (*carry)(struct carrier *c, void *element)) {
   size_t count = *n;
   TRY(carry_number(c, &count));
   if (!c->sending) {

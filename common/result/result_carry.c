@@ -5,12 +5,15 @@
 #include "common/result/result_layout.h"
 
 /* `n` numbers where another array has said how many. */
-static enum status carry_same(struct carrier *c, size_t n, void **array, size_t size) {
+static enum status carry_same_elements(struct carrier *c, size_t n, void **array, size_t size) {
   size_t count = n;
-  TRY(carry_array(c, &count, array, size));
+  TRY(carry_elements(c, &count, array, size));
   CHECK(count == n, ERR_INPUT, "an array has %zu elements where %zu are needed", count, n);
   return OK;
 }
+
+#define carry_same(c, n, array)                                                                    \
+  array_lend(array, carry_same_elements(c, n, &memory_, sizeof **(array)))
 
 /* A text that must be there: whoever prints it later does not ask. */
 static enum status carry_word(struct carrier *c, char **text) {
@@ -21,10 +24,10 @@ static enum status carry_word(struct carrier *c, char **text) {
 
 static enum status carry_lines(struct carrier *c, void *element) {
   struct geo_lines *l = element;
-  TRY(carry_array(c, &l->pieces, (void **)&l->closed, sizeof *l->closed));
-  TRY(carry_array(c, &l->points, (void **)&l->p, sizeof *l->p));
+  TRY(carry_array(c, &l->pieces, &l->closed));
+  TRY(carry_array(c, &l->points, &l->p));
   size_t n = l->first ? l->pieces + 1 : 0; /* nothing has begun where there is no piece */
-  TRY(carry_array(c, &n, (void **)&l->first, sizeof *l->first));
+  TRY(carry_array(c, &n, &l->first));
   if (c->sending) return OK;
   l->piece_room = l->pieces;
   l->point_room = l->points;
@@ -42,8 +45,8 @@ static enum status carry_series(struct carrier *c, void *element) {
   TRY(carry_bytes(c, &s->x, sizeof s->x));
   TRY(carry_bytes(c, &s->y, sizeof s->y));
   TRY(carry_bytes(c, &s->size, sizeof s->size));
-  TRY(carry_array(c, &s->n, (void **)&s->t, sizeof *s->t));
-  return carry_same(c, s->n, (void **)&s->value, sizeof *s->value);
+  TRY(carry_array(c, &s->n, &s->t));
+  return carry_same(c, s->n, &s->value);
 }
 
 static enum status carry_event(struct carrier *c, void *element) {
@@ -59,8 +62,8 @@ static enum status carry_experiment(struct carrier *c, void *element) {
   TRY(carry_word(c, &e->label));
   TRY(carry_word(c, &e->source));
   TRY(carry_word(c, &e->target));
-  TRY(carry_array(c, &e->n, (void **)&e->t, sizeof *e->t));
-  return carry_same(c, e->n, (void **)&e->value, sizeof *e->value);
+  TRY(carry_array(c, &e->n, &e->t));
+  return carry_same(c, e->n, &e->value);
 }
 
 static enum status carry_statistic(struct carrier *c, void *element) {
@@ -88,25 +91,23 @@ static enum status carry_header(struct carrier *c, struct result_file *f) {
 }
 
 static enum status carry_tables(struct carrier *c, struct result_file *f) {
-  TRY(carry_array(c, &f->n_energy, (void **)&f->energy, sizeof *f->energy));
-  TRY(carry_array(c, &f->n_steps, (void **)&f->steps, sizeof *f->steps));
-  TRY(carry_each(c, &f->n_probes, (void **)&f->probes, sizeof *f->probes, carry_series));
-  TRY(carry_each(c, &f->n_gauges, (void **)&f->gauges, sizeof *f->gauges, carry_series));
-  TRY(carry_each(c, &f->n_events, (void **)&f->events, sizeof *f->events, carry_event));
-  TRY(carry_each(c, &f->n_experiments, (void **)&f->experiments, sizeof *f->experiments,
-                 carry_experiment));
-  return carry_each(c, &f->n_statistics, (void **)&f->statistics, sizeof *f->statistics,
-                    carry_statistic);
+  TRY(carry_array(c, &f->n_energy, &f->energy));
+  TRY(carry_array(c, &f->n_steps, &f->steps));
+  TRY(carry_each(c, &f->n_probes, &f->probes, carry_series));
+  TRY(carry_each(c, &f->n_gauges, &f->gauges, carry_series));
+  TRY(carry_each(c, &f->n_events, &f->events, carry_event));
+  TRY(carry_each(c, &f->n_experiments, &f->experiments, carry_experiment));
+  return carry_each(c, &f->n_statistics, &f->statistics, carry_statistic);
 }
 
 enum status result_carry(struct carrier *c, void *file) {
   struct result_file *f = file;
   TRY(carry_header(c, f));
   TRY(carry_lines(c, &f->walls));
-  TRY(carry_each(c, &f->n_surfaces, (void **)&f->surface, sizeof *f->surface, carry_lines));
-  TRY(carry_same(c, f->n_surfaces, (void **)&f->surface_time, sizeof *f->surface_time));
+  TRY(carry_each(c, &f->n_surfaces, &f->surface, carry_lines));
+  TRY(carry_same(c, f->n_surfaces, &f->surface_time));
   TRY(carry_tables(c, f));
-  TRY(carry_array(c, &f->n_outputs, (void **)&f->output_time, sizeof *f->output_time));
-  TRY(carry_same(c, f->n_outputs, (void **)&f->output_points, sizeof *f->output_points));
-  return carry_each(c, &f->n_fields, (void **)&f->fields, sizeof *f->fields, carry_field);
+  TRY(carry_array(c, &f->n_outputs, &f->output_time));
+  TRY(carry_same(c, f->n_outputs, &f->output_points));
+  return carry_each(c, &f->n_fields, &f->fields, carry_field);
 }

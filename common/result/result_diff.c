@@ -45,7 +45,7 @@ static size_t find_part(size_t n, const int64_t *first, size_t row) {
 }
 
 static bool look_up(hid_t file, const char *name, size_t *n, int64_t **values) {
-  return hdf_get_all(file, name, H5T_NATIVE_INT64, 0, n, (void **)values) == OK;
+  return hdf_get_all(file, name, H5T_NATIVE_INT64, 0, n, values) == OK;
 }
 
 /* The time of a row of `name`, NaN when it has none. */
@@ -68,8 +68,7 @@ static double row_time(hid_t file, const char *name, size_t row) {
     return NAN;
   }
   free(first);
-  if (hdf_get_all(file, times, H5T_NATIVE_DOUBLE, 0, &n, (void **)&t) == OK && row < n)
-    time = t[row];
+  if (hdf_get_all(file, times, H5T_NATIVE_DOUBLE, 0, &n, &t) == OK && row < n) time = t[row];
   free(t);
   return time;
 }
@@ -209,8 +208,7 @@ static enum status compare_rows(struct diff *d, const char *name, const struct s
     double *rows[2] = {NULL, NULL};
     enum status status = OK;
     for (int k = 0; k < 2 && status == OK; k++)
-      status =
-          hdf_get_rows(turn_to(d, k), name, H5T_NATIVE_DOUBLE, width, first, n, (void **)&rows[k]);
+      status = hdf_get_rows(turn_to(d, k), name, H5T_NATIVE_DOUBLE, width, first, n, &rows[k]);
     for (size_t i = 0; status == OK && i < (size_t)n * wide; i++)
       compare_value(w, rows[0][i], rows[1][i], (size_t)first + i / wide, i % wide);
     free(rows[0]);
@@ -287,27 +285,13 @@ static enum status compare_attributes(struct diff *d) {
 
 /* ---- walking through both files ---- */
 
-struct sets {
-  size_t n, room;
-  char **name;
-};
-
 static herr_t add_set(hid_t object, const char *name, const H5O_info_t *info, void *data) {
   (void)object;
-  struct sets *s = data;
   if (info->type != H5O_TYPE_DATASET) return 0;
-  if (s->n == s->room) {
-    size_t room = 2 * s->room + 64;
-    char **bigger = realloc(s->name, room * sizeof *bigger);
-    if (!bigger) return -1;
-    s->name = bigger;
-    s->room = room;
-  }
-  s->name[s->n] = strdup(name);
-  return s->name[s->n++] ? 0 : -1;
+  return hdf_names_add(data, name) == OK ? 0 : -1;
 }
 
-static enum status compare_sets(struct diff *d, const struct sets s[2]) {
+static enum status compare_sets(struct diff *d, const struct hdf_names s[2]) {
   size_t i = 0, j = 0; /* both lists are in the order of their names */
   while (i < s[0].n || j < s[1].n) {
     int order = i == s[0].n ? 1 : j == s[1].n ? -1 : strcmp(s[0].name[i], s[1].name[j]);
@@ -329,7 +313,7 @@ static int by_name(const void *a, const void *b) {
 }
 
 static enum status compare_files(struct diff *d) {
-  struct sets sets[2] = {{0}, {0}};
+  struct hdf_names sets[2] = {{0}, {0}};
   double H, g;
   enum status status = OK;
   ATTEMPT(hdf_get_number(turn_to(d, 0), "H", &H));

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
+
 void hdf_quiet(void) {
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
 }
@@ -279,13 +281,13 @@ done:
   return status;
 }
 
-enum status hdf_get_rows(hid_t group, const char *name, hid_t type, size_t width, hsize_t first,
-                         hsize_t n, void **values) {
+enum status hdf_read_rows(hid_t group, const char *name, hid_t type, size_t width, hsize_t first,
+                          hsize_t n, void **values) {
   return get_rows(group, name, type, width, false, first, &n, values);
 }
 
-enum status hdf_get_all(hid_t group, const char *name, hid_t type, size_t width, size_t *n,
-                        void **values) {
+enum status hdf_read_all(hid_t group, const char *name, hid_t type, size_t width, size_t *n,
+                         void **values) {
   hsize_t rows = 0;
   TRY(get_rows(group, name, type, width, true, 0, &rows, values));
   *n = (size_t)rows;
@@ -347,33 +349,25 @@ enum status hdf_check_confined(hid_t file) {
   return status;
 }
 
-struct names {
-  size_t n, room;
-  char **name;
-};
+enum status hdf_names_add(struct hdf_names *names, const char *name) {
+  TRY(array_grow(&names->name, &names->room, names->n + 1, "names in a result"));
+  names->name[names->n] = strdup(name);
+  CHECK(names->name[names->n], ERR_MEMORY, "no memory for a name in a result");
+  names->n++;
+  return OK;
+}
 
 static herr_t add_name(hid_t group, const char *name, const H5L_info_t *info, void *data) {
   (void)group, (void)info;
-  struct names *names = data;
-  if (names->n == names->room) {
-    size_t room = 2 * names->room + 16;
-    char **bigger = realloc(names->name, room * sizeof *bigger);
-    if (!bigger) return -1;
-    names->name = bigger;
-    names->room = room;
-  }
-  char *copy = strdup(name);
-  if (!copy) return -1;
-  names->name[names->n++] = copy;
-  return 0;
+  return hdf_names_add(data, name) == OK ? 0 : -1;
 }
 
 enum status hdf_list(hid_t group, size_t *n, char ***names) {
-  struct names found = {0};
+  struct hdf_names found = {0};
   hsize_t at = 0;
   if (H5Literate(group, H5_INDEX_CRT_ORDER, H5_ITER_INC, &at, add_name, &found) < 0) {
     hdf_list_destroy(found.n, found.name);
-    found = (struct names){0};
+    found = (struct hdf_names){0};
     H5Eclear2(H5E_DEFAULT);
     at = 0;
     if (H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, &at, add_name, &found) < 0) {

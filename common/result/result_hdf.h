@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "common/base/array.h"
 #include "common/base/status.h"
 
 /* Leaves the message followed by HDF5's own innermost reason; returns `code`, or ERR_MEMORY if that
@@ -47,13 +48,25 @@ enum status hdf_get_number(hid_t object, const char *name, double *value);
 enum status hdf_get_integer(hid_t object, const char *name, int64_t *value);
 
 /* The rows [first, first + n) of a dataset with rows of `width` (0: a vector) as `type`; the array
- * is the caller's to free, never NULL. */
-enum status hdf_get_rows(hid_t group, const char *name, hid_t type, size_t width, hsize_t first,
-                         hsize_t n, void **values);
-enum status hdf_get_all(hid_t group, const char *name, hid_t type, size_t width, size_t *n,
-                        void **values);
+ * is the caller's to free, never NULL: *array, of elements of that type. */
+#define hdf_get_rows(group, name, type, width, first, n, array)                                    \
+  array_lend(array, hdf_read_rows(group, name, type, width, first, n, &memory_))
+/* All rows, and how many there are. */
+#define hdf_get_all(group, name, type, width, n, array)                                            \
+  array_lend(array, hdf_read_all(group, name, type, width, n, &memory_))
+enum status hdf_read_rows(hid_t group, const char *name, hid_t type, size_t width, hsize_t first,
+                          hsize_t n, void **values);
+enum status hdf_read_all(hid_t group, const char *name, hid_t type, size_t width, size_t *n,
+                         void **values);
 enum status hdf_get_scalar(hid_t group, const char *name, hid_t type, void *value);
 enum status hdf_get_text(hid_t group, const char *name, char **value); /* string dataset */
+
+/* Names, of which hdf_list_destroy(names.n, names.name) frees the memory. ERR_MEMORY. */
+struct hdf_names {
+  size_t n, room;
+  char **name; /* [n], owned */
+};
+enum status hdf_names_add(struct hdf_names *names, const char *name);
 
 /* The names of a group's members, in the order of their creation where it is known. */
 enum status hdf_list(hid_t group, size_t *n, char ***names);

@@ -38,10 +38,9 @@ static enum status read_walls(hid_t file, struct geo_lines *walls) {
   size_t n = 0;
   enum status status = OK;
   ATTEMPT(hdf_open_group(file, "walls", &group));
-  ATTEMPT(hdf_get_all(group, "points", H5T_NATIVE_DOUBLE, 2, &walls->points, (void **)&walls->p));
-  ATTEMPT(
-      hdf_get_all(group, "closed", H5T_NATIVE_UCHAR, 0, &walls->pieces, (void **)&walls->closed));
-  ATTEMPT(hdf_get_all(group, "first_point", H5T_NATIVE_HSIZE, 0, &n, (void **)&walls->first));
+  ATTEMPT(hdf_get_all(group, "points", H5T_NATIVE_DOUBLE, 2, &walls->points, &walls->p));
+  ATTEMPT(hdf_get_all(group, "closed", H5T_NATIVE_UCHAR, 0, &walls->pieces, &walls->closed));
+  ATTEMPT(hdf_get_all(group, "first_point", H5T_NATIVE_HSIZE, 0, &n, &walls->first));
   walls->piece_room = walls->pieces;
   walls->point_room = walls->points;
   if (n != walls->pieces + 1) {
@@ -74,12 +73,11 @@ static enum status read_surface(hid_t file, struct result_file *f) {
   double(*p)[2] = NULL;
   enum status status = OK;
   ATTEMPT(hdf_open_group(file, "surface", &group));
-  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &n_time, (void **)&f->surface_time));
-  ATTEMPT(hdf_get_all(group, "first_piece", H5T_NATIVE_HSIZE, 0, &n_piece, (void **)&first_piece));
-  ATTEMPT(hdf_get_all(group, "first_point", H5T_NATIVE_HSIZE, 0, &n_first_point,
-                      (void **)&first_point));
-  ATTEMPT(hdf_get_all(group, "closed", H5T_NATIVE_UCHAR, 0, &pieces, (void **)&closed));
-  ATTEMPT(hdf_get_all(group, "points", H5T_NATIVE_DOUBLE, 2, &points, (void **)&p));
+  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &n_time, &f->surface_time));
+  ATTEMPT(hdf_get_all(group, "first_piece", H5T_NATIVE_HSIZE, 0, &n_piece, &first_piece));
+  ATTEMPT(hdf_get_all(group, "first_point", H5T_NATIVE_HSIZE, 0, &n_first_point, &first_point));
+  ATTEMPT(hdf_get_all(group, "closed", H5T_NATIVE_UCHAR, 0, &pieces, &closed));
+  ATTEMPT(hdf_get_all(group, "points", H5T_NATIVE_DOUBLE, 2, &points, &p));
   if (n_piece != n_time + 1 || n_first_point != pieces + 1) {
     status =
         status_raise(ERR_INPUT, "its datasets in /surface have lengths that do not fit together");
@@ -116,7 +114,7 @@ static enum status read_table(hid_t file, const char *name, size_t n_columns,
   ATTEMPT(hdf_open_group(file, name, &group));
   for (size_t k = 0; k < n_columns; k++) {
     size_t length = 0;
-    ATTEMPT(hdf_get_all(group, columns[k].name, H5T_NATIVE_DOUBLE, 0, &length, (void **)&column));
+    ATTEMPT(hdf_get_all(group, columns[k].name, H5T_NATIVE_DOUBLE, 0, &length, &column));
     if (k == 0) {
       ATTEMPT(check_times(name, length, column));
       *n = length;
@@ -153,8 +151,8 @@ static enum status read_series(hid_t parent, const char *link, const char *value
   ATTEMPT(hdf_get_number(group, "x", &s->x));
   if (H5Aexists(group, "y") > 0) ATTEMPT(hdf_get_number(group, "y", &s->y));
   if (H5Aexists(group, "size") > 0) ATTEMPT(hdf_get_number(group, "size", &s->size));
-  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &s->n, (void **)&s->t));
-  ATTEMPT(hdf_get_all(group, value, H5T_NATIVE_DOUBLE, 0, &n_values, (void **)&s->value));
+  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &s->n, &s->t));
+  ATTEMPT(hdf_get_all(group, value, H5T_NATIVE_DOUBLE, 0, &n_values, &s->value));
   ATTEMPT(check_times(link, s->n, s->t));
   if (n_values != s->n)
     status = status_raise(ERR_INPUT, "its series %s has columns of different lengths", link);
@@ -194,8 +192,8 @@ static enum status read_experiment(hid_t parent, const char *link, void *element
   ATTEMPT(hdf_get_string(group, "label", &e->label));
   ATTEMPT(hdf_get_string(group, "source", &e->source));
   ATTEMPT(hdf_get_string(group, "target", &e->target));
-  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &e->n, (void **)&e->t));
-  ATTEMPT(hdf_get_all(group, "value", H5T_NATIVE_DOUBLE, 0, &n_values, (void **)&e->value));
+  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &e->n, &e->t));
+  ATTEMPT(hdf_get_all(group, "value", H5T_NATIVE_DOUBLE, 0, &n_values, &e->value));
   ATTEMPT(check_times(link, e->n, e->t));
   if (n_values != e->n)
     status = status_raise(ERR_INPUT, "its %s has columns of different lengths", link);
@@ -285,10 +283,9 @@ static enum status read_outputs(hid_t file, struct result_file *f) {
   hid_t data = -1;
   if (!hdf_has(file, "VTKHDF")) return OK;
   TRY(hdf_get_all(file, "VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE, 0, &f->n_outputs,
-                  (void **)&f->output_time));
+                  &f->output_time));
   TRY(check_times("/VTKHDF", f->n_outputs, f->output_time));
-  TRY(hdf_get_all(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, &n,
-                  (void **)&f->output_points));
+  TRY(hdf_get_all(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, &n, &f->output_points));
   bool good = n == f->n_outputs;
   for (size_t k = 0; good && k < n; k++) good = f->output_points[k] >= 0;
   CHECK(good, ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
@@ -302,20 +299,20 @@ static enum status read_all(hid_t file, struct result_file *f) {
   TRY(read_header(file, f));
   TRY(read_walls(file, &f->walls));
   TRY(read_surface(file, f));
-  TRY(read_table(file, "/series/energy", RESULT_ENERGY_COLUMNS, result_energy_columns, &f->n_energy,
-                 (void **)&f->energy));
-  TRY(read_table(file, "/series/run", RESULT_STEP_COLUMNS, result_step_columns, &f->n_steps,
-                 (void **)&f->steps));
-  TRY(read_members(file, "series/probes", sizeof *f->probes, read_probe, &f->n_probes,
-                   (void **)&f->probes));
-  TRY(read_members(file, "series/gauges", sizeof *f->gauges, read_gauge, &f->n_gauges,
-                   (void **)&f->gauges));
-  TRY(read_members(file, "events", sizeof *f->events, read_event, &f->n_events,
-                   (void **)&f->events));
-  TRY(read_members(file, "experiments", sizeof *f->experiments, read_experiment, &f->n_experiments,
-                   (void **)&f->experiments));
-  TRY(read_members(file, "statistics", sizeof *f->statistics, read_statistic, &f->n_statistics,
-                   (void **)&f->statistics));
+  TRY(array_lend(&f->energy, read_table(file, "/series/energy", RESULT_ENERGY_COLUMNS,
+                                        result_energy_columns, &f->n_energy, &memory_)));
+  TRY(array_lend(&f->steps, read_table(file, "/series/run", RESULT_STEP_COLUMNS,
+                                       result_step_columns, &f->n_steps, &memory_)));
+  TRY(array_lend(&f->probes, read_members(file, "series/probes", sizeof *f->probes, read_probe,
+                                          &f->n_probes, &memory_)));
+  TRY(array_lend(&f->gauges, read_members(file, "series/gauges", sizeof *f->gauges, read_gauge,
+                                          &f->n_gauges, &memory_)));
+  TRY(array_lend(&f->events, read_members(file, "events", sizeof *f->events, read_event,
+                                          &f->n_events, &memory_)));
+  TRY(array_lend(&f->experiments, read_members(file, "experiments", sizeof *f->experiments,
+                                               read_experiment, &f->n_experiments, &memory_)));
+  TRY(array_lend(&f->statistics, read_members(file, "statistics", sizeof *f->statistics,
+                                              read_statistic, &f->n_statistics, &memory_)));
   return read_outputs(file, f);
 }
 
@@ -412,20 +409,16 @@ static enum status read_points(hid_t file, const char *field, size_t output,
   double(*xyz)[3] = NULL;
   hid_t data = -1;
   enum status status = OK;
-  ATTEMPT(hdf_get_rows(file, "VTKHDF/Steps/PointOffsets", H5T_NATIVE_INT64, 0, output, 1,
-                       (void **)&first));
-  ATTEMPT(
-      hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, output, 1, (void **)&count));
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/Steps/PointOffsets", H5T_NATIVE_INT64, 0, output, 1, &first));
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, output, 1, &count));
   if (*first < 0 || *count < 0) {
     status = status_raise(ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
     goto done;
   }
   q->n = (size_t)*count;
-  ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first, q->n,
-                       (void **)&xyz));
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first, q->n, &xyz));
   ATTEMPT(hdf_open_group(file, "VTKHDF/PointData", &data));
-  ATTEMPT(
-      hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, 0, (hsize_t)*first, q->n, (void **)&q->value));
+  ATTEMPT(hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, 0, (hsize_t)*first, q->n, &q->value));
   q->p = malloc((q->n + 1) * sizeof *q->p);
   if (!q->p) {
     status = status_raise(ERR_MEMORY, "no memory for %zu points", q->n);
@@ -457,8 +450,8 @@ static enum status carry_points(struct carrier *c, void *data) {
   for (size_t k = 0; k < q->n; k++) {
     struct result_cloud *cloud = &q->cloud[k];
     size_t n = cloud->n;
-    TRY(carry_array(c, &cloud->n, (void **)&cloud->p, sizeof *cloud->p));
-    TRY(carry_array(c, &n, (void **)&cloud->value, sizeof *cloud->value));
+    TRY(carry_array(c, &cloud->n, &cloud->p));
+    TRY(carry_array(c, &n, &cloud->value));
     CHECK(n == cloud->n, ERR_INPUT, "%s, output %zu, is inconsistent", q->path, q->output[k]);
   }
   return OK;

@@ -13,6 +13,7 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include "common/base/array.h"
 #include "common/base/file.h"
 #include "common/result/result_driver.h"
 #include "common/result/result_hdf.h"
@@ -44,16 +45,12 @@ static enum status reserve_pages(struct result_store *s, haddr_t end) {
   size_t n = (size_t)(end / PAGE + 1);
   if (n <= s->n_pages) return OK;
   n += n / 2 + 64;
-  unsigned char **page = realloc(s->page, n * sizeof *page);
-  if (page) s->page = page;
-  bool *fresh = realloc(s->fresh, n * sizeof *fresh);
-  if (fresh) s->fresh = fresh;
-  uint64_t *sum = realloc(s->sum, n * sizeof *sum);
-  if (sum) s->sum = sum;
-  CHECK(page && fresh && sum, ERR_MEMORY, "no memory for %zu pages of %s", n, s->path);
-  memset(page + s->n_pages, 0, (n - s->n_pages) * sizeof *page);
-  memset(fresh + s->n_pages, 0, (n - s->n_pages) * sizeof *fresh);
-  memset(sum + s->n_pages, 0, (n - s->n_pages) * sizeof *sum);
+  TRY(array_resize(&s->page, n, "pages of a result"));
+  TRY(array_resize(&s->fresh, n, "pages of a result"));
+  TRY(array_resize(&s->sum, n, "pages of a result"));
+  memset(s->page + s->n_pages, 0, (n - s->n_pages) * sizeof *s->page);
+  memset(s->fresh + s->n_pages, 0, (n - s->n_pages) * sizeof *s->fresh);
+  memset(s->sum + s->n_pages, 0, (n - s->n_pages) * sizeof *s->sum);
   s->n_pages = n;
   return OK;
 }

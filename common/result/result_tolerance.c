@@ -6,19 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "common/base/text.h"
 
 enum { MOST_BYTES = 1 << 20 };
 
 static enum status add(struct result_tolerances *t, const char *pattern, bool ignore,
                        double relative, double absolute) {
-  if (t->n == t->room) {
-    size_t room = 2 * t->room + 16;
-    struct tolerance *rule = realloc(t->rule, room * sizeof *rule);
-    CHECK(rule, ERR_MEMORY, "no memory for %zu tolerances", room);
-    t->rule = rule;
-    t->room = room;
-  }
+  TRY(array_grow(&t->rule, &t->room, t->n + 1, "tolerances"));
   char *copy = strdup(pattern);
   CHECK(copy, ERR_MEMORY, "no memory for a tolerance");
   t->rule[t->n++] = (struct tolerance){copy, ignore, relative, absolute};

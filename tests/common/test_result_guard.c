@@ -47,8 +47,8 @@ static enum status carry_one_text(struct carrier *c, void *element) {
 static enum status carry_answer(struct carrier *c, void *data) {
   struct answer *a = data;
   TRY(carry_text(c, &a->none));
-  TRY(carry_array(c, &a->n, (void **)&a->array, sizeof *a->array));
-  return carry_each(c, &a->n_texts, (void **)&a->text, sizeof *a->text, carry_one_text);
+  TRY(carry_array(c, &a->n, &a->array));
+  return carry_each(c, &a->n_texts, &a->text, carry_one_text);
 }
 
 static void test_what_was_read_arrives(void) {
@@ -173,7 +173,7 @@ static enum status carry_too_much(struct carrier *c, void *data) {
   (void)data;
   if (c->sending) return carry_number(c, &n);
   void *array = NULL;
-  enum status status = carry_array(c, &n, &array, sizeof(double));
+  enum status status = carry_elements(c, &n, &array, sizeof(double));
   EXPECT(status == ERR_INPUT && !array);
   free(array);
   return status;
