@@ -6,13 +6,14 @@
 
 #include "sph/pair/vec.h"
 
-enum status sph_allocate(size_t n, size_t size, void *pointer_to_pointer) {
-  size_t bytes = (n * size + 63) / 64 * 64;
-  void *a = aligned_alloc(64, bytes ? bytes : 64);
-  CHECK(a, ERR_MEMORY, "no memory for %zu particles", n);
-  memset(a, 0, bytes ? bytes : 64);
-  *(void **)pointer_to_pointer = a;
-  return OK;
+void *sph_memory(size_t n, size_t size) {
+  size_t bytes = n && size ? (n * size + 63) / 64 * 64 : 64;
+  void *memory = aligned_alloc(64, bytes);
+  if (memory)
+    memset(memory, 0, bytes);
+  else
+    status_raise(ERR_MEMORY, "no memory for %zu particles", n);
+  return memory;
 }
 
 /* Every array of doubles, in one list; first those that a particle carries with it from step to

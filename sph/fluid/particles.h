@@ -39,5 +39,12 @@ void sph_particles_pad(struct sph_particles *p);
  * over, id), for i < n; n may be smaller than before. The others are to be computed anew. */
 void sph_particles_permute(struct sph_particles *p, size_t n);
 
-/* Zeroed memory aligned to 64 bytes, freed with free(); ERR_MEMORY. */
-enum status sph_allocate(size_t n, size_t size, void *pointer_to_pointer);
+/* Zeroed memory aligned to 64 bytes for n elements of `size` bytes, freed with free(); `array` is
+ * the address of a pointer to them. ERR_MEMORY. */
+#define sph_allocate(n, size, array)                                                               \
+  ({                                                                                               \
+    void *allocated_ = sph_memory(n, size);                                                        \
+    if (allocated_) *(array) = allocated_;                                                         \
+    allocated_ ? OK : ERR_MEMORY;                                                                  \
+  })
+void *sph_memory(size_t n, size_t size); /* NULL and a message when there is none */
