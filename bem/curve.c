@@ -4,17 +4,15 @@
 #include <stdlib.h>
 
 #include "bem/spline.h"
+#include "common/base/array.h"
 
 static enum status reserve(struct bem_curve *c, size_t n) {
   if (n <= c->room) return OK;
-  double *memory = malloc(7 * n * sizeof *memory);
-  CHECK(memory, ERR_MEMORY, "no memory for a curve through %zu nodes", n);
-  free(c->memory);
-  c->memory = memory;
+  TRY(array_resize(&c->memory, 7 * n, "numbers of a curve"));
   c->room = n;
-  c->arc = memory;
-  c->second = memory + n;
-  c->scratch = memory + (1 + BEM_FIELDS) * n;
+  c->arc = c->memory;
+  c->second = c->memory + n;
+  c->scratch = c->memory + (1 + BEM_FIELDS) * n;
   return OK;
 }
 

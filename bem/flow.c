@@ -5,19 +5,19 @@
 #include <string.h>
 
 #include "bem/damping.h"
+#include "common/base/array.h"
 
 enum status bem_flow_reserve(struct bem_flow *f, size_t n) {
   TRY(bem_panels_reserve(&f->panels, n));
   TRY(bem_mesh_reserve(&f->mesh, n));
   if (n > f->room) {
-    double *real = calloc(9 * n, sizeof *real);
-    double complex *w = calloc(n, sizeof *w);
     free(f->psi);
     free(f->w);
-    f->psi = real;
-    f->w = w;
-    CHECK(real && w, ERR_MEMORY, "no memory for the velocities of %zu nodes", n);
-    f->u = real + n, f->v = f->u + n, f->tx = f->v + n, f->ty = f->tx + n, f->q = f->ty + n;
+    f->w = NULL;
+    f->room = 0;
+    TRY(array_create(&f->psi, 9 * n, "numbers of a flow"));
+    TRY(array_create(&f->w, n, "velocities of a flow"));
+    f->u = f->psi + n, f->v = f->u + n, f->tx = f->v + n, f->ty = f->tx + n, f->q = f->ty + n;
     f->damping = f->q + n;
     f->room = n;
   }

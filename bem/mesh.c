@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "common/base/array.h"
+
 /* The wanted number of nodes per H, divided by the resolution, is the root of the sum of squares of
  * 1, curvature/BEND and 1/(tip + GROWTH d), d the distance along the surface to the thin tip: a
  * function of the shape alone, so refining the resolution refines everything alike. */
@@ -21,12 +23,9 @@ enum status bem_mesh_reserve(struct bem_mesh *m, size_t n) {
                       &m->work.diagonal, &m->work.beside};
   enum { ARRAYS = sizeof array / sizeof *array };
   if (n <= m->work.room) return OK;
-  double *memory = malloc(ARRAYS * n * sizeof *memory);
-  CHECK(memory, ERR_MEMORY, "no memory for a mesh of %zu nodes", n);
-  free(m->work.memory);
-  m->work.memory = memory;
+  TRY(array_resize(&m->work.memory, ARRAYS * n, "numbers of a mesh"));
   m->work.room = n;
-  for (size_t i = 0; i < ARRAYS; i++) *array[i] = memory + i * n;
+  for (size_t i = 0; i < ARRAYS; i++) *array[i] = m->work.memory + i * n;
   return OK;
 }
 

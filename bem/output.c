@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bem/breaker.h"
+#include "common/base/array.h"
 #include "common/base/gauge.h"
 #include "common/result/record.h"
 
@@ -27,10 +28,7 @@ void bem_output_destroy(struct bem_output *o) {
 static enum status reserve(struct bem_output *o, size_t n) {
   if (n > o->most_nodes) o->most_nodes = n;
   if (n <= o->room) return OK;
-  double *field = malloc(5 * n * sizeof *field);
-  CHECK(field, ERR_MEMORY, "no memory for an output of %zu nodes", n);
-  free(o->field);
-  o->field = field;
+  TRY(array_resize(&o->field, 5 * n, "numbers of an output"));
   o->room = n;
   return OK;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bem/integrals.h"
+#include "common/base/array.h"
 
 void bem_pressure_destroy(struct bem_pressure *p) {
   free(p->phi_t);
@@ -14,11 +15,9 @@ void bem_pressure_destroy(struct bem_pressure *p) {
 enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const double *state) {
   const size_t n = f->surface.n;
   if (n > p->room) {
-    double *both = calloc(2 * n, sizeof *both);
-    CHECK(both, ERR_MEMORY, "no memory for the pressure at %zu nodes", n);
-    free(p->phi_t);
-    p->phi_t = both;
-    p->psi_t = both + n;
+    bem_pressure_destroy(p);
+    TRY(array_create(&p->phi_t, 2 * n, "numbers of a pressure")); /* zeros: GMRES's first guess */
+    p->psi_t = p->phi_t + n;
     p->room = n;
   }
   for (size_t k = 0; k < n; k++) {

@@ -3,14 +3,13 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "common/base/array.h"
+
 enum { FIVE = 5, FOUR = 4 };
 
 enum status bem_surface_reserve(struct bem_surface *s, size_t n) {
   if (n > s->room) {
-    double *state = malloc(3 * n * sizeof *state);
-    CHECK(state, ERR_MEMORY, "no memory for %zu surface nodes", n);
-    free(s->state);
-    s->state = state;
+    TRY(array_resize(&s->state, 3 * n, "numbers of a surface"));
     s->room = n;
   }
   s->n = n;
