@@ -25,8 +25,12 @@ static bool went_over(const struct sph *s, size_t i, double wall, double top) {
   return a->y[i] + t * (b->y[i] - a->y[i]) >= top;
 }
 
-static bool confine_sides(struct sph *s, size_t i) {
+/* Whether the particle was brought back. */
+static bool confine_sides(const struct sph *s, size_t i) {
   const struct sph_state *w = &s->f.w;
+  bool beside = w->x[i] < s->tank.box.min[0] || w->x[i] > s->tank.box.max[0];
+  if (!beside) s->f.over[i] = 0;
+  if (!beside || s->f.over[i]) return false;
   int side = tank_nearer(&s->tank, w->x[i]);
   double wall = tank_wall(&s->tank, side);
   if (went_over(s, i, wall, s->tank.top[side])) {
@@ -38,6 +42,11 @@ static bool confine_sides(struct sph *s, size_t i) {
   return true;
 }
 
+static bool is_under_bed(const struct sph *s, size_t i) {
+  const struct geo_box *t = &s->tank.box;
+  return s->f.w.y[i] < t->min[1] && s->f.w.x[i] > t->min[0] && s->f.w.x[i] < t->max[0];
+}
+
 static void confine_bed(struct sph *s, size_t i) {
   const struct sph_state *w = &s->f.w;
   double lift = 2 * (s->tank.box.min[1] - w->y[i]);
@@ -47,21 +56,19 @@ static void confine_bed(struct sph *s, size_t i) {
 }
 
 void sph_wall_confine(struct sph *s) {
-  const struct sph_state *w = &s->f.w;
-  const struct geo_box *t = &s->tank.box;
-  size_t reflections = 0;
+  size_t beside = 0, under = 0;
+#pragma omp parallel for schedule(static) reduction(+ : beside, under)
   for (size_t i = 0; i < s->f.n; i++) {
-    bool beside = w->x[i] < t->min[0] || w->x[i] > t->max[0];
-    if (!beside)
-      s->f.over[i] = 0;
-    else if (!s->f.over[i])
-      reflections += confine_sides(s, i);
-    if (w->y[i] < t->min[1] && w->x[i] > t->min[0] && w->x[i] < t->max[0]) {
-      confine_bed(s, i);
-      reflections++;
-    }
+    beside += confine_sides(s, i);
+    under += is_under_bed(s, i);
   }
-  s->reflections += reflections;
+  s->reflections += beside + under;
+  /* few, and one after the other: they share the budget */
+  for (size_t i = 0; under; i++) {
+    if (!is_under_bed(s, i)) continue;
+    confine_bed(s, i);
+    under--;
+  }
   sph_particles_pad(&s->f);
 }
 
