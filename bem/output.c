@@ -93,9 +93,9 @@ static enum status pressure_of(void *solver, const struct case_probe *probe, dou
   return OK;
 }
 
-static enum status elevation_of(void *solver, double x, double *elevation) {
+static enum status elevation_of(void *solver, const struct case_gauge *gauge, double *elevation) {
   const struct bem_output *o = solver;
-  *elevation = gauge_elevation(&o->line, x, o->c->tank.min[1]);
+  *elevation = gauge_elevation(&o->line, gauge->x, o->c->tank.min[1]);
   return OK;
 }
 

@@ -105,9 +105,9 @@ static enum status pressure_of(void *solver, const struct case_probe *probe, dou
   return OK;
 }
 
-static enum status elevation_of(void *solver, double x, double *elevation) {
+static enum status elevation_of(void *solver, const struct case_gauge *gauge, double *elevation) {
   const struct moment *m = solver;
-  *elevation = m->w->flow->elevation(m->w->of, x, m->t);
+  *elevation = m->w->flow->elevation(m->w->of, gauge->x, m->t);
   return OK;
 }
 

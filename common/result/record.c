@@ -11,7 +11,7 @@ enum status record_row(struct result *w, const struct case_file *c, const struct
     TRY(result_probe(w, k, t, value));
   }
   for (size_t k = 0; k < c->n_gauges; k++) {
-    TRY(r->elevation(r->solver, c->gauges[k].x, &value));
+    TRY(r->elevation(r->solver, &c->gauges[k], &value));
     TRY(result_gauge(w, k, t, value));
   }
   return OK;

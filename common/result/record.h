@@ -9,7 +9,8 @@ struct record {
   struct result_step step;
   void *solver; /* handed to: */
   enum status (*pressure)(void *solver, const struct case_probe *probe, double *pressure); /* Pa */
-  enum status (*elevation)(void *solver, double x, double *elevation); /* m; NaN where dry */
+  enum status (*elevation)(void *solver, const struct case_gauge *gauge,
+                           double *elevation); /* m; NaN where dry */
 };
 
 enum status record_row(struct result *w, const struct case_file *c, const struct record *r);

@@ -5,12 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
+
 /* W is cut off at REACH nodes, 3.5 s: what is lost is erfc(3.5) = 7e-7. */
 enum { NODES_PER_SPACING = 2, REACH = 8, STENCIL = 2 * REACH };
 /* Images are within so many nodes of their particles, along x and along y. */
 enum { IMAGE_REACH = 2 * (REACH + 1) };
 enum { MARGIN = IMAGE_REACH + REACH + 1 };
-enum { BAND = 32 }; /* rows of nodes that one thread fills; a source reaches into two at most */
 #define MAX_NODES ((size_t)1 << 31)
 
 struct sph_source {
@@ -20,19 +21,10 @@ struct sph_source {
 
 void sph_fraction_destroy(struct sph_fraction *g) {
   free(g->memory);
+  free(g->beside);
   free(g->source);
   free(g->band);
   free(g->listed);
-}
-
-/* An array for n things that need not keep what was in it; NULL without memory. */
-static void *roomy(void *old, size_t *room, size_t n, size_t size) {
-  if (n <= *room) return old;
-  free(old);
-  *room = n + n / 4;
-  void *new = malloc(*room * size);
-  if (!new) *room = 0;
-  return new;
 }
 
 /* ---- the grid ---- */
@@ -49,21 +41,19 @@ static struct geo_box catchment(const struct geo_lines *walls) {
   return box;
 }
 
-static bool box_has(const struct geo_box *b, double x, double y) {
-  return x >= b->min[0] && x <= b->max[0] && y >= b->min[1] && y <= b->max[1];
-}
-
 static struct geo_box box_of(const struct sph_cloud *c, const struct geo_box *catch) {
-  struct geo_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
+#pragma omp simd reduction(min : left, low) reduction(max : right, high)
   for (size_t i = 0; i < c->n; i++) {
-    double x = c->x[i], y = c->y[i];
-    if (!box_has(catch, x, y)) continue;
-    if (x < box.min[0]) box.min[0] = x;
-    if (x > box.max[0]) box.max[0] = x;
-    if (y < box.min[1]) box.min[1] = y;
-    if (y > box.max[1]) box.max[1] = y;
+    bool in = geo_box_contains(catch, c->x[i], c->y[i]);
+    double x0 = in ? c->x[i] : INFINITY, x1 = in ? c->x[i] : -INFINITY;
+    double y0 = in ? c->y[i] : INFINITY, y1 = in ? c->y[i] : -INFINITY;
+    left = x0 < left ? x0 : left;
+    right = x1 > right ? x1 : right;
+    low = y0 < low ? y0 : low;
+    high = y1 > high ? y1 : high;
   }
-  return box;
+  return (struct geo_box){{left, low}, {right, high}};
 }
 
 /* Lays the grid around the particles; of its columns, the ones in the strip. */
@@ -88,10 +78,8 @@ static enum status lay(struct sph_fraction *g, const struct geo_box *box, const 
   if (!g->nx) return OK;
   g->ny = (size_t)nodes[1];
   g->stride = g->nx + 2 * STENCIL;
-  g->memory = roomy(g->memory, &g->room, g->stride * g->ny, sizeof *g->memory);
+  TRY(array_grow(&g->memory, &g->room, g->stride * g->ny, "the nodes of a free surface"));
   g->f = g->memory + STENCIL;
-  CHECK(g->memory, ERR_MEMORY, "no memory for a free-surface grid of %zu x %zu nodes", g->nx,
-        g->ny);
   return OK;
 }
 
@@ -106,24 +94,25 @@ static enum status add_source(struct sph_fraction *g, double x, double y, double
   struct sph_source new = {(x - g->origin[0]) / g->spacing, (y - g->origin[1]) / g->spacing,
                            volume};
   if (!is_near(g, new.x, REACH)) return OK;
-  if (g->sources == g->source_room) {
-    size_t room = 2 * g->source_room + 1024;
-    struct sph_source *source = realloc(g->source, room * sizeof *source);
-    CHECK(source, ERR_MEMORY, "no memory for the free surface of %zu particles", room);
-    g->source = source;
-    g->source_room = room;
-  }
+  TRY(array_grow(&g->source, &g->source_room, g->sources + 1, "particles near a free surface"));
   g->source[g->sources++] = new;
   return OK;
 }
 
-/* Whether a segment may have an image of what is at (x, y): a cheap look before the exact one. */
-static bool is_beside(const double *a, const double *b, double x, double y, double reach) {
-  for (int k = 0; k < 2; k++) {
-    double at = k ? y : x, low = a[k] < b[k] ? a[k] : b[k], high = a[k] < b[k] ? b[k] : a[k];
-    if (at < low - reach || at > high + reach) return false;
-  }
-  return true;
+/* Around every segment of the walls, the box out of which nothing has an image in it. */
+static enum status list_walls(struct sph_fraction *g, const struct geo_lines *walls) {
+  const double reach = 1.001 * (REACH + 1) * g->spacing;
+  size_t n = 0;
+  TRY(array_grow(&g->beside, &g->wall_room, walls->points, "walls beside a free surface"));
+  for (size_t k = 0; k < walls->pieces; k++)
+    for (size_t i = 0; i < geo_piece_segments(walls, k); i++, n++) {
+      const double *a = walls->p[walls->first[k] + i], *b = geo_segment_end(walls, k, i);
+      for (int d = 0; d < 2; d++) {
+        g->beside[n].min[d] = fmin(a[d], b[d]) - reach;
+        g->beside[n].max[d] = fmax(a[d], b[d]) + reach;
+      }
+    }
+  return OK;
 }
 
 /* Adds the images of a particle: mirrored in every segment on which it has its foot, and
@@ -132,15 +121,19 @@ static bool is_beside(const double *a, const double *b, double x, double y, doub
  * exactly once. */
 static enum status add_images(struct sph_fraction *g, const struct geo_lines *walls, double x,
                               double y, double volume) {
-  double reach = (REACH + 1) * g->spacing;
+  const double reach = (REACH + 1) * g->spacing;
+  const struct geo_box *beside = g->beside;
   for (size_t k = 0; k < walls->pieces; k++) {
     size_t m = geo_piece_segments(walls, k);
     bool before = false, on_first = false;
-    for (size_t i = 0; i < m; i++) {
+    for (size_t i = 0; i < m; i++, beside++) {
+      if (!geo_box_contains(beside, x, y)) {
+        before = false;
+        continue;
+      }
       const double *a = walls->p[walls->first[k] + i], *b = geo_segment_end(walls, k, i);
-      bool here = is_beside(a, b, x, y, 1.001 * reach);
-      double d, t = here ? geo_line_foot(a, b, x, y, &d) : 0;
-      here = here && t >= 0 && t < 1 && fabs(d) < reach;
+      double d, t = geo_line_foot(a, b, x, y, &d);
+      bool here = t >= 0 && t < 1 && fabs(d) < reach;
       if (here) {
         double fx = a[0] + t * (b[0] - a[0]), fy = a[1] + t * (b[1] - a[1]);
         TRY(add_source(g, 2 * fx - x, 2 * fy - y, volume));
@@ -155,15 +148,32 @@ static enum status add_images(struct sph_fraction *g, const struct geo_lines *wa
   return OK;
 }
 
+/* The particles that may matter to the strip, in order. */
+static size_t choose(const struct sph_fraction *g, const struct sph_cloud *c, struct geo_box box,
+                     uint32_t *chosen) {
+  double left = g->origin[0] + ((double)g->first - MARGIN - 1) * g->spacing;
+  double right = g->origin[0] + ((double)(g->first + g->nx) + MARGIN + 1) * g->spacing;
+  size_t n = 0;
+  box.min[0] = fmax(box.min[0], left);
+  box.max[0] = fmin(box.max[0], right);
+  for (size_t i = 0; i < c->n; i++) {
+    chosen[n] = (uint32_t)i;
+    n += geo_box_contains(&box, c->x[i], c->y[i]);
+  }
+  return n;
+}
+
 static enum status add_sources(struct sph_fraction *g, const struct sph_cloud *c,
                                const struct geo_lines *walls, const struct geo_box *catch) {
+  TRY(list_walls(g, walls));
+  TRY(array_grow(&g->listed, &g->list_room, c->n + 1, "particles near a free surface"));
+  size_t n = choose(g, c, *catch, g->listed);
   g->sources = 0;
-  for (size_t i = 0; i < c->n; i++) {
-    double x = c->x[i], y = c->y[i];
-    if (!box_has(catch, x, y) || !is_near(g, (x - g->origin[0]) / g->spacing, MARGIN)) continue;
+  for (size_t k = 0; k < n; k++) {
+    size_t i = g->listed[k];
     double volume = c->volume ? c->volume[i] : c->dx * c->dx;
-    TRY(add_source(g, x, y, volume));
-    TRY(add_images(g, walls, x, y, volume));
+    TRY(add_source(g, c->x[i], c->y[i], volume));
+    TRY(add_images(g, walls, c->x[i], c->y[i], volume));
   }
   CHECK(g->sources < UINT32_MAX, ERR_INPUT, "%zu particles and images are too many", g->sources);
   return OK;
@@ -178,21 +188,18 @@ static size_t lowest_row(const struct sph_source *q) {
 
 /* Lists, for every band, the sources that reach into it, in order. */
 static enum status list_sources(struct sph_fraction *g) {
-  size_t bands = (g->ny + BAND - 1) / BAND;
-  g->band = roomy(g->band, &g->band_room, bands + 1, sizeof *g->band);
-  CHECK(g->band, ERR_MEMORY, "no memory for the free surface");
+  size_t bands = (g->ny + SPH_BAND - 1) / SPH_BAND;
+  TRY(array_grow(&g->band, &g->band_room, bands + 1, "the rows of a free surface"));
   memset(g->band, 0, (bands + 1) * sizeof *g->band);
   for (size_t k = 0; k < g->sources; k++) {
     size_t j = lowest_row(&g->source[k]);
-    for (size_t b = j / BAND; b <= (j + STENCIL - 1) / BAND; b++) g->band[b + 1]++;
+    for (size_t b = j / SPH_BAND; b <= (j + STENCIL - 1) / SPH_BAND; b++) g->band[b + 1]++;
   }
   for (size_t b = 0; b < bands; b++) g->band[b + 1] += g->band[b];
-  size_t n = g->band[bands];
-  g->listed = roomy(g->listed, &g->list_room, n, sizeof *g->listed);
-  CHECK(g->listed || !n, ERR_MEMORY, "no memory for the free surface of %zu particles", n);
+  TRY(array_grow(&g->listed, &g->list_room, g->band[bands], "particles near a free surface"));
   for (size_t k = 0; k < g->sources; k++) {
     size_t j = lowest_row(&g->source[k]);
-    for (size_t b = j / BAND; b <= (j + STENCIL - 1) / BAND; b++)
+    for (size_t b = j / SPH_BAND; b <= (j + STENCIL - 1) / SPH_BAND; b++)
       g->listed[g->band[b]++] = (uint32_t)k;
   }
   memmove(g->band + 1, g->band, bands * sizeof *g->band);
@@ -237,7 +244,7 @@ static void deposit(struct sph_fraction *g, const struct sph_source *q, const do
 }
 
 static void fill_band(struct sph_fraction *g, const double *taper, size_t band) {
-  size_t from = band * BAND, to = from + BAND < g->ny ? from + BAND : g->ny;
+  size_t from = band * SPH_BAND, to = from + SPH_BAND < g->ny ? from + SPH_BAND : g->ny;
   memset(g->memory + from * g->stride, 0, (to - from) * g->stride * sizeof *g->memory);
   for (size_t k = g->band[band]; k < g->band[band + 1]; k++)
     deposit(g, &g->source[g->listed[k]], taper, from, to);
@@ -256,6 +263,6 @@ enum status sph_fraction_fill(struct sph_fraction *g, const struct sph_cloud *c,
   TRY(list_sources(g));
   /* waking another thread takes about as long as a few hundred sources */
 #pragma omp parallel for schedule(dynamic, 1) if (g->sources > 4096)
-  for (size_t b = 0; b < (g->ny + BAND - 1) / BAND; b++) fill_band(g, taper, b);
+  for (size_t b = 0; b < (g->ny + SPH_BAND - 1) / SPH_BAND; b++) fill_band(g, taper, b);
   return OK;
 }

@@ -2,6 +2,7 @@
  *     F(x) = sum_j V_j W(x - x_j),   W(r) = exp(-r^2/s^2) / (pi s^2),   s = dx.
  * Water that touches a wall is continued through it by mirror particles. */
 #pragma once
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "common/base/geometry.h"
@@ -14,6 +15,10 @@ struct sph_cloud {
   double dx;            /* mean spacing, m */
 };
 
+enum {
+  SPH_BAND = 32
+}; /* rows of nodes that one thread fills; a particle reaches into two at most */
+
 /* Nodes lie at whole multiples of half a particle spacing, so that they do not shift from one
  * output to the next. */
 struct sph_fraction {
@@ -25,11 +30,13 @@ struct sph_fraction {
   double *memory; /* of f: rows go on at both ends, where particles reach beyond the strip; owned */
   size_t room;
 
+  struct geo_box *beside; /* of each segment of the walls, [wall_room], owned */
+  size_t wall_room;
   struct sph_source *source; /* particles and images, [sources], owned */
   size_t sources, source_room;
   size_t *band; /* where the list of each band of rows begins, [bands + 1], owned */
   size_t band_room;
-  uint32_t *listed; /* sources that reach into a band, in order, [band[bands]], owned */
+  uint32_t *listed; /* sources that reach into a band, in order, [band[bands]]; owned */
   size_t list_room;
 };
 
@@ -41,3 +48,8 @@ struct sph_fraction {
 enum status sph_fraction_fill(struct sph_fraction *g, const struct sph_cloud *c,
                               const struct geo_lines *walls, const double strip[2]);
 void sph_fraction_destroy(struct sph_fraction *g); /* frees the arrays */
+
+/* Whether no particle is near the rows j and j + 1. */
+static inline bool sph_fraction_is_dry(const struct sph_fraction *g, size_t j) {
+  return g->band[j / SPH_BAND] == g->band[(j + 1) / SPH_BAND + 1];
+}

@@ -1,14 +1,16 @@
 #include "sph/observe/gauge.h"
 
 #include <math.h>
+#include <stdlib.h>
 
+#include "common/base/array.h"
 #include "common/base/gauge.h"
 #include "sph/domain/wall.h"
 
 /* How much wider a strip is than what is read off it, on each side, particle spacings. A pocket of
  * air at the gauge that is too small to count (4 dx^2, surface.h) is then cut by an edge, which
- * makes it count, only when it is less than half a spacing thick. */
-static const double beside = 8;
+ * makes it count, only when it is less than two thirds of a spacing thick. */
+static const double beside = 6;
 
 /* The meniscus beside the nearer wall. */
 struct meniscus {
@@ -40,4 +42,93 @@ void sph_gauge_strip(const struct sph *s, double x, double strip[2]) {
   double reads = m.away < 1 ? m.at[1] : x;
   strip[0] = fmin(x, reads) - beside * s->dx;
   strip[1] = fmax(x, reads) + beside * s->dx;
+}
+
+/* ---- the gauges of a case ---- */
+
+struct looker {
+  double x, elevation;           /* m */
+  struct sph_surface *extractor; /* owned */
+  struct geo_lines surface;      /* owned */
+};
+
+struct sph_gauges {
+  const struct geo_lines *walls;
+  size_t n;
+  struct looker *gauge; /* [n], owned */
+  bool crowded;         /* their strips cost more than the whole surface */
+};
+
+static bool is_crowded(const struct case_file *c, const struct sph *s) {
+  double width = 0, strip[2];
+  for (size_t k = 0; k < c->n_gauges; k++) {
+    sph_gauge_strip(s, c->gauges[k].x, strip);
+    width += strip[1] - strip[0];
+  }
+  return width > s->tank.box.max[0] - s->tank.box.min[0];
+}
+
+enum status sph_gauges_create(const struct case_file *c, const struct sph *s,
+                              struct sph_gauges **out) {
+  enum status status = OK;
+  struct sph_gauges *g = NULL;
+  ATTEMPT(array_create(&g, 1, "gauges"));
+  ATTEMPT(array_create(&g->gauge, c->n_gauges, "gauges"));
+  g->walls = &c->walls;
+  g->n = c->n_gauges;
+  g->crowded = is_crowded(c, s);
+  for (size_t k = 0; k < g->n; k++) {
+    g->gauge[k].x = c->gauges[k].x;
+    if (k == 0 || !g->crowded) ATTEMPT(sph_surface_create(&g->gauge[k].extractor));
+  }
+done:
+  if (status != OK) {
+    sph_gauges_destroy(g);
+    g = NULL;
+  }
+  *out = g;
+  return status;
+}
+
+void sph_gauges_destroy(struct sph_gauges *g) {
+  if (!g) return;
+  for (size_t k = 0; k < g->n; k++) {
+    sph_surface_destroy(g->gauge[k].extractor);
+    geo_lines_destroy(&g->gauge[k].surface);
+  }
+  free(g->gauge);
+  free(g);
+}
+
+static enum status look(struct looker *l, const struct sph *s, const struct sph_cloud *cloud,
+                        const struct geo_lines *walls) {
+  double strip[2];
+  sph_gauge_strip(s, l->x, strip);
+  TRY(sph_surface_strip(l->extractor, cloud, walls, strip, &l->surface));
+  l->elevation = sph_gauge(s, &l->surface, l->x);
+  return OK;
+}
+
+static enum status look_at_all(struct sph_gauges *g, const struct sph *s,
+                               const struct sph_cloud *cloud) {
+  struct looker *first = g->gauge;
+  TRY(sph_surface_extract(first->extractor, cloud, g->walls, &first->surface));
+  for (size_t k = 0; k < g->n; k++)
+    g->gauge[k].elevation = sph_gauge(s, &first->surface, g->gauge[k].x);
+  return OK;
+}
+
+enum status sph_gauges_measure(struct sph_gauges *g, const struct sph *s,
+                               const struct sph_cloud *cloud) {
+  if (g->crowded) return look_at_all(g, s, cloud);
+  int failed = 0;
+#pragma omp parallel for schedule(dynamic, 1) reduction(| : failed)
+  for (size_t k = 0; k < g->n; k++) failed |= look(&g->gauge[k], s, cloud, g->walls) != OK;
+  for (size_t k = 0; k < g->n && failed; k++) /* once more, for the message on this thread */
+    TRY(look(&g->gauge[k], s, cloud, g->walls));
+  return OK;
+}
+
+double sph_gauges_elevation(const struct sph_gauges *g, size_t gauge) {
+  return g->gauge[gauge].elevation;
 }

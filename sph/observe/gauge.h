@@ -1,6 +1,7 @@
 /* Wave gauges. */
 #pragma once
-#include "common/base/geometry.h"
+#include "common/case/case.h"
+#include "sph/observe/surface.h"
 #include "sph/sph.h"
 
 /* Elevation (m) of the water that stands on the bed at x (m), on the free surface that was
@@ -17,3 +18,16 @@ double sph_gauge(const struct sph *s, const struct geo_lines *surface, double x)
 /* From where to where (x, m) the surface must be known for that: a strip of it (surface.h) reads
  * the same as the whole one. */
 void sph_gauge_strip(const struct sph *s, double x, double strip[2]);
+
+/* The gauges of a case, each of which looks only where it stands. */
+struct sph_gauges;
+
+enum status sph_gauges_create(const struct case_file *c, const struct sph *s,
+                              struct sph_gauges **out);
+void sph_gauges_destroy(struct sph_gauges *g); /* NULL is fine */
+
+/* Finds all elevations, on several threads; the cloud is that of s. ERR_MEMORY, or what
+ * sph_surface_extract has. */
+enum status sph_gauges_measure(struct sph_gauges *g, const struct sph *s,
+                               const struct sph_cloud *cloud);
+double sph_gauges_elevation(const struct sph_gauges *g, size_t gauge); /* the last one, m */

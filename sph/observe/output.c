@@ -16,8 +16,8 @@ struct sph_output {
   const struct case_file *c;
   struct result *result;
   struct sph_surface *extractor;
-  struct geo_lines surface;          /* or the part of it at a gauge */
-  bool crowded;                      /* gauges: the whole surface costs less than their strips */
+  struct geo_lines surface;
+  struct sph_gauges *gauges;
   double started;                    /* wall clock, s */
   size_t n_every, n_sample;          /* multiples written so far */
   double budget0, available, budget; /* J/m */
@@ -44,15 +44,6 @@ static double gap(const struct sph *s, int side, size_t *at) {
   return nearest - s->dx / 2;
 }
 
-static bool is_crowded(const struct case_file *c, const struct sph *s) {
-  double width = 0, strip[2];
-  for (size_t k = 0; k < c->n_gauges; k++) {
-    sph_gauge_strip(s, c->gauges[k].x, strip);
-    width += strip[1] - strip[0];
-  }
-  return width > s->tank.box.max[0] - s->tank.box.min[0];
-}
-
 enum status sph_output_create(const struct case_file *c, const struct sph *s, struct result *result,
                               struct sph_output **out) {
   enum status status = OK;
@@ -62,7 +53,6 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   o->result = result;
   o->started = progress_wall_clock();
   o->room = s->f.n;
-  o->crowded = is_crowded(c, s);
   size_t at = 0;
   for (int side = TANK_LEFT; side <= TANK_RIGHT; side++)
     o->dry[side] = gap(s, side, &at) > 1.5 * s->dx;
@@ -72,6 +62,7 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   o->available = e.kinetic + e.potential - rest;
   ATTEMPT(result_rest(result, rest));
   ATTEMPT(sph_surface_create(&o->extractor));
+  ATTEMPT(sph_gauges_create(c, s, &o->gauges));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->x));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->y));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->u));
@@ -94,6 +85,7 @@ void sph_output_destroy(struct sph_output *o) {
   if (!o) return;
   sph_surface_destroy(o->extractor);
   geo_lines_destroy(&o->surface);
+  sph_gauges_destroy(o->gauges);
   free(o->x);
   free(o->y);
   free(o->u);
@@ -157,9 +149,8 @@ static enum status write_state(struct sph_output *o, const struct sph *s) {
 
 /* The water, for the record. */
 struct moment {
-  struct sph_output *o;
+  const struct sph_output *o;
   const struct sph *s;
-  struct sph_cloud cloud; /* where there are gauges */
 };
 
 static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
@@ -167,19 +158,14 @@ static enum status pressure_of(void *solver, const struct case_probe *probe, dou
   return sph_probe(m->s, probe, &m->o->c->walls, pressure);
 }
 
-static enum status elevation_of(void *solver, double x, double *elevation) {
+static enum status elevation_of(void *solver, const struct case_gauge *gauge, double *elevation) {
   const struct moment *m = solver;
-  struct sph_output *o = m->o;
-  double strip[2];
-  sph_gauge_strip(m->s, x, strip);
-  if (!o->crowded)
-    TRY(sph_surface_strip(o->extractor, &m->cloud, &o->c->walls, strip, &o->surface));
-  *elevation = sph_gauge(m->s, &o->surface, x);
+  *elevation = sph_gauges_elevation(m->o->gauges, (size_t)(gauge - m->o->c->gauges));
   return OK;
 }
 
 static enum status write_series(struct sph_output *o, struct sph *s, double dt) {
-  struct moment moment = {.o = o, .s = s};
+  struct moment moment = {o, s};
   struct record r = {.energy = sph_energy(s),
                      .step = {.time = s->t,
                               .dt = dt,
@@ -192,8 +178,10 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
                      .elevation = elevation_of};
   o->budget = budget_of(&r.energy);
   if (o->c->n_probes) sph_pack_water(s);
-  if (o->c->n_gauges) moment.cloud = cloud_of(o, s);
-  if (o->crowded) TRY(sph_surface_extract(o->extractor, &moment.cloud, &o->c->walls, &o->surface));
+  if (o->c->n_gauges) {
+    const struct sph_cloud cloud = cloud_of(o, s);
+    TRY(sph_gauges_measure(o->gauges, s, &cloud));
+  }
   return record_row(o->result, o->c, &r);
 }
 

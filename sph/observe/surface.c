@@ -180,6 +180,7 @@ static enum status trace(struct sph_surface *s) {
   s->points = 0;
   for (size_t j = 0; j + 1 < s->g.ny; j++) {
     size_t left = 0;
+    if (sph_fraction_is_dry(&s->g, j)) continue;
     for (size_t i = 0; i + 1 < nx; i++) {
       const double *g = s->g.f + j * up + i;
       unsigned wet = (unsigned)(g[0] >= 0.5) | (unsigned)(g[1] >= 0.5) << 1 |
