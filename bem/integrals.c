@@ -9,11 +9,16 @@ static void moments(double complex sigma, int regular, double complex moment[BEM
   for (int q = 1; q < BEM_STENCIL; q++) moment[q] = sigma * moment[q - 1] + (q % 2 ? 2.0 / q : 0.0);
 }
 
+/* The equation of a node while it is summed; what its own psi and phi have is kept apart. */
+struct equation {
+  double *a, *b, diagonal_a, diagonal_b;
+};
+
 /* Adds the exact integral over panel j, seen from tau, less its quadrature, which the loop over all
  * nodes has counted. node: the collocation node if tau is that node itself, else p->n. sign is -1
  * for the mirror image. */
 static void correct(const struct bem_panels *p, size_t j, double complex tau, size_t node,
-                    double sign, double *a, double *b, double *diagonal_a, double *diagonal_b) {
+                    double sign, struct equation *e) {
   size_t first = bem_stencil_first(p->n, j, BEM_STENCIL);
   double complex moment[BEM_STENCIL];
   int regular = node >= first && node < first + BEM_STENCIL;
@@ -24,10 +29,10 @@ static void correct(const struct bem_panels *p, size_t j, double complex tau, si
     double complex c = 0;
     for (int q = 0; q < BEM_STENCIL; q++) c += p->basis[j][m][q] * moment[q];
     c -= p->weight[j][m] / (p->zeta[k] - tau);
-    a[k] += sign * cimag(c);
-    b[k] += sign * creal(c);
-    *diagonal_a += cimag(c);
-    *diagonal_b += sign * creal(c);
+    e->a[k] += sign * cimag(c);
+    e->b[k] += sign * creal(c);
+    e->diagonal_a += cimag(c);
+    e->diagonal_b += sign * creal(c);
   }
 }
 
@@ -60,39 +65,46 @@ void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *
     diagonal_a += own_im + mirror_im;
     diagonal_b += own_re - mirror_re;
   }
+  struct equation e = {a, b, diagonal_a, diagonal_b};
   for (size_t j = 0; j + 1 < n; j++) {
     size_t first = bem_stencil_first(n, j, BEM_STENCIL);
     if (panel_is_near(p, j, x, y) || (k >= first && k < first + BEM_STENCIL))
-      correct(p, j, p->zeta[k], k, 1, a, b, &diagonal_a, &diagonal_b);
-    if (panel_is_near(p, j, x, -y))
-      correct(p, j, conj(p->zeta[k]), n, -1, a, b, &diagonal_a, &diagonal_b);
+      correct(p, j, p->zeta[k], k, 1, &e);
+    if (panel_is_near(p, j, x, -y)) correct(p, j, conj(p->zeta[k]), n, -1, &e);
   }
-  a[k] -= diagonal_a;
-  b[k] -= diagonal_b;
+  a[k] -= e.diagonal_a;
+  b[k] -= e.diagonal_b;
 }
 
-/* The contour is closed, so f(tau) is the mean of f weighted with dt / (t - tau), and its
- * derivative the same mean of d f / dt, for f continuous along the contour. */
+/* Integrals over the surface seen from a point: of f + i h, of its derivative, and of one. */
+struct contour {
+  double complex value, slope, winding;
+};
+
+/* Adds those of panel j. */
+static void add_panel(const struct bem_panels *p, size_t j, const double *f, const double *h,
+                      double complex tau, struct contour *sum) {
+  size_t first = bem_stencil_first(p->n, j, BEM_STENCIL);
+  double complex moment[BEM_STENCIL], c[BEM_STENCIL] = {0};
+  moments((tau - p->middle[j]) / p->half[j], 0, moment);
+  for (size_t m = 0; m < BEM_STENCIL; m++)
+    for (int q = 0; q < BEM_STENCIL; q++)
+      c[q] += p->basis[j][m][q] * CMPLX(f[first + m], h[first + m]);
+  for (int q = 0; q < BEM_STENCIL; q++) sum->value += c[q] * moment[q];
+  for (int q = 1; q < BEM_STENCIL; q++) sum->slope += q * c[q] * moment[q - 1] / p->half[j];
+  sum->winding += moment[0];
+}
+
+/* The surface and its mirror image close the contour, so f(tau) is the mean of f weighted with
+ * dt / (t - tau), and its derivative the same mean of d f / dt, for f continuous along it. */
 void bem_integrals_inside(const struct bem_panels *p, const double *f, const double *h,
                           double complex tau, double complex *value, double complex *slope) {
-  double complex sum = 0, sum_slope = 0, winding = 0;
-  for (int side = 0; side < 2; side++) {
-    double complex at = side ? conj(tau) : tau, s = 0, s_slope = 0, w = 0;
-    for (size_t j = 0; j + 1 < p->n; j++) {
-      size_t first = bem_stencil_first(p->n, j, BEM_STENCIL);
-      double complex moment[BEM_STENCIL], c[BEM_STENCIL] = {0};
-      moments((at - p->middle[j]) / p->half[j], 0, moment);
-      for (size_t m = 0; m < BEM_STENCIL; m++)
-        for (int q = 0; q < BEM_STENCIL; q++)
-          c[q] += p->basis[j][m][q] * CMPLX(f[first + m], h[first + m]);
-      for (int q = 0; q < BEM_STENCIL; q++) s += c[q] * moment[q];
-      for (int q = 1; q < BEM_STENCIL; q++) s_slope += q * c[q] * moment[q - 1] / p->half[j];
-      w += moment[0];
-    }
-    sum += side ? -conj(s) : s;
-    sum_slope += side ? -conj(s_slope) : s_slope;
-    winding += side ? -conj(w) : w;
+  struct contour own = {0}, seen = {0}; /* seen: the surface from the mirror image of tau */
+  for (size_t j = 0; j + 1 < p->n; j++) {
+    add_panel(p, j, f, h, tau, &own);
+    add_panel(p, j, f, h, conj(tau), &seen);
   }
-  *value = sum / winding;
-  *slope = sum_slope / winding;
+  double complex winding = own.winding - conj(seen.winding);
+  *value = (own.value - conj(seen.value)) / winding;
+  *slope = (own.slope - conj(seen.slope)) / winding;
 }
