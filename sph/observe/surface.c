@@ -227,10 +227,25 @@ static double last_step(const struct geo_lines *l, const double *p) {
   return hypot(p[0] - o[0], p[1] - o[1]);
 }
 
+static bool is_long_step(const struct sph_surface *s, size_t m, size_t to) {
+  const double *p = s->p[s->cycle[to % m]], *o = s->p[s->cycle[(to + m - 1) % m]];
+  return hypot(p[0] - o[0], p[1] - o[1]) >= SMALLEST_STEP * s->g.spacing;
+}
+
+/* Where to begin a closed curve of m points: after two long steps, where a walk from anywhere else
+ * would also keep the point. So which points are left out does not depend on where the curve was
+ * found, nor on what a strip has cut off it. */
+static size_t closed_start(const struct sph_surface *s, size_t m) {
+  for (size_t i = 0; i < m; i++)
+    if (is_long_step(s, m, i) && is_long_step(s, m, i + m - 1)) return i;
+  return 0;
+}
+
 static enum status add_closed(struct sph_surface *s, size_t m) {
   struct geo_lines *l = &s->pieces;
+  size_t start = closed_start(s, m);
   TRY(geo_lines_begin(l, true));
-  for (size_t i = 0; i < m; i++) TRY(add_point(s, s->p[s->cycle[i]], false));
+  for (size_t i = 0; i < m; i++) TRY(add_point(s, s->p[s->cycle[(start + i) % m]], false));
   size_t first = l->first[l->pieces - 1];
   if (l->points > first + 1 && last_step(l, l->p[first]) < SMALLEST_STEP * s->g.spacing)
     drop_last_point(l);
