@@ -17,13 +17,6 @@ size_t cmp_piece_longest(const struct geo_lines *surface) {
   return best;
 }
 
-static enum status copy_piece(const struct geo_lines *from, size_t k, struct geo_lines *to) {
-  TRY(geo_lines_begin(to, from->closed[k]));
-  for (size_t i = from->first[k]; i < from->first[k + 1]; i++)
-    TRY(geo_lines_add(to, from->p[i][0], from->p[i][1]));
-  return OK;
-}
-
 enum status cmp_lines_main(const struct geo_lines *surface, double fraction,
                            struct geo_lines *out) {
   geo_lines_clear(out);
@@ -31,7 +24,7 @@ enum status cmp_lines_main(const struct geo_lines *surface, double fraction,
   if (longest == SIZE_MAX) return OK;
   double least = fraction * geo_piece_length(surface, longest);
   for (size_t k = 0; k < surface->pieces; k++)
-    if (geo_piece_length(surface, k) >= least) TRY(copy_piece(surface, k, out));
+    if (geo_piece_length(surface, k) >= least) TRY(geo_lines_add_piece(out, surface, k));
   return OK;
 }
 
@@ -64,7 +57,7 @@ enum status cmp_lines_clip(const struct geo_lines *in, const struct geo_box *box
   geo_lines_clear(out);
   for (size_t k = 0; k < in->pieces; k++) {
     if (piece_inside(in, k, box)) {
-      TRY(copy_piece(in, k, out));
+      TRY(geo_lines_add_piece(out, in, k));
       continue;
     }
     size_t a = in->first[k], n = in->first[k + 1] - a;

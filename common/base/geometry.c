@@ -58,6 +58,13 @@ enum status geo_lines_copy(struct geo_lines *to, const struct geo_lines *from) {
   return OK;
 }
 
+enum status geo_lines_add_piece(struct geo_lines *to, const struct geo_lines *from, size_t piece) {
+  TRY(geo_lines_begin(to, from->closed[piece]));
+  for (size_t i = from->first[piece]; i < from->first[piece + 1]; i++)
+    TRY(geo_lines_add(to, from->p[i][0], from->p[i][1]));
+  return OK;
+}
+
 double geo_piece_area(const struct geo_lines *l, size_t piece) {
   double area = 0;
   size_t a = l->first[piece], b = l->first[piece + 1];

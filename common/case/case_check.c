@@ -20,32 +20,28 @@ double case_tank_size(const struct case_file *c) {
 
 /* ---- time ---- */
 
+/* time.every or time.sample: at most as long as `whole`, key `longest`, and not too many of it. */
+static void check_interval(struct case_draft *d, const char *key, double value, const char *longest,
+                           double whole, const char *what, int most) {
+  char path[32], found[96], allowed[96];
+  int line = case_doc_member_line(&d->doc, d->at.time, key);
+  snprintf(path, sizeof path, "time.%s", key);
+  if (value > whole * (1 + CASE_SAME)) {
+    snprintf(found, sizeof found, "%.6g s", value);
+    snprintf(allowed, sizeof allowed, "at most %s, %.6g s", longest, whole);
+    case_doc_problem(&d->doc, line, path, found, allowed, "make it smaller");
+  } else if (d->c->end / value > most) {
+    snprintf(found, sizeof found, "%.6g %s up to time.end", d->c->end / value, what);
+    snprintf(allowed, sizeof allowed, "at most %d", most);
+    case_doc_problem(&d->doc, line, path, found, allowed, "make it larger");
+  }
+}
+
 static void check_time(struct case_draft *d) {
   const struct case_file *c = d->c;
-  char found[96], allowed[96];
   size_t faults = d->doc.faults;
-  if (c->every > c->end * (1 + CASE_SAME)) {
-    snprintf(found, sizeof found, "%.6g s", c->every);
-    snprintf(allowed, sizeof allowed, "at most time.end, %.6g s", c->end);
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.time, "every"), "time.every",
-                     found, allowed, "make it smaller");
-  } else if (c->end / c->every > MOST_OUTPUTS) {
-    snprintf(found, sizeof found, "%.6g outputs up to time.end", c->end / c->every);
-    snprintf(allowed, sizeof allowed, "at most %d", MOST_OUTPUTS);
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.time, "every"), "time.every",
-                     found, allowed, "make it larger");
-  }
-  if (c->sample > c->every * (1 + CASE_SAME)) {
-    snprintf(found, sizeof found, "%.6g s", c->sample);
-    snprintf(allowed, sizeof allowed, "at most time.every, %.6g s", c->every);
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.time, "sample"), "time.sample",
-                     found, allowed, "make it smaller");
-  } else if (c->end / c->sample > MOST_SAMPLES) {
-    snprintf(found, sizeof found, "%.6g samples up to time.end", c->end / c->sample);
-    snprintf(allowed, sizeof allowed, "at most %d", MOST_SAMPLES);
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.time, "sample"), "time.sample",
-                     found, allowed, "make it larger");
-  }
+  check_interval(d, "every", c->every, "time.end", c->end, "outputs", MOST_OUTPUTS);
+  check_interval(d, "sample", c->sample, "time.every", c->every, "samples", MOST_SAMPLES);
   d->good.time = d->doc.faults == faults;
 }
 

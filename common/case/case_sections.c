@@ -246,12 +246,15 @@ static void read_time(struct case_draft *d) {
   if (c->sample == 0) c->sample = c->every / 10;
 }
 
+/* How many items the list `node`, which may be absent, has. */
+static size_t count_items(struct case_doc *doc, int node, const char *name) {
+  if (!node || !case_doc_expect_list(doc, node, name, 0, CASE_MOST_ITEMS, name)) return 0;
+  return case_doc_size(doc, node);
+}
+
 static enum status read_probes(struct case_draft *d) {
   struct case_doc *doc = &d->doc;
-  size_t faults = doc->faults, n = case_doc_size(doc, d->at.probes);
-  if (!d->at.probes ||
-      !case_doc_expect_list(doc, d->at.probes, "probes", 0, CASE_MOST_ITEMS, "probes"))
-    n = 0;
+  size_t faults = doc->faults, n = count_items(doc, d->at.probes, "probes");
   TRY(array_create(&d->c->probes, n, "entries of the case"));
   for (size_t i = 0; i < n; i++) {
     struct case_probe *probe = &d->c->probes[d->c->n_probes++];
@@ -272,10 +275,7 @@ static enum status read_probes(struct case_draft *d) {
 
 static enum status read_gauges(struct case_draft *d) {
   struct case_doc *doc = &d->doc;
-  size_t faults = doc->faults, n = case_doc_size(doc, d->at.gauges);
-  if (!d->at.gauges ||
-      !case_doc_expect_list(doc, d->at.gauges, "gauges", 0, CASE_MOST_ITEMS, "gauges"))
-    n = 0;
+  size_t faults = doc->faults, n = count_items(doc, d->at.gauges, "gauges");
   TRY(array_create(&d->c->gauges, n, "entries of the case"));
   for (size_t i = 0; i < n; i++) {
     char path[CASE_PATH];

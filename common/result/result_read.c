@@ -138,11 +138,21 @@ done:
   return status;
 }
 
+/* Two columns of the same length, the first of times. */
+static enum status read_columns(hid_t group, const char *link, const char *name, size_t *n,
+                                double **t, double **value) {
+  size_t n_values = 0;
+  TRY(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, n, t));
+  TRY(hdf_get_all(group, name, H5T_NATIVE_DOUBLE, 0, &n_values, value));
+  TRY(check_times(link, *n, *t));
+  CHECK(n_values == *n, ERR_INPUT, "its series %s has columns of different lengths", link);
+  return OK;
+}
+
 static enum status read_series(hid_t parent, const char *link, const char *value, const char *units,
                                struct result_series *s) {
   hid_t group = -1;
   enum status status = OK;
-  size_t n_values = 0;
   s->y = s->size = NAN;
   s->units = strdup(units);
   CHECK(s->units, ERR_MEMORY, "no memory for a unit");
@@ -151,11 +161,7 @@ static enum status read_series(hid_t parent, const char *link, const char *value
   ATTEMPT(hdf_get_number(group, "x", &s->x));
   if (H5Aexists(group, "y") > 0) ATTEMPT(hdf_get_number(group, "y", &s->y));
   if (H5Aexists(group, "size") > 0) ATTEMPT(hdf_get_number(group, "size", &s->size));
-  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &s->n, &s->t));
-  ATTEMPT(hdf_get_all(group, value, H5T_NATIVE_DOUBLE, 0, &n_values, &s->value));
-  ATTEMPT(check_times(link, s->n, s->t));
-  if (n_values != s->n)
-    status = status_raise(ERR_INPUT, "its series %s has columns of different lengths", link);
+  ATTEMPT(read_columns(group, link, value, &s->n, &s->t, &s->value));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
@@ -187,16 +193,11 @@ static enum status read_experiment(hid_t parent, const char *link, void *element
   struct case_experiment *e = element;
   hid_t group = -1;
   enum status status = OK;
-  size_t n_values = 0;
   ATTEMPT(hdf_open_group(parent, link, &group));
   ATTEMPT(hdf_get_string(group, "label", &e->label));
   ATTEMPT(hdf_get_string(group, "source", &e->source));
   ATTEMPT(hdf_get_string(group, "target", &e->target));
-  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &e->n, &e->t));
-  ATTEMPT(hdf_get_all(group, "value", H5T_NATIVE_DOUBLE, 0, &n_values, &e->value));
-  ATTEMPT(check_times(link, e->n, e->t));
-  if (n_values != e->n)
-    status = status_raise(ERR_INPUT, "its %s has columns of different lengths", link);
+  ATTEMPT(read_columns(group, link, "value", &e->n, &e->t, &e->value));
 done:
   if (group >= 0) H5Gclose(group);
   return status;

@@ -14,6 +14,7 @@
  * Water goes on beyond a wall that it touches, and the curves are cut there.
  */
 #include "sph/observe/surface.h"
+#include "common/base/array.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -128,17 +129,12 @@ static double depth_of(double f) {
 
 /* Adds the contour point between the neighbouring nodes a and b. */
 static enum status cross(struct sph_surface *s, size_t a, size_t b, size_t *point) {
-  if (s->points == s->point_room) {
-    size_t room = s->points ? 2 * s->points : 1024;
-    void *p = realloc(s->p, room * sizeof *s->p);
-    if (p) s->p = p;
-    void *next = realloc(s->next, room * sizeof *s->next);
-    if (next) s->next = next;
-    void *cycle = realloc(s->cycle, room * sizeof *s->cycle);
-    if (cycle) s->cycle = cycle;
-    void *inside = realloc(s->inside, room);
-    if (inside) s->inside = inside;
-    CHECK(p && next && cycle && inside, ERR_MEMORY, "no memory for %zu free-surface points", room);
+  size_t room = array_room(s->point_room, s->points + 1);
+  if (room > s->point_room) {
+    TRY(array_resize(&s->p, room, "points of the free surface"));
+    TRY(array_resize(&s->next, room, "points of the free surface"));
+    TRY(array_resize(&s->cycle, room, "points of the free surface"));
+    TRY(array_resize(&s->inside, room, "points of the free surface"));
     s->point_room = room;
   }
   double da = depth_of(s->g.f[a]), db = depth_of(s->g.f[b]);
@@ -300,13 +296,6 @@ static enum status cut(struct sph_surface *s, const struct geo_lines *walls) {
   return OK;
 }
 
-static enum status append_piece(struct geo_lines *to, const struct geo_lines *from, size_t piece) {
-  TRY(geo_lines_begin(to, from->closed[piece]));
-  for (size_t i = from->first[piece]; i < from->first[piece + 1]; i++)
-    TRY(geo_lines_add(to, from->p[i][0], from->p[i][1]));
-  return OK;
-}
-
 /* Open pieces before closed ones, and the longest of them first. */
 static enum status deliver(const struct geo_lines *l, struct geo_lines *out) {
   size_t main_piece = l->pieces;
@@ -318,11 +307,11 @@ static enum status deliver(const struct geo_lines *l, struct geo_lines *out) {
     main_piece = k;
   }
   geo_lines_clear(out);
-  if (main_piece < l->pieces) TRY(append_piece(out, l, main_piece));
+  if (main_piece < l->pieces) TRY(geo_lines_add_piece(out, l, main_piece));
   for (size_t k = 0; k < l->pieces; k++)
-    if (!l->closed[k] && k != main_piece) TRY(append_piece(out, l, k));
+    if (!l->closed[k] && k != main_piece) TRY(geo_lines_add_piece(out, l, k));
   for (size_t k = 0; k < l->pieces; k++)
-    if (l->closed[k]) TRY(append_piece(out, l, k));
+    if (l->closed[k]) TRY(geo_lines_add_piece(out, l, k));
   return OK;
 }
 

@@ -39,10 +39,7 @@ struct cells {
 /* One closed piece of the water, alone. */
 static enum status region_of(const struct case_file *c, size_t piece, struct geo_lines *region) {
   geo_lines_clear(region);
-  TRY(geo_lines_begin(region, true));
-  for (size_t k = c->water.first[piece]; k < c->water.first[piece + 1]; k++)
-    TRY(geo_lines_add(region, c->water.p[k][0], c->water.p[k][1]));
-  return OK;
+  return geo_lines_add_piece(region, &c->water, piece);
 }
 
 static enum status place_cells(struct filling *w, const struct cells *cells) {
