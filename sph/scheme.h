@@ -6,6 +6,7 @@
 struct sph_scheme {
   int kernel, eos, momentum, continuity, viscosity, diffusion; /* pair/, enumerations */
   int integrator, walls;                                       /* indices into their lists */
+  int precision;                                               /* of the sums over pairs */
   double h_over_dx;
   double delta; /* negative: the usual one of the diffusion */
   double alpha;
@@ -13,7 +14,9 @@ struct sph_scheme {
   double cfl_acoustic, cfl_diffusive, cfl_viscous, cfl_acceleration;
 };
 
-enum { SPH_N_PARAMS = 12 };
+enum { SPH_PRECISION_single, SPH_PRECISION_double };
+
+enum { SPH_N_PARAMS = 13 };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* delta, or the default of the diffusion when it is negative. */

@@ -5,7 +5,6 @@
 
 #include "sph/domain/mls.h"
 #include "sph/pair/eos.h"
-#include "sph/pair/loop.h"
 
 /* Nodes in the water are at least half a spacing inside it: d^2 < 1.15 (mls.h). Nodes in the air
  * see it from afar; without a limit the ghosts of noisy sheets on a wall amplify the noise and pump
@@ -113,34 +112,34 @@ static enum status ghosts_list(struct sph *s) {
                          s->support + s->skin / 2);
 }
 
-SPECIALISE void fill_cluster(struct sph *s, enum sph_kernel kernel, const void *how,
-                             size_t cluster) {
-  (void)how;
+static void fill_cluster(struct sph *s, size_t cluster) {
   const struct ghosts *g = s->w.data;
-  size_t n, at = cluster * SPH_LANES;
-  const uint32_t *list = sph_lists_of(&g->lists, cluster, &n);
-  if (!n) return; /* no water near: nobody reads these ghosts */
-  vec x = vec_load(g->x + at), y = vec_load(g->y + at);
-  vec rx = vec_load(g->rx + at), ry = vec_load(g->ry + at);
-  struct mls_fit f = mls_at(kernel, s->h, farthest2, x, y, n, list, s->pack);
-  vec gravity; /* rho f */
-  for (size_t l = 0; l < SPH_LANES; l++)
-    gravity[l] = eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, f.p[l]) * -s->g;
+  const struct sph_near near = sph_near_of(&g->lists, cluster, s->pack);
+  if (!near.n) return; /* no water near: nobody reads these ghosts */
+  const size_t at = cluster * SPH_LANES;
+  struct sph_targets i = {0};
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    i.x[l] = g->x[at + l];
+    i.y[l] = g->y[at + l];
+  }
+  struct sph_mls f;
+  sph_mls_at(s, farthest2, &i, &near, &f);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
+    const double rx = g->rx[at + l], ry = g->ry[at + l];
+    const double gravity = -s->g * eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, f.p[l]);
     struct sph_pack *w = &s->w.pack[at + l];
-    w->u = rx[l] * f.u[l];
-    w->v = ry[l] * f.v[l];
-    w->p = f.p[l] + gravity[l] * (w->y - y[l]);
-    w->Gx = rx[l] * f.px[l];
-    w->Gy = gravity[l] + ry[l] * (f.py[l] - gravity[l]);
+    w->u = rx * f.u[l];
+    w->v = ry * f.v[l];
+    w->p = f.p[l] + gravity * (w->y - i.y[l]);
+    w->Gx = rx * f.px[l];
+    w->Gy = gravity + ry * (f.py[l] - gravity);
   }
 }
 
-SPH_PASS(fill, fill_cluster, void)
-
 static void ghosts_fill(struct sph *s) {
   const struct ghosts *g = s->w.data;
-  fill(s, g->lists.n_clusters, NULL);
+#pragma omp parallel for schedule(dynamic, 16)
+  for (size_t c = 0; c < g->lists.n_clusters; c++) fill_cluster(s, c);
 }
 
 static void ghosts_destroy(struct sph *s) {

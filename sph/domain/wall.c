@@ -17,6 +17,24 @@ enum status sph_wall_create(struct sph *s, const struct geo_lines *walls) {
   return s->wall->create(s, walls);
 }
 
+bool sph_lip_at(const struct sph *s, const double *x, const double *y, const double *over,
+                struct sph_lip *lip) {
+  const struct tank *t = &s->tank;
+  bool any = false;
+  for (size_t l = 0; l < SPH_LANES; l++) any |= over[l] != 0 || y[l] > t->lowest_top;
+  if (!any) return false;
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    int side = tank_nearer(t, x[l]);
+    lip->wall[l] = tank_wall(t, side);
+    lip->top[l] = t->top[side];
+    lip->outwards[l] = side == TANK_RIGHT ? 1 : -1;
+    lip->rise[l] = fmax(y[l] - lip->top[l], 0);
+    double way = tank_inside(t, side, x[l]);
+    lip->inside[l] = over[l] != 0 ? -1 : lip->rise[l] > 0 ? way : fabs(way);
+  }
+  return true;
+}
+
 /* Whether a particle that was inside the side wall at the start of the step, and is outside now,
  * went over the top, on the straight way. */
 static bool went_over(const struct sph *s, size_t i, double wall, double top) {

@@ -1,7 +1,6 @@
 /* Treatments of solid walls. Each one makes wall particles and sets their states before every pair
  * loop; the loops know nothing else about walls. Adding one: one file, one line in wall.c. */
 #pragma once
-#include "sph/pair/vec.h"
 #include "sph/sph.h"
 
 struct sph_wall {
@@ -22,42 +21,18 @@ struct sph_wall {
 /* Water at the top of a wall sees the wall particles behind it only through the wall: those towards
  * which the line of sight meets it below its top (the visibility criterion of Belytschko, Lu & Gu,
  * Int. J. Numer. Meth. Engng 37, 1994, for cracks). So what a wall does fades as the water rises
- * above it and vanishes where the water passes over. Water that has passed over sees no wall.
- * Lanes are particles of water. */
+ * above it and vanishes where the water passes over. Water that has passed over sees no wall. */
 struct sph_lip {
-  vec wall, top; /* of the nearer side, m */
-  vec outwards;  /* 1 at the right wall, -1 at the left one */
-  vec rise;      /* above the top, or 0, m */
-  vec inside;    /* way to the wall, m; where there is no rise its size, so that all is seen */
+  double wall[SPH_LANES], top[SPH_LANES]; /* of the nearer side, m */
+  double outwards[SPH_LANES];             /* 1 at the right wall, -1 at the left one */
+  double rise[SPH_LANES];                 /* above the top, or 0, m */
+  double inside[SPH_LANES]; /* way to the wall, m; without a rise its size, so that all is seen */
 };
 
-/* Whether any lane is above the top of its wall; if so, *lip is filled. */
-SPECIALISE bool sph_lip_at(const struct sph *s, vec x, vec y, vec over, struct sph_lip *lip) {
-  const struct tank *t = &s->tank;
-  bool any = false;
-  for (size_t l = 0; l < SPH_LANES; l++) any |= over[l] != 0 || y[l] > s->tank.lowest_top;
-  if (!any) return false;
-  for (size_t l = 0; l < SPH_LANES; l++) {
-    int side = tank_nearer(t, x[l]);
-    lip->wall[l] = tank_wall(t, side);
-    lip->top[l] = t->top[side];
-    lip->outwards[l] = side == TANK_RIGHT ? 1 : -1;
-    lip->rise[l] = fmax(y[l] - lip->top[l], 0);
-    double way = lip->outwards[l] * (lip->wall[l] - x[l]);
-    lip->inside[l] = over[l] != 0 ? -1 : lip->rise[l] > 0 ? way : fabs(way);
-  }
-  return true;
-}
-
-/* r2, or a distance beyond the support for the lanes that do not see the wall particle at (x, y).
- */
-SPECIALISE vec sph_lip_hide(const struct sph_lip *lip, double x, double y, vec r2, double far2) {
-  const vec zero = {0};
-  vec behind = vec_max(lip->outwards * (x - lip->wall), zero);
-  vec below = vec_max(lip->top - y, zero);
-  vec seen = below * lip->inside - lip->rise * behind;
-  return r2 + vec_where_less(zero + far2, seen, zero);
-}
+/* Whether any of the points is above the top of its wall, or has passed over it; if so, *lip is
+ * filled. Arrays are [SPH_LANES]. */
+bool sph_lip_at(const struct sph *s, const double *x, const double *y, const double *over,
+                struct sph_lip *lip);
 
 extern const struct sph_wall *const sph_walls[];
 extern const char *const sph_wall_names[]; /* NULL-terminated */

@@ -4,7 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define SPH_SINGLE /* is enough for a search: distances are counted from the cluster, and rounded up */
 #include "sph/pair/vec.h"
+
+static const double rounding = 1 + 1e-5; /* of squares in single precision, and more */
 
 /* In particle spacings: wide enough for a cluster of eight to be about square. */
 static const double column_width = 2.83, bin_height = 1;
@@ -67,9 +70,43 @@ size_t sph_grid_sort(struct sph_grid *g, size_t n, const double *x, const double
   return kept;
 }
 
+/* Targets of a cluster, counted from the first; missing ones repeat it. */
+struct cluster {
+  double x0, y0, left, right, low, high; /* m; the box around it */
+  vec x[SPH_PARTS], y[SPH_PARTS];
+};
+
+static struct cluster cluster_of(const double *x, const double *y, size_t i, size_t n) {
+  struct cluster c = {x[i], y[i], x[i], x[i], y[i], y[i], {{0}}, {{0}}};
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    const size_t at = i + l < n ? i + l : i;
+    c.left = fmin(c.left, x[at]);
+    c.right = fmax(c.right, x[at]);
+    c.low = fmin(c.low, y[at]);
+    c.high = fmax(c.high, y[at]);
+    for (size_t k = 0; k < SPH_SOURCES; k++) {
+      const size_t element = l % SPH_TARGETS * SPH_SOURCES + k;
+      c.x[l / SPH_TARGETS][element] = (real)(x[at] - c.x0);
+      c.y[l / SPH_TARGETS][element] = (real)(y[at] - c.y0);
+    }
+  }
+  return c;
+}
+
+SPECIALISE bool is_near(const struct cluster *c, double x, double y, vec limit) {
+  const vec xj = vec_of((real)(x - c->x0)), yj = vec_of((real)(y - c->y0));
+  bool any = false;
+  for (int part = 0; part < SPH_PARTS; part++) {
+    const vec dx = xj - c->x[part], dy = yj - c->y[part];
+    any |= vec_any_less(dx * dx + dy * dy, limit);
+  }
+  return any;
+}
+
 /* Appends the sources of cells [from, to) that are near one of the cluster's points. */
-static enum status append(struct sph_chunk *k, size_t *n, size_t from, size_t to, vec x, vec y,
-                          const double *xs, const double *ys, double reach) {
+static enum status append(struct sph_chunk *k, size_t *n, size_t from, size_t to,
+                          const struct cluster *c, const double *xs, const double *ys,
+                          double reach) {
   if (*n + (to - from) > k->room) {
     size_t room = 2 * (*n + (to - from));
     uint32_t *j = realloc(k->j, room * sizeof *j);
@@ -77,37 +114,28 @@ static enum status append(struct sph_chunk *k, size_t *n, size_t from, size_t to
     k->j = j;
     k->room = room;
   }
-  vec limit = (vec){0} + reach * reach;
+  const vec limit = vec_of((real)(reach * reach * rounding));
   uint32_t *out = k->j;
   size_t at = *n;
   for (size_t j = from; j < to; j++) {
-    vec dx = xs[j] - x, dy = ys[j] - y;
     out[at] = (uint32_t)j;
-    at += vec_any_less(dx * dx + dy * dy, limit);
+    at += is_near(c, xs[j], ys[j], limit);
   }
   *n = at;
   return OK;
 }
 
-static enum status build_cluster(struct sph_chunk *k, size_t *n, vec x, vec y,
+static enum status build_cluster(struct sph_chunk *k, size_t *n, const struct cluster *t,
                                  const struct sph_grid *g, const double *xs, const double *ys,
                                  double reach) {
-  double left = -vec_largest(-x) - reach, right = vec_largest(x) + reach;
-  double low = -vec_largest(-y) - reach, high = vec_largest(y) + reach;
-  size_t bin0 = bin_of(g, low), bin1 = bin_of(g, high), last = column_of(g, right);
-  for (size_t c = column_of(g, left); c <= last; c++) {
+  const size_t bin0 = bin_of(g, t->low - reach), bin1 = bin_of(g, t->high + reach);
+  const size_t last = column_of(g, t->right + reach);
+  for (size_t c = column_of(g, t->left - reach); c <= last; c++) {
     size_t a = cell_of(g, c, bin0), b = cell_of(g, c, bin1);
     size_t from = g->start[a < b ? a : b], to = g->start[(a < b ? b : a) + 1];
-    if (from < to) TRY(append(k, n, from, to, x, y, xs, ys, reach));
+    if (from < to) TRY(append(k, n, from, to, t, xs, ys, reach));
   }
   return OK;
-}
-
-/* The last cluster's missing lanes repeat its first point. */
-static vec cluster_points(const double *x, size_t i, size_t n) {
-  vec v;
-  for (size_t l = 0; l < SPH_LANES; l++) v[l] = x[i + l < n ? i + l : i];
-  return v;
 }
 
 static enum status build_chunk(struct sph_lists *l, size_t chunk, size_t n, const double *x,
@@ -118,9 +146,9 @@ static enum status build_chunk(struct sph_lists *l, size_t chunk, size_t n, cons
   for (size_t c = 0; c < SPH_CHUNK; c++) {
     size_t i = (chunk * SPH_CHUNK + c) * SPH_LANES;
     k->first[c] = (uint32_t)at;
-    if (i < n)
-      TRY(build_cluster(k, &at, cluster_points(x, i, n), cluster_points(y, i, n), g, xs, ys,
-                        reach));
+    if (i >= n) continue;
+    const struct cluster t = cluster_of(x, y, i, n);
+    TRY(build_cluster(k, &at, &t, g, xs, ys, reach));
   }
   k->first[SPH_CHUNK] = (uint32_t)at;
   return OK;

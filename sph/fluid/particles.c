@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sph/pair/vec.h"
+#include "sph/family.h"
 
 void *sph_memory(size_t n, size_t size) {
   size_t bytes = n && size ? (n * size + 63) / 64 * 64 : 64;

@@ -6,6 +6,7 @@
 
 #include "common/base/status.h"
 
+enum { SPH_LANES = 8 }; /* particles in a cluster */
 enum { SPH_MAX_STAGES = 4 };
 
 #define SPH_STATE(X) X(x) X(y) X(u) X(v) X(rho)

@@ -1,6 +1,7 @@
 #include "sph/observe/probe.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "sph/domain/mls.h"
 
@@ -27,22 +28,19 @@ static void wall_direction(const struct geo_lines *walls, double x, double y, do
     }
 }
 
-/* At up to SPH_LANES points. The lists' own grid finds the water near them. */
-static enum status pressure_at(const struct sph *s, vec x, vec y, vec *p) {
-  struct sph_lists near = {0};
-  double xs[SPH_LANES], ys[SPH_LANES];
-  for (size_t l = 0; l < SPH_LANES; l++) {
-    xs[l] = x[l];
-    ys[l] = y[l];
-  }
+/* At SPH_LANES points. The lists' own grid finds the water near them. */
+static enum status pressure_at(const struct sph *s, const struct sph_targets *at,
+                               double p[SPH_LANES]) {
+  struct sph_lists lists = {0};
+  struct sph_mls fit;
   enum status status = OK;
-  ATTEMPT(sph_lists_build(&near, SPH_LANES, xs, ys, &s->grid, s->f.x_listed, s->f.y_listed,
+  ATTEMPT(sph_lists_build(&lists, SPH_LANES, at->x, at->y, &s->grid, s->f.x_listed, s->f.y_listed,
                           s->support + s->skin));
-  size_t n;
-  const uint32_t *list = sph_lists_of(&near, 0, &n);
-  *p = mls_at((enum sph_kernel)s->scheme.kernel, s->h, farthest2, x, y, n, list, s->pack).p;
+  const struct sph_near near = sph_near_of(&lists, 0, s->pack);
+  sph_mls_at(s, farthest2, at, &near, &fit);
+  memcpy(p, fit.p, sizeof fit.p);
 done:
-  sph_lists_destroy(&near);
+  sph_lists_destroy(&lists);
   return status;
 }
 
@@ -53,11 +51,15 @@ enum status sph_probe(const struct sph *s, const struct case_probe *probe,
   size_t groups = probe->size > 0 ? (size_t)ceil(probe->size / (0.5 * s->dx * SPH_LANES)) : 1;
   double points = (double)(groups * SPH_LANES), sum = 0;
   for (size_t k = 0; k < groups; k++) {
-    vec at, p;
-    for (size_t l = 0; l < SPH_LANES; l++)
-      at[l] = (((double)(k * SPH_LANES + l) + 0.5) / points - 0.5) * probe->size;
-    TRY(pressure_at(s, probe->x + at * t[0], probe->y + at * t[1], &p));
-    sum += vec_sum(p);
+    struct sph_targets at = {0};
+    double p[SPH_LANES];
+    for (size_t l = 0; l < SPH_LANES; l++) {
+      double along = (((double)(k * SPH_LANES + l) + 0.5) / points - 0.5) * probe->size;
+      at.x[l] = probe->x + along * t[0];
+      at.y[l] = probe->y + along * t[1];
+    }
+    TRY(pressure_at(s, &at, p));
+    for (size_t l = 0; l < SPH_LANES; l++) sum += p[l];
   }
   *pressure = sum / points;
   return OK;

@@ -65,17 +65,16 @@ SPECIALISE double diffusion_frozen(enum sph_diffusion d) {
   __builtin_unreachable();
 }
 
-/* c0^2 psi_ji of a pair: dp = p_j - p_i, (x, y) = r_j - r_i, r2 = |r_ji|^2, G = sum of both
- * renormalised pressure gradients. */
-SPECIALISE vec diffusion_psi(enum sph_diffusion d, vec dp, vec x, vec y, vec r2, vec Gx, vec Gy,
-                             double h) {
+/* c0^2 psi_ji of a pair: dp = p_j - p_i, (x, y) = (r_j - r_i)/h, q2 = |r_ji|^2/h^2, G = h times the
+ * sum of both renormalised pressure gradients. */
+SPECIALISE vec diffusion_psi(enum sph_diffusion d, vec dp, vec x, vec y, vec q2, vec Gx, vec Gy) {
   switch (d) {
   case SPH_DIFFUSION_molteni:
     return dp;
   case SPH_DIFFUSION_ferrari:
-    return dp * vec_sqrt(r2) * (0.5 / h);
+    return dp * vec_sqrt(q2) * (real)0.5;
   case SPH_DIFFUSION_antuono:
-    return dp - 0.5 * (Gx * x + Gy * y);
+    return dp - (real)0.5 * (Gx * x + Gy * y);
   case SPH_DIFFUSION_none:
     return (vec){0};
   }

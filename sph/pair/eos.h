@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "sph/family.h"
-#include "sph/pair/vec.h"
 
 #define SPH_EOS(X, ...) X(linear, "p = c0^2 (rho - rho0) (P eq. (1))", ##__VA_ARGS__)
 SPH_FAMILY(sph_eos, SPH_EOS, SPH_EOS);

@@ -1,9 +1,9 @@
 /* The smoothing kernels: one list, and a few small functions.
  *
  * The gradient at i is grad_i W_ij = slope(q^2) (r_j - r_i), q = |r_ij|/h, slope > 0: it points
- * from i to j, and a kernel that is a function of q^2 needs no square root. slope() and value()
- * leave out constant factors, which the *_scale() give: the pair loops apply them once for each
- * particle. */
+ * from i to j, and a kernel that is a function of q^2 needs no square root. Lengths are in units of
+ * h here. slope() and value() leave out constant factors, which the *_scale() give: they are applied
+ * once for each particle. */
 #pragma once
 #include "sph/family.h"
 #include "sph/pair/vec.h"
@@ -40,29 +40,30 @@ SPECIALISE vec kernel_slope(enum sph_kernel k, vec q2) {
 SPECIALISE vec kernel_value(enum sph_kernel k, vec q2) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-    return vec_exp_minus(q2) - SPH_GAUSSIAN_C0;
+    return vec_exp_minus(q2) - (real)SPH_GAUSSIAN_C0;
   }
   __builtin_unreachable();
 }
 
-SPECIALISE double kernel_slope_scale(enum sph_kernel k, double h) {
+SPECIALISE double kernel_slope_scale(enum sph_kernel k) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-    return 2 / (M_PI * h * h * h * h * SPH_GAUSSIAN_C1);
+    return 2 / (M_PI * SPH_GAUSSIAN_C1);
   }
   __builtin_unreachable();
 }
 
-SPECIALISE double kernel_value_scale(enum sph_kernel k, double h) {
+SPECIALISE double kernel_value_scale(enum sph_kernel k) {
   switch (k) {
   case SPH_KERNEL_gaussian:
-    return 1 / (M_PI * h * h * SPH_GAUSSIAN_C1);
+    return 1 / (M_PI * SPH_GAUSSIAN_C1);
   }
   __builtin_unreachable();
 }
 
-/* Pairs count below this squared distance. A square lattice with h/dx = 4/3 has neighbours exactly
- * on the edge of a support of 3h; the last factor keeps them out whatever the rounding. */
-SPECIALISE double kernel_cutoff2(enum sph_kernel k, double h) {
-  return kernel_support(k) * kernel_support(k) * h * h * (1 - 1e-10);
+/* Pairs count below this q^2. A square lattice with h/dx = 4/3 has neighbours exactly on the edge of
+ * a support of 3h; the last factor keeps them out whatever the rounding. */
+SPECIALISE real kernel_cutoff2(enum sph_kernel k) {
+  const double margin = sizeof(real) == sizeof(double) ? 1e-10 : 4e-6;
+  return (real)(kernel_support(k) * kernel_support(k) * (1 - margin));
 }

@@ -10,7 +10,7 @@
     ##__VA_ARGS__)
 SPH_FAMILY(sph_momentum, SPH_MOMENTUM, SPH_MOMENTUMS);
 
-SPECIALISE vec momentum_pressure(enum sph_momentum m, vec pi, double pj) {
+SPECIALISE vec momentum_pressure(enum sph_momentum m, vec pi, vec pj) {
   switch (m) {
   case SPH_MOMENTUM_plus:
     return pj + pi;

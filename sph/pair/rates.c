@@ -12,14 +12,9 @@
 
 #include <math.h>
 
-#include "sph/domain/wall.h"
-#include "sph/pair/continuity.h"
-#include "sph/pair/diffusion.h"
 #include "sph/pair/eos.h"
 #include "sph/pair/gradient.h"
-#include "sph/pair/loop.h"
-#include "sph/pair/momentum.h"
-#include "sph/pair/viscosity.h"
+#include "sph/pair/loops.h"
 
 void sph_pack_water(struct sph *s) {
   const struct sph_state *w = &s->f.w;
@@ -36,150 +31,117 @@ void sph_pack_water(struct sph *s) {
   for (size_t i = s->f.n; i % SPH_LANES; i++) s->f.p[i] = s->f.p[s->f.n - 1];
 }
 
+struct sph_targets sph_targets_of(const struct sph *s, size_t cluster) {
+  const struct sph_particles *f = &s->f;
+  const size_t at = cluster * SPH_LANES;
+  struct sph_targets i;
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    i.x[l] = f->w.x[at + l];
+    i.y[l] = f->w.y[at + l];
+    i.u[l] = f->w.u[at + l];
+    i.v[l] = f->w.v[at + l];
+    i.p[l] = f->p[at + l];
+    const struct sph_pack *j = &s->pack[at + l < f->n ? at + l : f->n - 1];
+    i.Gx[l] = j->Gx;
+    i.Gy[l] = j->Gy;
+  }
+  return i;
+}
+
+struct sph_near sph_near_walls(const struct sph *s, size_t cluster, struct sph_lip *lip) {
+  const size_t at = cluster * SPH_LANES;
+  struct sph_near walls = sph_near_of(&s->water_wall, cluster, s->w.pack);
+  if (walls.n && sph_lip_at(s, s->f.w.x + at, s->f.w.y + at, s->f.over + at, lip)) walls.lip = lip;
+  return walls;
+}
+
 /* What an evaluation is asked for. */
 struct evaluation {
   int stage;
   bool diffuse, bounds; /* see sph_rates */
 };
 
-/* The particles of one cluster, in lanes. */
-struct lanes {
-  vec x, y, u, v, p, Gx, Gy;
+/* What water and walls do to a cluster's particles, per second: acceleration (m/s^2), divergence of
+ * the velocity, diffusion (kg m^-3 s^-1). */
+struct effects {
+  double wall_x[SPH_LANES], wall_y[SPH_LANES], wall_div[SPH_LANES];
+  double drag_x[SPH_LANES], drag_y[SPH_LANES];
+  double ax[SPH_LANES], ay[SPH_LANES], div[SPH_LANES], D[SPH_LANES];
 };
 
-/* Sums over one kind of neighbours. */
-struct sums {
-  vec px, py;  /* sum momentum_pressure x e */
-  vec div;     /* sum continuity_flux e */
-  vec vx, vy;  /* sum viscosity_drag x e */
-  vec D;       /* sum psi e */
-  vec pi_most; /* max |pi| */
-};
-
-/* Added to squared distances: the particle itself gives 0/tiny. */
-SPECIALISE double tiny2(const struct sph *s) {
-  return 1e-24 * s->h * s->h;
-}
-
-/* d: the diffusion that these neighbours take part in. soft2: what is added to squared distances in
- * pi_most. */
-SPECIALISE struct sums sum_pairs(const struct sph *s, enum sph_kernel kernel, enum sph_diffusion d,
-                                 bool viscous, bool bounds, const struct lanes *i,
-                                 const struct near *near, double soft2) {
-  struct sums a = {0};
-  const struct sph_scheme *scheme = &s->scheme;
-  const struct range range = range_of(kernel, s->h);
-  const double tiny = tiny2(s);
-  for (size_t k = 0; k < near->n; k++) {
-    const struct sph_pack *j = &near->pack[near->list[k]];
-    struct pair q = pair_with(kernel, &range, near, j, i->x, i->y);
-    vec approach = (j->u - i->u) * q.x + (j->v - i->v) * q.y;
-    vec pressure = momentum_pressure(scheme->momentum, i->p, j->p) * q.e;
-    a.px += pressure * q.x;
-    a.py += pressure * q.y;
-    a.div += continuity_flux(scheme->continuity, approach) * q.e;
-    if (viscous) {
-      vec drag = viscosity_drag(scheme->viscosity, approach / (q.r2 + tiny)) * q.e;
-      a.vx += drag * q.x;
-      a.vy += drag * q.y;
-    }
-    if (bounds && j->V > 0) { /* what has no volume is not there */
-      vec soft = approach / (q.r2 + soft2);
-      a.pi_most = vec_max(a.pi_most, vec_where_less(vec_abs(soft), q.r2, range.cutoff2));
-    }
-    if (d != SPH_DIFFUSION_none)
-      a.D +=
-          diffusion_psi(d, j->p - i->p, q.x, q.y, q.r2, j->Gx + i->Gx, j->Gy + i->Gy, s->h) * q.e;
+/* From the sums over water (a) and walls (b), whose units are h, c0 and rho0 (loops.h). */
+static void effects_of(const struct sph *s, const double *rho, const struct sph_rates_sums *a,
+                       const struct sph_rates_sums *b, struct effects *e) {
+  const struct sph_scheme *o = &s->scheme;
+  const double F = kernel_slope_scale((enum sph_kernel)o->kernel), per_time = F * s->c0 / s->h;
+  const double force = per_time * s->c0 * s->rho0, drag = o->alpha * force;
+  const double diffusion = 2 * o->delta * per_time * s->rho0;
+  for (int l = 0; l < SPH_LANES; l++) {
+    const double per_rho = 1 / rho[l];
+    e->wall_x[l] = -force * b->px[l] * per_rho;
+    e->wall_y[l] = -force * b->py[l] * per_rho;
+    e->wall_div[l] = per_time * b->div[l];
+    e->drag_x[l] = drag * (a->vx[l] + b->vx[l]) * per_rho;
+    e->drag_y[l] = drag * (a->vy[l] + b->vy[l]) * per_rho;
+    e->ax[l] = e->wall_x[l] - force * a->px[l] * per_rho + e->drag_x[l];
+    e->ay[l] = e->wall_y[l] - force * a->py[l] * per_rho + e->drag_y[l] - s->g;
+    e->div[l] = per_time * a->div[l] + e->wall_div[l];
+    e->D[l] = diffusion * (a->D[l] + b->D[l]);
   }
-  return a;
 }
 
-/* Each diffusion, with and without viscosity and bounds, has a loop of its own: with less than 32
- * vector registers choices inside one loop cost 10 to 25 % of an evaluation. */
-SPECIALISE struct sums sum_near(const struct sph *s, enum sph_kernel kernel, enum sph_diffusion d,
-                                bool bounds, const struct lanes *i, const struct near *near,
-                                double soft2) {
-  const bool viscous = s->scheme.alpha > 0;
-#define SUM(name, help)                                                                            \
-  case SPH_DIFFUSION_##name:                                                                       \
-    if (viscous && bounds)                                                                         \
-      return sum_pairs(s, kernel, SPH_DIFFUSION_##name, true, true, i, near, soft2);               \
-    if (viscous) return sum_pairs(s, kernel, SPH_DIFFUSION_##name, true, false, i, near, soft2);   \
-    if (bounds) return sum_pairs(s, kernel, SPH_DIFFUSION_##name, false, true, i, near, soft2);    \
-    return sum_pairs(s, kernel, SPH_DIFFUSION_##name, false, false, i, near, soft2);
-  switch (d) { SPH_DIFFUSIONS(SUM) }
-#undef SUM
-  __builtin_unreachable();
+/* Powers that leave the water, and what bounds the step. */
+static struct sph_totals totals_of(const struct sph *s, size_t at, const struct effects *e,
+                                   const struct sph_rates_sums *a, const struct sph_rates_sums *b) {
+  const struct sph_state *w = &s->f.w;
+  struct sph_totals t = {0};
+  double acceleration2 = 0, speed = 0;
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    const double m = s->f.m[at + l], rho = w->rho[at + l], u = w->u[at + l], v = w->v[at + l];
+    const double pV = s->f.p[at + l] * m / rho;
+    t.viscosity -= m * (u * e->drag_x[l] + v * e->drag_y[l]);
+    t.diffusion -= pV / rho * e->D[l];
+    t.walls -= m * (u * e->wall_x[l] + v * e->wall_y[l]) - pV * e->wall_div[l];
+    acceleration2 = fmax(acceleration2, e->ax[l] * e->ax[l] + e->ay[l] * e->ay[l]);
+    speed = fmax(speed, sqrt(u * u + v * v) + s->c0 * fmax(a->pi_most[l], b->pi_most[l]));
+  }
+  t.acceleration2 = acceleration2;
+  t.speed = speed;
+  return t;
 }
 
-SPECIALISE struct lanes lanes_of(const struct sph *s, size_t at) {
-  const struct sph_particles *f = &s->f;
-  struct lanes i = {.x = vec_load(f->w.x + at),
-                    .y = vec_load(f->w.y + at),
-                    .u = vec_load(f->w.u + at),
-                    .v = vec_load(f->w.v + at),
-                    .p = vec_load(f->p + at)};
-  if (diffusion_needs_gradient(s->scheme.diffusion))
-    for (size_t l = 0; l < SPH_LANES; l++) {
-      size_t j = at + l < f->n ? at + l : f->n - 1;
-      i.Gx[l] = s->pack[j].Gx;
-      i.Gy[l] = s->pack[j].Gy;
-    }
-  return i;
-}
-
-SPECIALISE void cluster_rates(struct sph *s, enum sph_kernel kernel, const struct evaluation *how,
-                              size_t cluster) {
-  const struct sph_particles *f = &s->f;
-  const struct sph_scheme *scheme = &s->scheme;
-  const enum sph_diffusion d = how->diffuse ? scheme->diffusion : SPH_DIFFUSION_none;
+static void cluster_rates(struct sph *s, const struct evaluation *how, size_t cluster) {
+  const struct sph_loops *loops = sph_loops_of(&s->scheme);
+  const enum sph_diffusion d = how->diffuse ? (enum sph_diffusion)s->scheme.diffusion
+                                            : SPH_DIFFUSION_none;
   const size_t at = cluster * SPH_LANES;
-  const double c2 = s->c0 * s->c0;
-  const struct lanes i = lanes_of(s, at);
-  vec rho = vec_load(f->w.rho + at), m = vec_load(f->m + at);
-
-  struct near water = near_of(&s->water_water, cluster, s->pack);
-  struct sums a = sum_near(s, kernel, d, how->bounds, &i, &water, tiny2(s)), b = {0};
-  struct near walls = near_of(&s->water_wall, cluster, s->w.pack);
+  const struct sph_targets i = sph_targets_of(s, cluster);
+  const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
+  struct sph_rates_sums a, b = {0};
+  loops->rates(s, &(struct sph_rates_how){d, how->bounds, 1e-24}, &i, &water, &a);
   /* A particle that comes through the wall meets its own image at no distance: nearer than h/100
    * that must not stop the clock. */
-  const double soft2 = s->wall->moving ? 1e-4 * s->h * s->h : tiny2(s);
+  const double soft2 = s->wall->moving ? 1e-4 : 1e-24;
   struct sph_lip lip;
-  if (walls.n && sph_lip_at(s, i.x, i.y, vec_load(f->over + at), &lip)) walls.lip = &lip;
-  if (walls.n) b = sum_near(s, kernel, diffusion_at_walls(d), how->bounds, &i, &walls, soft2);
+  const struct sph_near walls = sph_near_walls(s, cluster, &lip);
+  if (walls.n)
+    loops->rates(s, &(struct sph_rates_how){diffusion_at_walls(d), how->bounds, soft2}, &i, &walls,
+                 &b);
 
-  const double F = kernel_slope_scale(kernel, s->h);
-  const vec per_rho = 1 / rho;
-  vec wall_x = -F * b.px * per_rho, wall_y = -F * b.py * per_rho, wall_div = F * b.div;
-  vec drag = scheme->alpha * s->h * s->c0 * s->rho0 * F * per_rho;
-  vec drag_x = drag * (a.vx + b.vx), drag_y = drag * (a.vy + b.vy);
-  vec ax = wall_x - F * a.px * per_rho + drag_x;
-  vec ay = wall_y - F * a.py * per_rho + drag_y - s->g;
-  vec D = vec_load(f->D + at);
-  if (how->diffuse) {
-    D = 2 * scheme->delta * s->h * s->c0 / c2 * F * (a.D + b.D);
-    vec_store(f->D + at, D);
+  struct effects e;
+  effects_of(s, s->f.w.rho + at, &a, &b, &e);
+  const struct sph_state *k = &s->f.k[how->stage];
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    if (!how->diffuse) e.D[l] = s->f.D[at + l];
+    s->f.D[at + l] = e.D[l];
+    k->x[at + l] = i.u[l];
+    k->y[at + l] = i.v[l];
+    k->u[at + l] = e.ax[l];
+    k->v[at + l] = e.ay[l];
+    k->rho[at + l] = e.D[l] - s->f.w.rho[at + l] * e.div[l];
   }
-
-  const struct sph_state *k = &f->k[how->stage];
-  vec_store(k->x + at, i.u);
-  vec_store(k->y + at, i.v);
-  vec_store(k->u + at, ax);
-  vec_store(k->v + at, ay);
-  vec_store(k->rho + at, -rho * (F * a.div + wall_div) + D);
-
-  vec pV = i.p * m * per_rho;
-  struct sph_totals *t = &s->cluster_totals[cluster];
-  t->viscosity = -vec_sum(m * (i.u * drag_x + i.v * drag_y));
-  t->diffusion = -vec_sum(pV * per_rho * D);
-  t->walls = walls.n ? -vec_sum(m * (i.u * wall_x + i.v * wall_y) - pV * wall_div) : 0;
-  if (how->bounds) {
-    t->acceleration2 = vec_largest(ax * ax + ay * ay);
-    t->speed = vec_largest(vec_sqrt(i.u * i.u + i.v * i.v) + s->h * vec_max(a.pi_most, b.pi_most));
-  }
+  s->cluster_totals[cluster] = totals_of(s, at, &e, &a, &b);
 }
-
-SPH_PASS(rates, cluster_rates, struct evaluation)
 
 /* In the order of the clusters, for the same bits with any number of threads. */
 static void add_totals(struct sph *s) {
@@ -204,7 +166,8 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
     sph_gradient(s);
     if (s->wall->fill_gradients) s->wall->fill_gradients(s);
   }
-  rates(s, s->water_water.n_clusters, &how);
+#pragma omp parallel for schedule(dynamic, 16)
+  for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_rates(s, &how, c);
   add_totals(s);
   s->evaluations++;
   return OK;

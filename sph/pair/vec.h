@@ -1,52 +1,104 @@
-/* Eight doubles at a time, through the compiler's vector extensions: one register with AVX-512, two
- * with AVX2, four with SSE2. Only what those extensions cannot say well is written by hand. */
+/* Short vectors for the pair loops, through the compiler's vector extensions: one register of
+ * whatever width the processor has, of floats (SPH_SINGLE) or doubles. A file that includes this
+ * may be compiled for both (loops.c).
+ *
+ * A cluster of SPH_LANES targets fills one register, or a part of the cluster does where registers
+ * are narrower; where they are wider, each target has SPH_SOURCES neighbouring elements, for as
+ * many sources at a time. So the same loop serves every width:
+ *
+ *              floats               doubles
+ *   AVX-512    8 targets, 2 sources 8 targets
+ *   AVX2       8 targets            4 targets, 2 parts
+ *   SSE2       4 targets, 2 parts   2 targets, 4 parts */
 #pragma once
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#ifdef __AVX512F__
+#include <string.h>
+#ifdef __AVX2__
 #include <immintrin.h>
 #endif
 
-#define SPECIALISE static inline __attribute__((always_inline))
+#include "sph/family.h"
+#include "sph/fluid/particles.h"
 
-enum { SPH_LANES = 8 };
-typedef double vec __attribute__((vector_size(64), may_alias));
-typedef int64_t vec_bits __attribute__((vector_size(64), may_alias));
+#ifdef SPH_SINGLE
+typedef float real;
+typedef int32_t real_bits;
+#else
+typedef double real;
+typedef int64_t real_bits;
+#endif
 
-/* Elements i .. i+7 of an array that is aligned to 64 bytes, i a multiple of 8. */
-SPECIALISE vec vec_load(const double *a) {
-  return *(const vec *)__builtin_assume_aligned(a, 64);
+#if defined __AVX512F__
+enum { SPH_VEC_BYTES = 64 };
+#elif defined __AVX2__
+enum { SPH_VEC_BYTES = 32 };
+#else
+enum { SPH_VEC_BYTES = 16 };
+#endif
+typedef real vec __attribute__((vector_size(SPH_VEC_BYTES), may_alias));
+typedef real_bits vec_bits __attribute__((vector_size(SPH_VEC_BYTES), may_alias));
+
+enum {
+  SPH_REALS = SPH_VEC_BYTES / (int)sizeof(real),
+  SPH_SOURCES = SPH_REALS > SPH_LANES ? SPH_REALS / SPH_LANES : 1, /* taken at a time */
+  SPH_TARGETS = SPH_REALS / SPH_SOURCES,
+  SPH_PARTS = SPH_LANES / SPH_TARGETS /* registers that hold a cluster */
+};
+_Static_assert(SPH_SOURCES <= 2, "vec_sources has no more");
+
+/* The same number in every element. */
+SPECIALISE vec vec_of(real a) {
+  return a - (vec){0};
 }
 
-SPECIALISE void vec_store(double *a, vec v) {
-  *(vec *)__builtin_assume_aligned(a, 64) = v;
+/* a[0 .. SPH_SOURCES-1], over and over. */
+SPECIALISE vec vec_sources(const real *a) {
+  if (SPH_SOURCES == 1) return vec_of(a[0]);
+  int64_t two; /* floats, as one: that is one instruction */
+  memcpy(&two, a, sizeof two);
+  typedef int64_t twos __attribute__((vector_size(SPH_VEC_BYTES), may_alias));
+  return (vec)((twos){0} + two);
 }
 
 /* a where x < limit, else 0. */
 SPECIALISE vec vec_where_less(vec a, vec x, vec limit) {
-#ifdef __AVX512F__
-  return _mm512_maskz_mov_pd(_mm512_cmp_pd_mask(x, limit, _CMP_LT_OQ), a);
+#if defined __AVX512F__ && defined SPH_SINGLE
+  return (vec)_mm512_maskz_mov_ps(_mm512_cmp_ps_mask((__m512)x, (__m512)limit, _CMP_LT_OQ),
+                                  (__m512)a);
+#elif defined __AVX512F__
+  return (vec)_mm512_maskz_mov_pd(_mm512_cmp_pd_mask((__m512d)x, (__m512d)limit, _CMP_LT_OQ),
+                                  (__m512d)a);
 #else
   return (vec)((vec_bits)a & (x < limit));
 #endif
 }
 
+/* Whether x < limit in any element. */
 SPECIALISE bool vec_any_less(vec x, vec limit) {
-#ifdef __AVX512F__
-  return _mm512_cmp_pd_mask(x, limit, _CMP_LT_OQ) != 0;
+#if defined __AVX512F__ && defined SPH_SINGLE
+  return _mm512_cmp_ps_mask((__m512)x, (__m512)limit, _CMP_LT_OQ) != 0;
+#elif defined __AVX512F__
+  return _mm512_cmp_pd_mask((__m512d)x, (__m512d)limit, _CMP_LT_OQ) != 0;
+#elif defined __AVX2__ && defined SPH_SINGLE
+  return _mm256_movemask_ps((__m256)(x < limit)) != 0;
+#elif defined __AVX2__
+  return _mm256_movemask_pd((__m256d)(x < limit)) != 0;
 #else
   vec_bits m = x < limit;
-  int64_t any = 0;
-  for (int l = 0; l < SPH_LANES; l++) any |= m[l];
+  real_bits any = 0;
+  for (int k = 0; k < SPH_REALS; k++) any |= m[k];
   return any != 0;
 #endif
 }
 
 SPECIALISE vec vec_max(vec a, vec b) {
-#ifdef __AVX512F__
-  return _mm512_max_pd(a, b);
+#if defined __AVX512F__ && defined SPH_SINGLE
+  return (vec)_mm512_max_ps((__m512)a, (__m512)b);
+#elif defined __AVX512F__
+  return (vec)_mm512_max_pd((__m512d)a, (__m512d)b);
 #else
   vec_bits m = a < b;
   return (vec)((m & (vec_bits)b) | (~m & (vec_bits)a));
@@ -54,49 +106,56 @@ SPECIALISE vec vec_max(vec a, vec b) {
 }
 
 SPECIALISE vec vec_abs(vec a) {
-  return (vec)((vec_bits)a & INT64_MAX);
+  const vec_bits sign = (vec_bits)-vec_of(0);
+  return (vec)((vec_bits)a & ~sign);
 }
 
 SPECIALISE vec vec_sqrt(vec a) {
-#ifdef __AVX512F__
-  return _mm512_sqrt_pd(a);
+#if defined __AVX512F__ && defined SPH_SINGLE
+  return (vec)_mm512_sqrt_ps((__m512)a);
+#elif defined __AVX512F__
+  return (vec)_mm512_sqrt_pd((__m512d)a);
+#elif defined __AVX2__ && defined SPH_SINGLE
+  return (vec)_mm256_sqrt_ps((__m256)a);
+#elif defined __AVX2__
+  return (vec)_mm256_sqrt_pd((__m256d)a);
 #else
-  for (int l = 0; l < SPH_LANES; l++) a[l] = sqrt(a[l]);
+  for (int k = 0; k < SPH_REALS; k++) a[k] = (real)sqrt((double)a[k]);
   return a;
 #endif
 }
 
-/* Lane by lane in a fixed order. */
-SPECIALISE double vec_sum(vec a) {
-  return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7]));
-}
-
-SPECIALISE double vec_largest(vec a) {
-  double m = a[0];
-  for (int l = 1; l < SPH_LANES; l++) m = a[l] > m ? a[l] : m;
-  return m;
-}
-
-/* exp(-s) for 0 <= s <= 9, relative error below 4e-14: a polynomial of degree 9 in s/16 that
- * interpolates at Chebyshev points of [0, 9/16], raised to the 16th power. Finite for s < 100.
- * Water that is far apart may share a cluster; beyond 100 the caller throws away whatever comes, so
- * only the build that traps overflows spends time (4 % of an evaluation) on keeping it finite. */
+/* exp(-s) for s >= 0: 2^(n+f) with n whole and |f| <= 1/2, and for 2^f a polynomial that
+ * interpolates at Chebyshev points, of degree 5 (relative error 1.0e-7) or 10 (3e-16); the rounding
+ * of s/ln 2 adds up to s times that of a number. Beyond s = 80 the power of two leaves the exponent,
+ * and anything may come: the caller throws it away. The build that traps overflows keeps it finite. */
 SPECIALISE vec vec_exp_minus(vec s) {
 #ifdef PLUNGE_TRAP_FLOATS
-  for (int l = 0; l < SPH_LANES; l++) s[l] = fmin(s[l], 100);
+  for (int k = 0; k < SPH_REALS; k++) s[k] = s[k] < 80 ? s[k] : 80;
 #endif
-  vec z = s * 0.0625;
-  vec e = z * -2.0838782607272764e-6 + 2.4037212709390439e-5;
-  e = e * z + -0.00019791906282923116;
-  e = e * z + 0.0013886942682746905;
-  e = e * z + -0.0083332855970618849;
-  e = e * z + 0.041666659517014696;
-  e = e * z + -0.16666666605038913;
-  e = e * z + 0.49999999997298501;
-  e = e * z + -0.99999999999954013;
-  e = e * z + 0.99999999999999871;
-  e *= e;
-  e *= e;
-  e *= e;
-  return e * e;
+  const vec t = s * (real)-1.4426950408889634074;
+#ifdef SPH_SINGLE
+  const vec round = vec_of(0x1.8p23f); /* added, it leaves the whole number in the last bits */
+  const vec n = t + round, f = t - (n - round);
+  vec e = f * 1.33908633646712343e-3f + 9.67603191832205407e-3f;
+  e = e * f + 5.550357114219077818e-2f;
+  e = e * f + 0.24022107485308337545f;
+  e = e * f + 0.69314718802622878105f;
+  e = e * f + 1.00000007545489719297f;
+  return (vec)((vec_bits)e + ((vec_bits)n << 23));
+#else
+  const vec round = vec_of(0x1.8p52);
+  const vec n = t + round, f = t - (n - round);
+  vec e = f * 7.07258594926922369985e-9 + 1.02086902999583058346e-7;
+  e = e * f + 1.32154425879216e-6;
+  e = e * f + 1.525265726020083e-5;
+  e = e * f + 1.5403530441736050e-4;
+  e = e * f + 1.33335582301649738e-3;
+  e = e * f + 9.61812910760688852e-3;
+  e = e * f + 5.550410866444771916e-2;
+  e = e * f + 0.24022650695910098220;
+  e = e * f + 0.69314718055994998285;
+  e = e * f + 1.0;
+  return (vec)((vec_bits)e + ((vec_bits)n << 52));
+#endif
 }

@@ -10,6 +10,7 @@
 #include "sph/pair/kernel.h"
 #include "sph/time/integrator.h"
 #include "sph/time/timestep.h"
+#include "sph/pair/loops.h"
 #include "tests/sph/pool.h"
 
 /* A tank filled to the brim. */
@@ -107,20 +108,27 @@ static void test_water_over_the_top_sees_no_wall(void) {
   EXPECT_NEAR(a[0][1], a[1][1], 1e-9);
 }
 
-/* Sum of F x over the ghosts that a particle at (x, y) sees, x their way from it: what the wall
- * pulls with, up to a factor. */
-static double pull_at(const struct sph *s, double x, double y) {
-  struct sph_lip lip;
-  const double cutoff2 = kernel_cutoff2((enum sph_kernel)s->scheme.kernel, s->h);
-  double pull = 0;
-  bool above = sph_lip_at(s, (vec){0} + x, (vec){0} + y, (vec){0}, &lip);
+/* Sum of F x V over the ghosts that a particle at (x, y) sees, x their way from it: what the wall
+ * pulls with, up to a factor. It is what a gradient sums when all ghosts have the same pressure. */
+static double pull_at(struct sph *s, double x, double y) {
+  uint32_t *all = malloc(s->w.n * sizeof *all);
   for (size_t k = 0; k < s->w.n; k++) {
-    double ex = s->w.x[k] - x, ey = s->w.y[k] - y;
-    vec r2 = (vec){0} + ex * ex + ey * ey;
-    if (above) r2 = sph_lip_hide(&lip, s->w.x[k], s->w.y[k], r2, cutoff2);
-    if (r2[0] < cutoff2) pull += exp(-r2[0] / (s->h * s->h)) * ex;
+    all[k] = (uint32_t)k;
+    s->w.pack[k].p = s->rho0 * s->c0 * s->c0;
   }
-  return pull;
+  struct sph_near walls = {.n = s->w.n, .list = all, .pack = s->w.pack};
+  struct sph_targets at = {0};
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    at.x[l] = x;
+    at.y[l] = y;
+  }
+  const double over[SPH_LANES] = {0};
+  struct sph_lip lip;
+  struct sph_gradient_sums sums;
+  if (sph_lip_at(s, at.x, at.y, over, &lip)) walls.lip = &lip;
+  sph_loops_of(&s->scheme)->gradient(s, &at, &walls, &sums);
+  free(all);
+  return sums.x[0];
 }
 
 /* As water rises above the top next to the wall, the wall fades: it never jumps by more than the

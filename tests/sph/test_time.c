@@ -131,22 +131,22 @@ static void test_time_step_factors_are_the_limits_of_stability(void) {
  * c0, and rate at which a diffusion lets it decay over delta c0 (diffusion.h), along the wave
  * number (kx, ky). */
 static void lattice_wave(enum sph_diffusion d, double kx, double ky, double *omega, double *rate) {
-  const double h = 4. / 3, F = 2 / (M_PI * h * h * h * h * SPH_GAUSSIAN_C1);
+  const double h = 4. / 3, F = kernel_slope_scale(SPH_KERNEL_gaussian) / (h * h * h * h);
   double gx = 0, gy = 0, sum = 0;
   for (int pass = 0; pass < 2; pass++) /* the gradient first, which Antuono's psi needs */
     for (int i = -3; i <= 3; i++)
       for (int j = -3; j <= 3; j++) {
         double r2 = i * i + j * j, e = F * exp(-r2 / (h * h)), phase = kx * i + ky * j;
-        if (r2 == 0 || r2 >= kernel_cutoff2(SPH_KERNEL_gaussian, h)) continue;
+        if (r2 == 0 || r2 / (h * h) >= kernel_cutoff2(SPH_KERNEL_gaussian)) continue;
         if (pass == 0) {
           gx += e * i * sin(phase);
           gy += e * j * sin(phase);
           continue;
         }
         /* the real part of psi: the gradients at i and j are i (gx, gy) times the wave there */
-        vec zero = {0}, G = zero + -sin(phase);
-        vec psi = diffusion_psi(d, zero + (cos(phase) - 1), zero + i, zero + j, zero + r2, gx * G,
-                                gy * G, h);
+        double G = -sin(phase);
+        vec psi = diffusion_psi(d, vec_of(cos(phase) - 1), vec_of(i / h), vec_of(j / h),
+                                vec_of(r2 / (h * h)), vec_of(h * gx * G), vec_of(h * gy * G));
         sum -= 2 * h * e * psi[0];
       }
   *omega = hypot(gx, gy);

@@ -1,0 +1,377 @@
+/* Compiled twice: for floats (with SPH_SINGLE) and for doubles. */
+#include "sph/pair/loops.h"
+
+#include "sph/pair/continuity.h"
+#include "sph/pair/momentum.h"
+#include "sph/pair/vec.h"
+#include "sph/pair/viscosity.h"
+
+/* As many sources as the loops take at a time, side by side. */
+struct turn {
+  real x[SPH_SOURCES], y[SPH_SOURCES], u[SPH_SOURCES], v[SPH_SOURCES];
+  real p[SPH_SOURCES], V[SPH_SOURCES], Gx[SPH_SOURCES], Gy[SPH_SOURCES];
+};
+
+/* Half of a struct sph_pack; and as real numbers. */
+typedef double half __attribute__((vector_size(32), may_alias));
+typedef real real_half __attribute__((vector_size(4 * sizeof(real)), may_alias));
+enum { HALVES = sizeof(struct sph_pack) / sizeof(half), PACKED = 4 * HALVES };
+_Static_assert(sizeof(struct turn) == PACKED * SPH_SOURCES * sizeof(real), "a turn is packs");
+
+/* Where the numbers of a cluster are counted from, and in what: as a struct sph_pack. */
+struct frame {
+  half origin[HALVES], unit[HALVES];
+};
+
+static struct frame frame_of(const struct sph *s, double x, double y, double u, double v,
+                             double p) {
+  const double h = 1 / s->h, c = 1 / s->c0, pressure = c * c / s->rho0;
+  return (struct frame){{{x, y, u, v}, {p, 0, 0, 0}},
+                        {{h, h, c, c}, {pressure, h * h, s->h * pressure, s->h * pressure}}};
+}
+
+/* Sources that are in flight between memory and registers: some KB, in the nearest cache. */
+enum { BLOCK = 64 };
+
+SPECIALISE void convert(const struct frame *f, const struct sph_near *near, size_t k, real *out) {
+  const half *a = (const half *)&near->pack[near->list[k]];
+  for (int q = 0; q < HALVES; q++)
+    ((real_half *)out)[q] =
+        __builtin_convertvector((a[q] - f->origin[q]) * f->unit[q], real_half);
+}
+
+/* The sources from `from` on, as many as there is room for; returns the turns. A source that misses
+ * in the last has no volume. */
+SPECIALISE size_t gather(const struct frame *of, const struct sph_near *near, size_t from,
+                         struct turn block[BLOCK / SPH_SOURCES]) {
+  const struct frame f = *of;
+  const size_t n = near->n - from < BLOCK ? near->n - from : BLOCK;
+  if (SPH_SOURCES == 1) {
+    for (size_t k = 0; k < n; k++) convert(&f, near, from + k, block[k].x);
+    return n;
+  }
+  for (size_t k = 0; k < n; k += SPH_SOURCES) {
+    real source[2][PACKED] __attribute__((aligned(64)));
+    real *out = block[k / SPH_SOURCES].x;
+    convert(&f, near, from + k, source[0]);
+    convert(&f, near, from + (k + 1 < n ? k + 1 : k), source[1]);
+    for (int q = 0; q < PACKED; q++) {
+      out[SPH_SOURCES * q] = source[0][q];
+      out[SPH_SOURCES * q + SPH_SOURCES - 1] = source[1][q];
+    }
+  }
+  if (n % SPH_SOURCES) block[n / SPH_SOURCES].V[SPH_SOURCES - 1] = 0;
+  return (n + SPH_SOURCES - 1) / SPH_SOURCES;
+}
+
+/* One part of a cluster's numbers, each for every source of a turn. */
+SPECIALISE vec spread(const double *a, int part, double origin, double unit) {
+  vec v;
+  for (int k = 0; k < SPH_REALS; k++)
+    v[k] = (real)((a[part * SPH_TARGETS + k / SPH_SOURCES] - origin) * unit);
+  return v;
+}
+
+/* The other way, over the sources of a turn. */
+SPECIALISE void collect(double *a, int part, vec v) {
+  for (int t = 0; t < SPH_TARGETS; t++) {
+    a[part * SPH_TARGETS + t] = 0;
+    for (int k = 0; k < SPH_SOURCES; k++) a[part * SPH_TARGETS + t] += v[t * SPH_SOURCES + k];
+  }
+}
+
+SPECIALISE void collect_most(double *a, int part, vec v) {
+  for (int t = 0; t < SPH_TARGETS; t++) {
+    a[part * SPH_TARGETS + t] = v[t * SPH_SOURCES];
+    for (int k = 1; k < SPH_SOURCES; k++)
+      a[part * SPH_TARGETS + t] = fmax(a[part * SPH_TARGETS + t], v[t * SPH_SOURCES + k]);
+  }
+}
+
+/* The targets of a part, and the lip between them and the wall particles. */
+struct targets {
+  vec x, y, u, v, p, Gx, Gy;
+  bool lip;
+  vec wall, top, outwards, rise, inside;
+};
+
+SPECIALISE void set_lip(struct targets *i, const struct sph_lip *lip, const struct frame *f,
+                        int part) {
+  if (!lip) return;
+  i->lip = true;
+  i->wall = spread(lip->wall, part, f->origin[0][0], f->unit[0][0]);
+  i->top = spread(lip->top, part, f->origin[0][1], f->unit[0][1]);
+  i->outwards = spread(lip->outwards, part, 0, 1);
+  i->rise = spread(lip->rise, part, 0, f->unit[0][0]);
+  i->inside = spread(lip->inside, part, 0, f->unit[0][0]);
+}
+
+SPECIALISE void set_places(struct targets *i, const struct sph_targets *of, const struct frame *f,
+                           int part) {
+  i->x = spread(of->x, part, f->origin[0][0], f->unit[0][0]);
+  i->y = spread(of->y, part, f->origin[0][1], f->unit[0][1]);
+}
+
+/* q^2, or beyond the support where a target does not see the wall particle. */
+SPECIALISE vec hide(const struct targets *i, vec x, vec y, vec q2, vec cutoff2) {
+  const vec zero = {0};
+  vec behind = vec_max(i->outwards * (x - i->wall), zero);
+  vec below = vec_max(i->top - y, zero);
+  vec seen = below * i->inside - i->rise * behind;
+  return q2 + vec_where_less(cutoff2, seen, zero);
+}
+
+struct pair {
+  vec x, y, q2; /* (r_j - r_i)/h; its square */
+};
+
+SPECIALISE struct pair pair_with(const struct turn *j, const struct targets *i, vec cutoff2) {
+  const vec xj = vec_sources(j->x), yj = vec_sources(j->y);
+  struct pair p = {.x = xj - i->x, .y = yj - i->y};
+  p.q2 = p.x * p.x + p.y * p.y;
+  if (i->lip) p.q2 = hide(i, xj, yj, p.q2, cutoff2);
+  return p;
+}
+
+/* slope V_j, 0 beyond the support. */
+SPECIALISE vec slope_of(enum sph_kernel kernel, const struct pair *p, const struct turn *j,
+                        vec cutoff2) {
+  return vec_where_less(kernel_slope(kernel, p->q2) * vec_sources(j->V), p->q2, cutoff2);
+}
+
+/* The rates ---------------------------------------------------------------------------------- */
+
+struct rates {
+  vec px, py, div, vx, vy, D, pi_most;
+};
+
+struct rates_choice {
+  enum sph_kernel kernel;
+  enum sph_momentum momentum;
+  enum sph_continuity continuity;
+  enum sph_viscosity viscosity;
+  enum sph_diffusion diffusion;
+  bool viscous, bounds;
+  real soft2;
+};
+
+/* Added to q^2: the particle itself gives 0/tiny. */
+static const real tiny2 = (real)1e-24;
+
+SPECIALISE void add_rates(const struct rates_choice o, const struct targets *i,
+                          const struct turn *block, size_t n, struct rates *sums) {
+  struct rates a = *sums;
+  const vec cutoff2 = vec_of(kernel_cutoff2(o.kernel)), zero = {0};
+  for (const struct turn *j = block; j < block + n; j++) {
+    const struct pair q = pair_with(j, i, cutoff2);
+    const vec e = slope_of(o.kernel, &q, j, cutoff2), pj = vec_sources(j->p);
+    const vec approach = (vec_sources(j->u) - i->u) * q.x + (vec_sources(j->v) - i->v) * q.y;
+    const vec pressure = momentum_pressure(o.momentum, i->p, pj) * e;
+    a.px += pressure * q.x;
+    a.py += pressure * q.y;
+    a.div += continuity_flux(o.continuity, approach) * e;
+    if (o.viscous) {
+      const vec drag = viscosity_drag(o.viscosity, approach / (q.q2 + tiny2)) * e;
+      a.vx += drag * q.x;
+      a.vy += drag * q.y;
+    }
+    if (o.bounds) { /* what has no volume is not there */
+      vec pi = vec_where_less(vec_abs(approach) / (q.q2 + o.soft2), q.q2, cutoff2);
+      a.pi_most = vec_max(a.pi_most, vec_where_less(pi, zero, vec_sources(j->V)));
+    }
+    if (o.diffusion != SPH_DIFFUSION_none)
+      a.D += diffusion_psi(o.diffusion, pj - i->p, q.x, q.y, q.q2, vec_sources(j->Gx) + i->Gx,
+                           vec_sources(j->Gy) + i->Gy) *
+             e;
+  }
+  *sums = a;
+}
+
+/* Each diffusion, with and without viscosity and bounds, has a loop of its own: choices inside one
+ * loop need more registers than there are. */
+SPECIALISE void choose_rates(struct rates_choice o, const struct targets *i,
+                             const struct turn *block, size_t n, struct rates *sums) {
+#define ONE(is_viscous, has_bounds)                                                                \
+  if (o.viscous == is_viscous && o.bounds == has_bounds) {                                         \
+    o.viscous = is_viscous;                                                                        \
+    o.bounds = has_bounds;                                                                         \
+    add_rates(o, i, block, n, sums);                                                               \
+    return;                                                                                        \
+  }
+#define X(name, help)                                                                              \
+  case SPH_DIFFUSION_##name:                                                                       \
+    o.diffusion = SPH_DIFFUSION_##name;                                                            \
+    ONE(true, true) ONE(true, false) ONE(false, true) ONE(false, false) break;
+  switch (o.diffusion) { SPH_DIFFUSIONS(X) }
+#undef X
+#undef ONE
+}
+
+SPECIALISE void sum_rates(enum sph_kernel kernel, const struct sph *s,
+                          const struct sph_rates_how *how, const struct sph_targets *of,
+                          const struct sph_near *near, struct sph_rates_sums *sums) {
+  const struct frame f = frame_of(s, of->x[0], of->y[0], of->u[0], of->v[0], 0);
+  const struct rates_choice o = {.kernel = kernel,
+                                 .momentum = (enum sph_momentum)s->scheme.momentum,
+                                 .continuity = (enum sph_continuity)s->scheme.continuity,
+                                 .viscosity = (enum sph_viscosity)s->scheme.viscosity,
+                                 .diffusion = how->diffusion,
+                                 .viscous = s->scheme.alpha > 0,
+                                 .bounds = how->bounds,
+                                 .soft2 = (real)how->soft2};
+  struct targets i[SPH_PARTS] = {0};
+  struct rates a[SPH_PARTS] = {0};
+  for (int part = 0; part < SPH_PARTS; part++) {
+    set_places(&i[part], of, &f, part);
+    set_lip(&i[part], near->lip, &f, part);
+    i[part].u = spread(of->u, part, f.origin[0][2], f.unit[0][2]);
+    i[part].v = spread(of->v, part, f.origin[0][3], f.unit[0][3]);
+    i[part].p = spread(of->p, part, f.origin[1][0], f.unit[1][0]);
+    i[part].Gx = spread(of->Gx, part, 0, f.unit[1][2]);
+    i[part].Gy = spread(of->Gy, part, 0, f.unit[1][3]);
+  }
+  struct turn block[BLOCK / SPH_SOURCES];
+  for (size_t from = 0; from < near->n; from += BLOCK) {
+    const size_t n = gather(&f, near, from, block);
+    for (int part = 0; part < SPH_PARTS; part++) choose_rates(o, &i[part], block, n, &a[part]);
+  }
+  for (int part = 0; part < SPH_PARTS; part++) {
+    collect(sums->px, part, a[part].px);
+    collect(sums->py, part, a[part].py);
+    collect(sums->div, part, a[part].div);
+    collect(sums->vx, part, a[part].vx);
+    collect(sums->vy, part, a[part].vy);
+    collect(sums->D, part, a[part].D);
+    collect_most(sums->pi_most, part, a[part].pi_most);
+  }
+}
+
+/* The gradient ------------------------------------------------------------------------------- */
+
+struct gradient {
+  vec xx, xy, yy, x, y;
+};
+
+SPECIALISE void add_gradient(enum sph_kernel kernel, const struct targets *i,
+                             const struct turn *block, size_t n, struct gradient *sums) {
+  struct gradient a = *sums;
+  const vec cutoff2 = vec_of(kernel_cutoff2(kernel));
+  for (const struct turn *j = block; j < block + n; j++) {
+    const struct pair q = pair_with(j, i, cutoff2);
+    const vec e = slope_of(kernel, &q, j, cutoff2);
+    const vec ex = e * q.x, ey = e * q.y, dp = vec_sources(j->p) - i->p;
+    a.xx += ex * q.x;
+    a.xy += ex * q.y;
+    a.yy += ey * q.y;
+    a.x += dp * ex;
+    a.y += dp * ey;
+  }
+  *sums = a;
+}
+
+SPECIALISE void sum_gradient(enum sph_kernel kernel, const struct sph *s,
+                             const struct sph_targets *of, const struct sph_near *near,
+                             struct sph_gradient_sums *sums) {
+  const struct frame f = frame_of(s, of->x[0], of->y[0], 0, 0, of->p[0]);
+  struct targets i[SPH_PARTS] = {0};
+  struct gradient a[SPH_PARTS] = {0};
+  for (int part = 0; part < SPH_PARTS; part++) {
+    set_places(&i[part], of, &f, part);
+    set_lip(&i[part], near->lip, &f, part);
+    i[part].p = spread(of->p, part, f.origin[1][0], f.unit[1][0]);
+  }
+  struct turn block[BLOCK / SPH_SOURCES];
+  for (size_t from = 0; from < near->n; from += BLOCK) {
+    const size_t n = gather(&f, near, from, block);
+    for (int part = 0; part < SPH_PARTS; part++) add_gradient(kernel, &i[part], block, n, &a[part]);
+  }
+  for (int part = 0; part < SPH_PARTS; part++) {
+    collect(sums->xx, part, a[part].xx);
+    collect(sums->xy, part, a[part].xy);
+    collect(sums->yy, part, a[part].yy);
+    collect(sums->x, part, a[part].x);
+    collect(sums->y, part, a[part].y);
+  }
+}
+
+/* The fit of a plane -------------------------------------------------------------------------- */
+
+struct fit {
+  vec w, x, y, xx, xy, yy, p, px, py, u, ux, uy, v, vx, vy, speed2;
+};
+
+SPECIALISE void add_fit(enum sph_kernel kernel, const struct targets *i, const struct turn *block,
+                        size_t n, struct fit *sums) {
+  struct fit a = *sums;
+  const vec cutoff2 = vec_of(kernel_cutoff2(kernel));
+  for (const struct turn *j = block; j < block + n; j++) {
+    const struct pair q = pair_with(j, i, cutoff2);
+    const vec w = vec_where_less(kernel_value(kernel, q.q2) * vec_sources(j->V), q.q2, cutoff2);
+    const vec wx = w * q.x, wy = w * q.y;
+    const vec p = vec_sources(j->p), u = vec_sources(j->u), v = vec_sources(j->v);
+    a.w += w;
+    a.x += wx;
+    a.y += wy;
+    a.xx += wx * q.x;
+    a.xy += wx * q.y;
+    a.yy += wy * q.y;
+    a.p += w * p;
+    a.px += wx * p;
+    a.py += wy * p;
+    a.u += w * u;
+    a.ux += wx * u;
+    a.uy += wy * u;
+    a.v += w * v;
+    a.vx += wx * v;
+    a.vy += wy * v;
+    a.speed2 += w * (u * u + v * v);
+  }
+  *sums = a;
+}
+
+SPECIALISE void sum_fit(enum sph_kernel kernel, const struct sph *s, const struct sph_targets *of,
+                        const struct sph_near *near, struct sph_fit_sums *sums) {
+  const struct sph_pack zero = {0}, *first = near->n ? &near->pack[near->list[0]] : &zero;
+  const struct frame f = frame_of(s, of->x[0], of->y[0], first->u, first->v, first->p);
+  struct targets i[SPH_PARTS] = {0};
+  struct fit a[SPH_PARTS] = {0};
+  for (int part = 0; part < SPH_PARTS; part++) set_places(&i[part], of, &f, part);
+  struct turn block[BLOCK / SPH_SOURCES];
+  for (size_t from = 0; from < near->n; from += BLOCK) {
+    const size_t n = gather(&f, near, from, block);
+    for (int part = 0; part < SPH_PARTS; part++) add_fit(kernel, &i[part], block, n, &a[part]);
+  }
+  for (int part = 0; part < SPH_PARTS; part++) {
+#define X(q) collect(sums->q, part, a[part].q);
+    X(w) X(x) X(y) X(xx) X(xy) X(yy) X(p) X(px) X(py) X(u) X(ux) X(uy) X(v) X(vx) X(vy) X(speed2)
+#undef X
+  }
+}
+
+/* One of each for every kernel ------------------------------------------------------------------ */
+
+#define LOOPS(k, help)                                                                             \
+  static void rates_##k(const struct sph *s, const struct sph_rates_how *how,                      \
+                        const struct sph_targets *i, const struct sph_near *near,                  \
+                        struct sph_rates_sums *sums) {                                             \
+    sum_rates(SPH_KERNEL_##k, s, how, i, near, sums);                                              \
+  }                                                                                                \
+  static void gradient_##k(const struct sph *s, const struct sph_targets *i,                       \
+                           const struct sph_near *near, struct sph_gradient_sums *sums) {          \
+    sum_gradient(SPH_KERNEL_##k, s, i, near, sums);                                                \
+  }                                                                                                \
+  static void fit_##k(const struct sph *s, const struct sph_targets *i,                            \
+                      const struct sph_near *near, struct sph_fit_sums *sums) {                    \
+    sum_fit(SPH_KERNEL_##k, s, i, near, sums);                                                     \
+  }
+SPH_KERNELS(LOOPS)
+
+#ifdef SPH_SINGLE
+const struct sph_loops sph_loops_single[SPH_KERNEL_COUNT] = {
+#else
+const struct sph_loops sph_loops_double[SPH_KERNEL_COUNT] = {
+#endif
+#define X(k, help) {rates_##k, gradient_##k, fit_##k},
+    SPH_KERNELS(X)
+#undef X
+};

@@ -1,0 +1,84 @@
+/* The pair loops. A cluster of SPH_LANES targets i stands in the lanes of vector registers and meets
+ * the sources j of its list; each i sums over its own j and writes only itself, so the bits do not
+ * depend on the number of threads.
+ *
+ * Sums are made in the precision of the scheme, and all else is double: what enters a sum is the
+ * difference of positions and of velocities, taken in double from a particle of the cluster and then
+ * rounded, so that single precision costs about 1e-7 of a pair's contribution wherever the water is
+ * and however fast. Within the loops units are h, c0 and rho0. */
+#pragma once
+#include "sph/domain/wall.h"
+#include "sph/pair/diffusion.h"
+#include "sph/pair/kernel.h"
+#include "sph/sph.h"
+
+/* The points that sums are made for: particles of water, or nodes of ghosts (x and y alone). */
+struct sph_targets {
+  double x[SPH_LANES], y[SPH_LANES], u[SPH_LANES], v[SPH_LANES]; /* m, m/s */
+  double p[SPH_LANES], Gx[SPH_LANES], Gy[SPH_LANES];             /* Pa, Pa/m */
+};
+
+/* The sources of one kind. */
+struct sph_near {
+  size_t n;
+  const uint32_t *list;
+  const struct sph_pack *pack;
+  const struct sph_lip *lip; /* what hides some of them, or NULL */
+};
+
+/* What the loop of the rates is asked for. */
+struct sph_rates_how {
+  enum sph_diffusion diffusion; /* that these sources take part in */
+  bool bounds;                  /* pi_most too */
+  double soft2;                 /* added to q^2 in it */
+};
+
+/* With e = slope V_j (kernel.h), units h, c0, rho0. */
+struct sph_rates_sums {
+  double px[SPH_LANES], py[SPH_LANES]; /* sum momentum_pressure x e */
+  double div[SPH_LANES];               /* sum continuity_flux e */
+  double vx[SPH_LANES], vy[SPH_LANES]; /* sum viscosity_drag x e */
+  double D[SPH_LANES];                 /* sum psi e */
+  double pi_most[SPH_LANES];           /* max |pi_ij| */
+};
+
+struct sph_gradient_sums {
+  double xx[SPH_LANES], xy[SPH_LANES], yy[SPH_LANES]; /* sum x x e ... */
+  double x[SPH_LANES], y[SPH_LANES];                  /* sum (p_j - p_i) x e ... */
+};
+
+/* Weighted with w = value V_j. Velocities and pressures are those of the sources less those of the
+ * first one. */
+struct sph_fit_sums {
+  double w[SPH_LANES], x[SPH_LANES], y[SPH_LANES], xx[SPH_LANES], xy[SPH_LANES], yy[SPH_LANES];
+  double p[SPH_LANES], px[SPH_LANES], py[SPH_LANES], u[SPH_LANES], ux[SPH_LANES], uy[SPH_LANES];
+  double v[SPH_LANES], vx[SPH_LANES], vy[SPH_LANES], speed2[SPH_LANES];
+};
+
+/* The loops of one kernel in one precision. Sums are set, not added to. */
+struct sph_loops {
+  void (*rates)(const struct sph *s, const struct sph_rates_how *how, const struct sph_targets *i,
+                const struct sph_near *near, struct sph_rates_sums *sums);
+  void (*gradient)(const struct sph *s, const struct sph_targets *i, const struct sph_near *near,
+                   struct sph_gradient_sums *sums);
+  void (*fit)(const struct sph *s, const struct sph_targets *i, const struct sph_near *near,
+              struct sph_fit_sums *sums);
+};
+extern const struct sph_loops sph_loops_single[SPH_KERNEL_COUNT],
+    sph_loops_double[SPH_KERNEL_COUNT];
+
+/* Those of the scheme. */
+static inline const struct sph_loops *sph_loops_of(const struct sph_scheme *o) {
+  return (o->precision == SPH_PRECISION_double ? sph_loops_double : sph_loops_single) + o->kernel;
+}
+
+static inline struct sph_near sph_near_of(const struct sph_lists *lists, size_t cluster,
+                                          const struct sph_pack *pack) {
+  struct sph_near a = {.pack = pack};
+  a.list = sph_lists_of(lists, cluster, &a.n);
+  return a;
+}
+
+/* The water of one cluster, and the wall particles near it; *lip is room for what hides them. */
+struct sph_targets sph_targets_of(const struct sph *s, size_t cluster);
+struct sph_near sph_near_walls(const struct sph *s, size_t cluster, struct sph_lip *lip);

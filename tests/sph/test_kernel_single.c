@@ -1,0 +1,3 @@
+/* The same in single precision. */
+#define SPH_SINGLE
+#include "tests/sph/test_kernel.c"
