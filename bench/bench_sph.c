@@ -50,7 +50,7 @@ static enum status gradient(struct sph *s) {
 }
 
 static enum status lists(struct sph *s) {
-  s->f.x_listed[0] = INFINITY; /* as if it had moved far */
+  s->f.x_listed[0] += 100 * s->dx; /* as if it had moved far */
   return sph_neighbours_update(s);
 }
 

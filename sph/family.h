@@ -4,8 +4,7 @@
  * without a default, so that the compiler names the places that a new variant must fill. */
 #pragma once
 
-/* For the small functions of the hot loops: choices that a caller knows fold away. */
-#define SPECIALISE static inline __attribute__((always_inline))
+#include "sph/hot.h"
 
 #define SPH_FAMILY_ENUM(name, help, PREFIX) PREFIX##_##name,
 #define SPH_FAMILY_ONE(name, help, PREFIX)  +1

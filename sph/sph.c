@@ -6,16 +6,45 @@
 #include "common/case/case.h"
 #include "sph/domain/wall.h"
 #include "sph/fluid/energy.h"
+#include "sph/hot.h"
 #include "sph/pair/kernel.h"
 #include "sph/start/initial.h"
 #include "sph/time/integrator.h"
 
-/* In particle spacings. Wider lists last longer but hold more pairs: the usual skin was measured
+/* In particle spacings. Wider lists last longer but hold more pairs: the usual skins were measured
  * best for the dam break. The widest is for ways that no sound run takes in a step, ten spacings.
  */
-static const double skin_width = 0.6, widest_skin = 20;
+static const double usual_skin = 0.4, usual_wall_skin = 1, widest_skin = 20;
 
-static enum status sort_and_list(struct sph *s, const unsigned char *drop) {
+/* A step may be longer than the last, and its stages faster. */
+static const double longer_step = 1.25;
+
+/* The walls' lists hold while no water moves farther than this. */
+static double wall_reserve(const struct sph *s) {
+  return s->wall->moving ? s->wall_skin / 2 : s->wall_skin;
+}
+
+static enum status list_walls(struct sph *s, double least) {
+  struct sph_particles *f = &s->f;
+#pragma omp parallel for simd schedule(static)
+  for (size_t i = 0; i < f->n; i++) {
+    f->x_walls[i] = f->w.x[i];
+    f->y_walls[i] = f->w.y[i];
+  }
+  s->wall_skin = fmin(fmax(usual_wall_skin * s->dx, least), widest_skin * s->dx);
+  s->drift.walls = sph_drift_at_walls(s, s->drift.ahead);
+  s->wall_skin = fmin(fmax(s->wall_skin, (s->wall->moving ? 2.2 : 1.1) * s->drift.walls),
+                      widest_skin * s->dx);
+  TRY(s->wall->list(s));
+  TRY(sph_lists_build(&s->water_wall, f->n, f->w.x, f->w.y, &s->w.grid, s->w.x, s->w.y, 0,
+                      s->support + s->wall_skin));
+  s->wall_rebuilds++;
+  return OK;
+}
+
+/* With skins of at least so much, m. */
+static enum status sort_and_list(struct sph *s, const unsigned char *drop, double least,
+                                 double least_wall) {
   struct sph_particles *f = &s->f;
   size_t n = sph_grid_sort(&s->grid, f->n, f->w.x, f->w.y, drop, f->key, f->order);
   sph_particles_permute(f, n);
@@ -24,59 +53,49 @@ static enum status sort_and_list(struct sph *s, const unsigned char *drop) {
     f->x_listed[i] = f->w.x[i];
     f->y_listed[i] = f->w.y[i];
   }
-  double reach = s->support;
-  TRY(sph_lists_build(&s->water_water, n, f->w.x, f->w.y, &s->grid, f->w.x, f->w.y,
-                      reach + s->skin));
-  TRY(s->wall->list(s));
-  TRY(sph_lists_build(&s->water_wall, n, f->w.x, f->w.y, &s->w.grid, s->w.x, s->w.y,
-                      reach + (s->wall->moving ? s->skin : s->skin / 2)));
+  sph_drift_measure(s, longer_step * s->dt);
+  s->skin = fmin(fmax(fmax(usual_skin * s->dx, least), 1.1 * s->drift.touching),
+                 widest_skin * s->dx);
+  TRY(sph_lists_build(&s->water_water, n, f->w.x, f->w.y, &s->grid, f->w.x, f->w.y, 0,
+                      s->support + s->skin));
   s->rebuilds++;
+  return list_walls(s, least_wall);
+}
+
+/* A particle that leaves the straight way by this much, m, may still be listed. */
+static double slack(const struct sph *s) {
+  return fmin(sph_drift_left(s) / 2, wall_reserve(s) - s->drift.walls);
+}
+
+bool sph_lists_hold(const struct sph *s, double elapsed) {
+  const struct sph_particles *f = &s->f;
+  if (elapsed > s->drift.ahead)
+    return sph_drift_since_sorted(s) <= s->skin / 2 && sph_drift_at_walls(s, 0) <= wall_reserve(s);
+  double off2 = 0;
+#pragma omp parallel for simd schedule(static) reduction(max : off2)
+  for (size_t i = 0; i < f->n; i++) {
+    const double x = f->w.x[i] - (f->w0.x[i] + elapsed * f->w0.u[i]);
+    const double y = f->w.y[i] - (f->w0.y[i] + elapsed * f->w0.v[i]);
+    off2 = larger(x * x + y * y, off2);
+  }
+  return sqrt(off2) <= slack(s);
+}
+
+/* Lists made for water that went farther are made anew when half as wide would do. */
+enum status sph_neighbours_update(struct sph *s) {
+  sph_drift_measure(s, longer_step * s->dt);
+  const double left = sph_drift_left(s);
+  const bool wide = s->skin > 2 * usual_skin * s->dx && left > s->skin / 2 && !s->again;
+  if (left < 0 || wide) return sort_and_list(s, NULL, 0, 0);
+  s->drift.walls = sph_drift_at_walls(s, s->drift.ahead);
+  if (s->drift.walls > wall_reserve(s)) return list_walls(s, 0);
   return OK;
 }
 
-/* How far the water has gone since the lists were built (m), and how far in the next step, if it is
- * as long as the last. */
-struct ways {
-  double gone, going; /* each the longest of all */
-  double both;        /* the longest sum */
-};
-
-static struct ways ways_of(const struct sph *s) {
-  const struct sph_particles *f = &s->f;
-  double gone = 0, fastest = 0, both = 0, dt = s->dt;
-#pragma omp parallel for simd schedule(static) reduction(max : gone, fastest, both)
-  for (size_t i = 0; i < f->n; i++) {
-    double x = f->w.x[i] - f->x_listed[i], y = f->w.y[i] - f->y_listed[i];
-    double way = sqrt(x * x + y * y);
-    double speed = sqrt(f->w.u[i] * f->w.u[i] + f->w.v[i] * f->w.v[i]);
-    gone = fmax(gone, way);
-    fastest = fmax(fastest, speed);
-    both = fmax(both, way + 1.1 * dt * speed); /* a step may be longer, and its stages faster */
-  }
-  return (struct ways){gone, fastest * dt, both};
-}
-
-/* Wider for water that goes far in a step; not without end, since a kicked particle may be faster
- * than the last step allows for. */
-static double skin_for(const struct sph *s, const struct ways *w) {
-  return fmin(fmax(skin_width * s->dx, 2.4 * w->going), widest_skin * s->dx);
-}
-
-bool sph_lists_hold(const struct sph *s) {
-  return ways_of(s).gone <= s->skin / 2;
-}
-
-enum status sph_neighbours_update(struct sph *s) {
-  const struct ways w = ways_of(s);
-  double skin = skin_for(s, &w);
-  if (w.both <= s->skin / 2 && s->skin <= 2 * skin) return OK;
-  s->skin = skin;
-  return sort_and_list(s, NULL);
-}
-
 enum status sph_neighbours_widen(struct sph *s) {
-  s->skin = fmin(2 * fmax(s->skin, skin_width * s->dx), widest_skin * s->dx);
-  return sort_and_list(s, NULL);
+  s->again = true;
+  return sort_and_list(s, NULL, 2 * fmax(s->skin, usual_skin * s->dx),
+                       2 * fmax(s->wall_skin, usual_wall_skin * s->dx));
 }
 
 /* Water that cannot come back: below the top of the wall that it has passed over, or beyond the
@@ -103,7 +122,7 @@ enum status sph_remove_outside(struct sph *s) {
   CHECK(drop, ERR_MEMORY, "no memory for %zu particles", s->f.n);
   for (size_t i = 0; i < s->f.n; i++)
     if ((drop[i] = is_gone(s, i))) book_removal(s, i);
-  enum status status = sort_and_list(s, drop);
+  enum status status = sort_and_list(s, drop, 0, 0);
   free(drop);
   CHECK(status != OK || s->f.n > 0, ERR_DIVERGED,
         "no water is left in the tank at t = %g s (%.3g m^2 went over the walls, %.3g m^2 through "
@@ -127,14 +146,16 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   s->dx = c->H / resolution;
   s->h = o->h_over_dx * s->dx;
   s->support = kernel_support((enum sph_kernel)o->kernel) * s->h;
-  s->skin = skin_width * s->dx;
+  s->skin = usual_skin * s->dx;
+  s->wall_skin = usual_wall_skin * s->dx;
   s->tank = tank_of(&c->walls);
   ATTEMPT(sph_initial_fill(s, c));
   ATTEMPT(sph_allocate(s->f.room, sizeof *s->pack, &s->pack));
   ATTEMPT(sph_allocate(s->f.room / SPH_LANES, sizeof *s->cluster_totals, &s->cluster_totals));
   ATTEMPT(sph_grid_create(&s->grid, &s->tank.box, s->dx));
+  ATTEMPT(sph_drift_create(&s->drift, &s->grid, s->support));
   ATTEMPT(sph_wall_create(s, &c->walls));
-  ATTEMPT(sort_and_list(s, NULL));
+  ATTEMPT(sort_and_list(s, NULL, 0, 0));
 done:
   if (status != OK) {
     sph_destroy(s);
@@ -151,6 +172,7 @@ void sph_destroy(struct sph *s) {
   free(s->pack);
   free(s->cluster_totals);
   sph_grid_destroy(&s->grid);
+  sph_drift_destroy(&s->drift);
   sph_lists_destroy(&s->water_water);
   sph_lists_destroy(&s->water_wall);
   free(s);

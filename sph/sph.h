@@ -11,6 +11,7 @@
 #include "common/base/geometry.h"
 #include "common/base/status.h"
 #include "common/tank/tank.h"
+#include "sph/fluid/drift.h"
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"
 #include "sph/scheme.h"
@@ -61,7 +62,7 @@ struct sph {
   struct tank tank;
 
   double t, dt; /* s; of the last step */
-  size_t steps, evaluations, rebuilds, reflections;
+  size_t steps, evaluations, rebuilds, wall_rebuilds, reflections;
   struct sph_budget budget;
   struct sph_totals totals; /* of the last evaluation */
   struct sph_seen seen;
@@ -75,8 +76,11 @@ struct sph {
 
   struct sph_grid grid; /* of the water */
   struct sph_lists water_water, water_wall;
-  double skin; /* m: lists reach the support + skin, and hold until some particle has moved skin/2;
-                     wider where the water goes farther in a step */
+  /* m: lists reach so much farther than the support (drift.h). Both are wider where the water goes
+   * farther in a step. */
+  double skin, wall_skin;
+  bool again; /* a step has started again: the lists are to stay as wide as they are */
+  struct sph_drift drift;
 };
 
 /* Makes the state of the case's water at t = 0, walls and neighbour lists included. */
@@ -84,12 +88,12 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
                        struct sph **out);
 void sph_destroy(struct sph *s); /* NULL is fine */
 
-/* Between steps: builds the neighbour lists anew when they may not hold for another step like the
- * last; the particles are then sorted, so their places change. */
+/* Between steps: builds the neighbour lists anew that may not hold for another step like the last.
+ * When those of the water are, the particles are sorted, so that their places change. */
 enum status sph_neighbours_update(struct sph *s);
 
-/* Whether every particle is still where the lists count with it. */
-bool sph_lists_hold(const struct sph *s);
+/* Within a step, `elapsed` (s) after the state s->f.w0: whether the lists still hold. */
+bool sph_lists_hold(const struct sph *s, double elapsed);
 
 /* Sorts, and builds lists that hold for ways twice as long as the last ones. */
 enum status sph_neighbours_widen(struct sph *s);

@@ -109,7 +109,7 @@ done:
 static enum status ghosts_list(struct sph *s) {
   struct ghosts *g = s->w.data;
   return sph_lists_build(&g->lists, s->w.n, g->x, g->y, &s->grid, s->f.w.x, s->f.w.y,
-                         s->support + s->skin / 2);
+                         sph_drift_since_sorted(s), s->support + s->wall_skin);
 }
 
 static void fill_cluster(struct sph *s, size_t cluster) {

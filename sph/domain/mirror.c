@@ -23,7 +23,7 @@ enum { MAX_IMAGES = 5 }; /* of one particle: both sides, the bed, both corners *
 static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
   (void)walls;
   TRY(sph_allocate(1, sizeof(struct mirror), &s->w.data));
-  double reach = s->support + s->skin;
+  double reach = s->support + s->wall_skin;
   struct geo_box box = tank_around(&s->tank, reach);
   return sph_grid_create(&s->w.grid, &box, s->dx);
 }
@@ -73,7 +73,7 @@ static size_t images_of(const struct sph *s, uint32_t i, double reach,
   if (bed) out[n++] = (struct image){i, 0, 2 * t->box.min[1], 1, -1};
   for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) {
     double wall = tank_wall(t, side);
-    if (y >= t->top[side] + s->skin || tank_inside(t, side, x) >= reach) continue;
+    if (y >= t->top[side] + s->wall_skin || tank_inside(t, side, x) >= reach) continue;
     out[n++] = (struct image){i, 2 * wall, 0, -1, 1};
     if (bed) out[n++] = (struct image){i, 2 * wall, 2 * t->box.min[1], -1, -1};
   }
@@ -85,7 +85,7 @@ static size_t images_of(const struct sph *s, uint32_t i, double reach,
  * wall and along it. */
 static enum status mirror_list(struct sph *s) {
   struct mirror *m = s->w.data;
-  const double reach = s->support + s->skin;
+  const double reach = s->support + s->wall_skin;
   struct image images[MAX_IMAGES];
   size_t n = 0;
   for (size_t i = 0; i < s->f.n; i++) n += images_of(s, (uint32_t)i, reach, images);

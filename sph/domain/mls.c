@@ -15,7 +15,7 @@ static void centre(double per_w, double x, double y, double *q, double *qx, doub
 
 /* At one point, in units of h, c0 and rho0, less the velocity and pressure of the first source. */
 static void fit_plane(struct sph_fit_sums *a, int l, double farthest2, struct sph_mls *fit) {
-  const double per_w = 1 / fmax(a->w[l], 1e-30);
+  const double per_w = 1 / larger(a->w[l], 1e-30);
   const double x = a->x[l] * per_w, y = a->y[l] * per_w;
   const double xx = a->xx[l] * per_w - x * x, xy = a->xy[l] * per_w - x * y;
   const double yy = a->yy[l] * per_w - y * y, spread = smallest_spread;
@@ -28,13 +28,13 @@ static void fit_plane(struct sph_fit_sums *a, int l, double farthest2, struct sp
   moments_solve(xx, xy, yy, spread, a->vx[l], a->vy[l], &vx, &vy);
   moments_solve(xx, xy, yy, spread, a->px[l], a->py[l], &px, &py);
   const double d2 = (qx * x + qy * y) / farthest2, u = a->u[l], v = a->v[l];
-  const double variance = fmax(a->speed2[l] * per_w - u * u - v * v, 1e-30);
+  const double variance = larger(a->speed2[l] * per_w - u * u - v * v, 1e-30);
   const double explained = ux * a->ux[l] + uy * a->uy[l] + vx * a->vx[l] + vy * a->vy[l];
-  const double noise = fmax(1 - explained / variance, 0); /* 1 - R^2 */
-  const double reach = 1 / sqrt(fmax(d2 * noise, 1));
+  const double noise = larger(1 - explained / variance, 0); /* 1 - R^2 */
+  const double reach = 1 / sqrt(larger(d2 * noise, 1));
   fit->u[l] = u - reach * (ux * x + uy * y);
   fit->v[l] = v - reach * (vx * x + vy * y);
-  fit->p[l] = a->p[l] - (px * x + py * y) / sqrt(fmax(d2, 1));
+  fit->p[l] = a->p[l] - (px * x + py * y) / sqrt(larger(d2, 1));
   fit->px[l] = px;
   fit->py[l] = py;
 }

@@ -36,7 +36,7 @@ void sph_grid_destroy(struct sph_grid *g) {
 }
 
 static size_t clamp_cell(double at, size_t n) {
-  return (size_t)fmin(fmax(at, 0), (double)(n - 1)); /* fmax(NaN, 0) is 0 */
+  return (size_t)smaller(larger(at, 0), (double)(n - 1)); /* larger(NaN, 0) is 0 */
 }
 
 static size_t column_of(const struct sph_grid *g, double x) {
@@ -80,10 +80,10 @@ static struct cluster cluster_of(const double *x, const double *y, size_t i, siz
   struct cluster c = {x[i], y[i], x[i], x[i], y[i], y[i], {{0}}, {{0}}};
   for (size_t l = 0; l < SPH_LANES; l++) {
     const size_t at = i + l < n ? i + l : i;
-    c.left = fmin(c.left, x[at]);
-    c.right = fmax(c.right, x[at]);
-    c.low = fmin(c.low, y[at]);
-    c.high = fmax(c.high, y[at]);
+    c.left = smaller(x[at], c.left);
+    c.right = larger(x[at], c.right);
+    c.low = smaller(y[at], c.low);
+    c.high = larger(y[at], c.high);
     for (size_t k = 0; k < SPH_SOURCES; k++) {
       const size_t element = l % SPH_TARGETS * SPH_SOURCES + k;
       c.x[l / SPH_TARGETS][element] = (real)(x[at] - c.x0);
@@ -127,10 +127,11 @@ static enum status append(struct sph_chunk *k, size_t *n, size_t from, size_t to
 
 static enum status build_cluster(struct sph_chunk *k, size_t *n, const struct cluster *t,
                                  const struct sph_grid *g, const double *xs, const double *ys,
-                                 double reach) {
-  const size_t bin0 = bin_of(g, t->low - reach), bin1 = bin_of(g, t->high + reach);
-  const size_t last = column_of(g, t->right + reach);
-  for (size_t c = column_of(g, t->left - reach); c <= last; c++) {
+                                 double drift, double reach) {
+  const double far = reach + drift;
+  const size_t bin0 = bin_of(g, t->low - far), bin1 = bin_of(g, t->high + far);
+  const size_t last = column_of(g, t->right + far);
+  for (size_t c = column_of(g, t->left - far); c <= last; c++) {
     size_t a = cell_of(g, c, bin0), b = cell_of(g, c, bin1);
     size_t from = g->start[a < b ? a : b], to = g->start[(a < b ? b : a) + 1];
     if (from < to) TRY(append(k, n, from, to, t, xs, ys, reach));
@@ -140,7 +141,7 @@ static enum status build_cluster(struct sph_chunk *k, size_t *n, const struct cl
 
 static enum status build_chunk(struct sph_lists *l, size_t chunk, size_t n, const double *x,
                                const double *y, const struct sph_grid *g, const double *xs,
-                               const double *ys, double reach) {
+                               const double *ys, double drift, double reach) {
   struct sph_chunk *k = &l->chunks[chunk];
   size_t at = 0;
   for (size_t c = 0; c < SPH_CHUNK; c++) {
@@ -148,7 +149,7 @@ static enum status build_chunk(struct sph_lists *l, size_t chunk, size_t n, cons
     k->first[c] = (uint32_t)at;
     if (i >= n) continue;
     const struct cluster t = cluster_of(x, y, i, n);
-    TRY(build_cluster(k, &at, &t, g, xs, ys, reach));
+    TRY(build_cluster(k, &at, &t, g, xs, ys, drift, reach));
   }
   k->first[SPH_CHUNK] = (uint32_t)at;
   return OK;
@@ -156,7 +157,7 @@ static enum status build_chunk(struct sph_lists *l, size_t chunk, size_t n, cons
 
 enum status sph_lists_build(struct sph_lists *l, size_t n, const double *x, const double *y,
                             const struct sph_grid *g, const double *xs, const double *ys,
-                            double reach) {
+                            double drift, double reach) {
   l->n_clusters = (n + SPH_LANES - 1) / SPH_LANES;
   l->n_chunks = (l->n_clusters + SPH_CHUNK - 1) / SPH_CHUNK;
   if (l->n_chunks > l->chunk_room) {
@@ -169,7 +170,7 @@ enum status sph_lists_build(struct sph_lists *l, size_t n, const double *x, cons
   int failed = 0;
 #pragma omp parallel for schedule(dynamic) reduction(| : failed)
   for (size_t c = 0; c < l->n_chunks; c++)
-    failed |= build_chunk(l, c, n, x, y, g, xs, ys, reach) != OK;
+    failed |= build_chunk(l, c, n, x, y, g, xs, ys, drift, reach) != OK;
   CHECK(!failed, ERR_MEMORY, "no memory for the neighbour lists");
   return OK;
 }

@@ -39,10 +39,11 @@ void sph_grid_destroy(struct sph_grid *g);
 size_t sph_grid_sort(struct sph_grid *g, size_t n, const double *x, const double *y,
                      const unsigned char *drop, uint32_t *key, uint32_t *order);
 
-/* Lists of the sources (sorted by g, at xs, ys) within `reach` of the clusters of the n targets. */
+/* Lists of the sources within `reach` of the clusters of the n targets. The sources are at xs, ys
+ * and have moved by up to `drift` since they were sorted by g. */
 enum status sph_lists_build(struct sph_lists *l, size_t n, const double *x, const double *y,
                             const struct sph_grid *g, const double *xs, const double *ys,
-                            double reach);
+                            double drift, double reach);
 void sph_lists_destroy(struct sph_lists *l);
 
 /* The sources of one cluster. */

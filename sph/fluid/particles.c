@@ -18,7 +18,7 @@ void *sph_memory(size_t n, size_t size) {
 
 /* Every array of doubles, in one list; first those that a particle carries with it from step to
  * step. */
-enum { CARRIED = 5 + 2, MAX_ARRAYS = CARRIED + 5 * (1 + SPH_MAX_STAGES) + 5 };
+enum { CARRIED = 5 + 2, MAX_ARRAYS = CARRIED + 5 * (1 + SPH_MAX_STAGES) + 7 };
 
 static size_t arrays(struct sph_particles *p, double **list[MAX_ARRAYS]) {
   size_t n = 0;
@@ -39,6 +39,8 @@ static size_t arrays(struct sph_particles *p, double **list[MAX_ARRAYS]) {
   list[n++] = &p->D;
   list[n++] = &p->x_listed;
   list[n++] = &p->y_listed;
+  list[n++] = &p->x_walls;
+  list[n++] = &p->y_walls;
   list[n++] = &p->scratch;
   return n;
 }

@@ -27,7 +27,8 @@ struct sph_particles {
   double *p;                          /* pressure of an evaluation, Pa (sph_pack_water) */
   double *over; /* 1 for water that has passed over the top of a wall, else 0; [n] */
   double *D;    /* delta h c0 D_i, kg m^-3 s^-1: kept where an integrator freezes it */
-  double *x_listed, *y_listed; /* where the particles were when the lists were built, m */
+  double *x_listed, *y_listed; /* where the particles were when they were sorted, m */
+  double *x_walls, *y_walls;   /* ... when the walls were listed, m */
   double *scratch;
   uint32_t *order, *key; /* scratch of the sort */
 };

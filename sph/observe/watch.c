@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "sph/hot.h"
 #include "sph/time/timestep.h"
 
 static enum status find_culprit(const struct sph *s) {
@@ -54,6 +55,7 @@ enum status sph_watch_write(const struct sph *s, struct result *result) {
       {"steps", (double)s->steps, "1", "time steps"},
       {"evaluations", (double)s->evaluations, "1", "evaluations of the right-hand side"},
       {"rebuilds", (double)s->rebuilds, "1", "times the neighbour lists were built"},
+      {"wall_rebuilds", (double)s->wall_rebuilds, "1", "times those of the walls were built"},
       {"reflections", (double)s->reflections, "1",
        "times a particle that had crossed a wall was reflected"},
       {"particles", (double)s->f.n, "1", "particles of water at the end"},

@@ -9,8 +9,8 @@
 SPECIALISE void moments_solve(double xx, double xy, double yy, double floor, double bx, double by,
                               double *gx, double *gy) {
   double half = 0.5 * (xx + yy), d = 0.5 * (xx - yy);
-  double smaller = half - sqrt(d * d + xy * xy);
-  double lift = fmax(floor - smaller, 0);
+  double least = half - sqrt(d * d + xy * xy);
+  double lift = larger(floor - least, 0);
   xx += lift;
   yy += lift;
   double per_det = 1 / (xx * yy - xy * xy);

@@ -102,8 +102,8 @@ static struct sph_totals totals_of(const struct sph *s, size_t at, const struct 
     t.viscosity -= m * (u * e->drag_x[l] + v * e->drag_y[l]);
     t.diffusion -= pV / rho * e->D[l];
     t.walls -= m * (u * e->wall_x[l] + v * e->wall_y[l]) - pV * e->wall_div[l];
-    acceleration2 = fmax(acceleration2, e->ax[l] * e->ax[l] + e->ay[l] * e->ay[l]);
-    speed = fmax(speed, sqrt(u * u + v * v) + s->c0 * fmax(a->pi_most[l], b->pi_most[l]));
+    acceleration2 = larger(e->ax[l] * e->ax[l] + e->ay[l] * e->ay[l], acceleration2);
+    speed = larger(sqrt(u * u + v * v) + s->c0 * larger(a->pi_most[l], b->pi_most[l]), speed);
   }
   t.acceleration2 = acceleration2;
   t.speed = speed;

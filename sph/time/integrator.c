@@ -81,6 +81,7 @@ enum status sph_step(struct sph *s, double dt) {
     held = true;
     TRY(method->step(s, method, dt, &spent, &held));
   }
+  s->again = false;
   s->budget.viscosity += spent.viscosity;
   s->budget.diffusion += spent.diffusion;
   s->budget.walls += spent.walls;

@@ -64,7 +64,9 @@ static enum status rk_step(struct sph *s, const struct sph_integrator *method, d
   spend(spent, table->b[0] * dt, &s->totals);
   for (int r = 1; r < table->stages; r++) {
     set_state(s, table->a[r], r, dt);
-    *held = sph_lists_hold(s);
+    double elapsed = 0; /* of the stage, over dt */
+    for (int l = 0; l < r; l++) elapsed += table->a[r][l];
+    *held = sph_lists_hold(s, elapsed * dt);
     if (!*held) return OK;
     TRY(sph_rates(s, r, !method->frozen, false));
     spend(spent, table->b[r] * dt, &s->totals);
