@@ -33,8 +33,8 @@ static enum status list_walls(struct sph *s, double least) {
   }
   s->wall_skin = fmin(fmax(usual_wall_skin * s->dx, least), widest_skin * s->dx);
   s->drift.walls = sph_drift_at_walls(s, s->drift.ahead);
-  s->wall_skin = fmin(fmax(s->wall_skin, (s->wall->moving ? 2.2 : 1.1) * s->drift.walls),
-                      widest_skin * s->dx);
+  s->wall_skin =
+      fmin(fmax(s->wall_skin, (s->wall->moving ? 2.2 : 1.1) * s->drift.walls), widest_skin * s->dx);
   TRY(s->wall->list(s));
   TRY(sph_lists_build(&s->water_wall, f->n, f->w.x, f->w.y, &s->w.grid, s->w.x, s->w.y, 0,
                       s->support + s->wall_skin));
@@ -54,8 +54,8 @@ static enum status sort_and_list(struct sph *s, const unsigned char *drop, doubl
     f->y_listed[i] = f->w.y[i];
   }
   sph_drift_measure(s, longer_step * s->dt);
-  s->skin = fmin(fmax(fmax(usual_skin * s->dx, least), 1.1 * s->drift.touching),
-                 widest_skin * s->dx);
+  s->skin =
+      fmin(fmax(fmax(usual_skin * s->dx, least), 1.1 * s->drift.touching), widest_skin * s->dx);
   TRY(sph_lists_build(&s->water_water, n, f->w.x, f->w.y, &s->grid, f->w.x, f->w.y, 0,
                       s->support + s->skin));
   s->rebuilds++;

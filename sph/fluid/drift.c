@@ -83,8 +83,8 @@ void sph_drift_measure(struct sph *s, double ahead) {
       touching = fmax(touching, diagonal_around(d, bx, by, 1));
       near = fmax(near, diagonal_around(d, bx, by, 2));
       for (int k = 0; k < 4; k += 2)
-        most = fmax(most, 2 * hypot(fmax(b->high[k], -b->low[k]),
-                                    fmax(b->high[k + 1], -b->low[k + 1])));
+        most = fmax(most,
+                    2 * hypot(fmax(b->high[k], -b->low[k]), fmax(b->high[k + 1], -b->low[k + 1])));
     }
   d->touching = touching;
   d->near = near;

@@ -4,9 +4,9 @@
  *
  * The tank is divided into blocks, a few cells of the grid each. What any two particles of blocks
  * that touch have moved against each other is at most the diagonal of the box around all their
- * displacements; so for blocks with one between; and for all others twice the longest way. The boxes
- * are taken where the water is, and where it will be after some time at its present velocity: in
- * between, on a straight way, a pair has moved by no more than the larger of the two. */
+ * displacements; so for blocks with one between; and for all others twice the longest way. The
+ * boxes are taken where the water is, and where it will be after some time at its present velocity:
+ * in between, on a straight way, a pair has moved by no more than the larger of the two. */
 #pragma once
 #include <stddef.h>
 

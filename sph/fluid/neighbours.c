@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SPH_SINGLE /* is enough for a search: distances are counted from the cluster, and rounded up */
+#define SPH_SINGLE    /* is enough for a search: distances are counted from the cluster, and rounded \
+                         up */
 #include "sph/pair/vec.h"
 
 static const double rounding = 1 + 1e-5; /* of squares in single precision, and more */

@@ -2,8 +2,8 @@
  *
  * The gradient at i is grad_i W_ij = slope(q^2) (r_j - r_i), q = |r_ij|/h, slope > 0: it points
  * from i to j, and a kernel that is a function of q^2 needs no square root. Lengths are in units of
- * h here. slope() and value() leave out constant factors, which the *_scale() give: they are applied
- * once for each particle. */
+ * h here. slope() and value() leave out constant factors, which the *_scale() give: they are
+ * applied once for each particle. */
 #pragma once
 #include "sph/family.h"
 #include "sph/pair/vec.h"
@@ -61,8 +61,8 @@ SPECIALISE double kernel_value_scale(enum sph_kernel k) {
   __builtin_unreachable();
 }
 
-/* Pairs count below this q^2. A square lattice with h/dx = 4/3 has neighbours exactly on the edge of
- * a support of 3h; the last factor keeps them out whatever the rounding. */
+/* Pairs count below this q^2. A square lattice with h/dx = 4/3 has neighbours exactly on the edge
+ * of a support of 3h; the last factor keeps them out whatever the rounding. */
 SPECIALISE real kernel_cutoff2(enum sph_kernel k) {
   const double margin = sizeof(real) == sizeof(double) ? 1e-10 : 4e-6;
   return (real)(kernel_support(k) * kernel_support(k) * (1 - margin));

@@ -10,34 +10,36 @@
 struct turn {
   real x[SPH_SOURCES], y[SPH_SOURCES], u[SPH_SOURCES], v[SPH_SOURCES];
   real p[SPH_SOURCES], V[SPH_SOURCES], Gx[SPH_SOURCES], Gy[SPH_SOURCES];
-};
+} __attribute__((aligned(32)));
 
-/* Half of a struct sph_pack; and as real numbers. */
-typedef double half __attribute__((vector_size(32), may_alias));
-typedef real real_half __attribute__((vector_size(4 * sizeof(real)), may_alias));
-enum { HALVES = sizeof(struct sph_pack) / sizeof(half), PACKED = 4 * HALVES };
+/* A struct sph_pack, a register at a time; and the same as real numbers. */
+enum { PIECE = SPH_VEC_BYTES > 32 ? SPH_VEC_BYTES : 32, IN_PIECE = PIECE / (int)sizeof(double) };
+typedef double piece __attribute__((vector_size(PIECE), may_alias));
+typedef real real_piece __attribute__((vector_size(IN_PIECE * sizeof(real)), may_alias));
+enum { PACKED = sizeof(struct sph_pack) / sizeof(double) };
 _Static_assert(sizeof(struct turn) == PACKED * SPH_SOURCES * sizeof(real), "a turn is packs");
 
 /* Where the numbers of a cluster are counted from, and in what: as a struct sph_pack. */
+enum { X, Y, U, V, P, VOLUME, GX, GY };
 struct frame {
-  half origin[HALVES], unit[HALVES];
-};
+  double origin[PACKED], unit[PACKED];
+} __attribute__((aligned(64)));
 
 static struct frame frame_of(const struct sph *s, double x, double y, double u, double v,
                              double p) {
   const double h = 1 / s->h, c = 1 / s->c0, pressure = c * c / s->rho0;
-  return (struct frame){{{x, y, u, v}, {p, 0, 0, 0}},
-                        {{h, h, c, c}, {pressure, h * h, s->h * pressure, s->h * pressure}}};
+  return (struct frame){{x, y, u, v, p, 0, 0, 0},
+                        {h, h, c, c, pressure, h * h, s->h * pressure, s->h * pressure}};
 }
 
 /* Sources that are in flight between memory and registers: some KB, in the nearest cache. */
 enum { BLOCK = 64 };
 
 SPECIALISE void convert(const struct frame *f, const struct sph_near *near, size_t k, real *out) {
-  const half *a = (const half *)&near->pack[near->list[k]];
-  for (int q = 0; q < HALVES; q++)
-    ((real_half *)out)[q] =
-        __builtin_convertvector((a[q] - f->origin[q]) * f->unit[q], real_half);
+  const piece *a = (const piece *)&near->pack[near->list[k]];
+  const piece *origin = (const piece *)f->origin, *unit = (const piece *)f->unit;
+  for (int q = 0; q < PACKED / IN_PIECE; q++)
+    ((real_piece *)out)[q] = __builtin_convertvector((a[q] - origin[q]) * unit[q], real_piece);
 }
 
 /* The sources from `from` on, as many as there is room for; returns the turns. A source that misses
@@ -52,13 +54,9 @@ SPECIALISE size_t gather(const struct frame *of, const struct sph_near *near, si
   }
   for (size_t k = 0; k < n; k += SPH_SOURCES) {
     real source[2][PACKED] __attribute__((aligned(64)));
-    real *out = block[k / SPH_SOURCES].x;
     convert(&f, near, from + k, source[0]);
     convert(&f, near, from + (k + 1 < n ? k + 1 : k), source[1]);
-    for (int q = 0; q < PACKED; q++) {
-      out[SPH_SOURCES * q] = source[0][q];
-      out[SPH_SOURCES * q + SPH_SOURCES - 1] = source[1][q];
-    }
+    vec_interleave(source[0], source[1], block[k / SPH_SOURCES].x);
   }
   if (n % SPH_SOURCES) block[n / SPH_SOURCES].V[SPH_SOURCES - 1] = 0;
   return (n + SPH_SOURCES - 1) / SPH_SOURCES;
@@ -99,17 +97,17 @@ SPECIALISE void set_lip(struct targets *i, const struct sph_lip *lip, const stru
                         int part) {
   if (!lip) return;
   i->lip = true;
-  i->wall = spread(lip->wall, part, f->origin[0][0], f->unit[0][0]);
-  i->top = spread(lip->top, part, f->origin[0][1], f->unit[0][1]);
+  i->wall = spread(lip->wall, part, f->origin[X], f->unit[X]);
+  i->top = spread(lip->top, part, f->origin[Y], f->unit[Y]);
   i->outwards = spread(lip->outwards, part, 0, 1);
-  i->rise = spread(lip->rise, part, 0, f->unit[0][0]);
-  i->inside = spread(lip->inside, part, 0, f->unit[0][0]);
+  i->rise = spread(lip->rise, part, 0, f->unit[X]);
+  i->inside = spread(lip->inside, part, 0, f->unit[X]);
 }
 
 SPECIALISE void set_places(struct targets *i, const struct sph_targets *of, const struct frame *f,
                            int part) {
-  i->x = spread(of->x, part, f->origin[0][0], f->unit[0][0]);
-  i->y = spread(of->y, part, f->origin[0][1], f->unit[0][1]);
+  i->x = spread(of->x, part, f->origin[X], f->unit[X]);
+  i->y = spread(of->y, part, f->origin[Y], f->unit[Y]);
 }
 
 /* q^2, or beyond the support where a target does not see the wall particle. */
@@ -198,12 +196,12 @@ SPECIALISE void choose_rates(struct rates_choice o, const struct targets *i,
     add_rates(o, i, block, n, sums);                                                               \
     return;                                                                                        \
   }
-#define X(name, help)                                                                              \
+#define CASE(name, help)                                                                           \
   case SPH_DIFFUSION_##name:                                                                       \
     o.diffusion = SPH_DIFFUSION_##name;                                                            \
     ONE(true, true) ONE(true, false) ONE(false, true) ONE(false, false) break;
-  switch (o.diffusion) { SPH_DIFFUSIONS(X) }
-#undef X
+  switch (o.diffusion) { SPH_DIFFUSIONS(CASE) }
+#undef CASE
 #undef ONE
 }
 
@@ -224,11 +222,11 @@ SPECIALISE void sum_rates(enum sph_kernel kernel, const struct sph *s,
   for (int part = 0; part < SPH_PARTS; part++) {
     set_places(&i[part], of, &f, part);
     set_lip(&i[part], near->lip, &f, part);
-    i[part].u = spread(of->u, part, f.origin[0][2], f.unit[0][2]);
-    i[part].v = spread(of->v, part, f.origin[0][3], f.unit[0][3]);
-    i[part].p = spread(of->p, part, f.origin[1][0], f.unit[1][0]);
-    i[part].Gx = spread(of->Gx, part, 0, f.unit[1][2]);
-    i[part].Gy = spread(of->Gy, part, 0, f.unit[1][3]);
+    i[part].u = spread(of->u, part, f.origin[U], f.unit[U]);
+    i[part].v = spread(of->v, part, f.origin[V], f.unit[V]);
+    i[part].p = spread(of->p, part, f.origin[P], f.unit[P]);
+    i[part].Gx = spread(of->Gx, part, 0, f.unit[GX]);
+    i[part].Gy = spread(of->Gy, part, 0, f.unit[GY]);
   }
   struct turn block[BLOCK / SPH_SOURCES];
   for (size_t from = 0; from < near->n; from += BLOCK) {
@@ -278,7 +276,7 @@ SPECIALISE void sum_gradient(enum sph_kernel kernel, const struct sph *s,
   for (int part = 0; part < SPH_PARTS; part++) {
     set_places(&i[part], of, &f, part);
     set_lip(&i[part], near->lip, &f, part);
-    i[part].p = spread(of->p, part, f.origin[1][0], f.unit[1][0]);
+    i[part].p = spread(of->p, part, f.origin[P], f.unit[P]);
   }
   struct turn block[BLOCK / SPH_SOURCES];
   for (size_t from = 0; from < near->n; from += BLOCK) {
@@ -342,13 +340,16 @@ SPECIALISE void sum_fit(enum sph_kernel kernel, const struct sph *s, const struc
     for (int part = 0; part < SPH_PARTS; part++) add_fit(kernel, &i[part], block, n, &a[part]);
   }
   for (int part = 0; part < SPH_PARTS; part++) {
-#define X(q) collect(sums->q, part, a[part].q);
-    X(w) X(x) X(y) X(xx) X(xy) X(yy) X(p) X(px) X(py) X(u) X(ux) X(uy) X(v) X(vx) X(vy) X(speed2)
-#undef X
+#define SUM(q) collect(sums->q, part, a[part].q);
+    SUM(w)
+    SUM(x) SUM(y) SUM(xx) SUM(xy) SUM(yy) SUM(p) SUM(px) SUM(py) SUM(u) SUM(ux) SUM(uy) SUM(v)
+        SUM(vx) SUM(vy) SUM(speed2)
+#undef SUM
   }
 }
 
-/* One of each for every kernel ------------------------------------------------------------------ */
+/* One of each for every kernel ------------------------------------------------------------------
+ */
 
 #define LOOPS(k, help)                                                                             \
   static void rates_##k(const struct sph *s, const struct sph_rates_how *how,                      \
@@ -371,7 +372,7 @@ const struct sph_loops sph_loops_single[SPH_KERNEL_COUNT] = {
 #else
 const struct sph_loops sph_loops_double[SPH_KERNEL_COUNT] = {
 #endif
-#define X(k, help) {rates_##k, gradient_##k, fit_##k},
-    SPH_KERNELS(X)
-#undef X
+#define ROW(k, help) {rates_##k, gradient_##k, fit_##k},
+    SPH_KERNELS(ROW)
+#undef ROW
 };

@@ -1,11 +1,11 @@
-/* The pair loops. A cluster of SPH_LANES targets i stands in the lanes of vector registers and meets
- * the sources j of its list; each i sums over its own j and writes only itself, so the bits do not
- * depend on the number of threads.
+/* The pair loops. A cluster of SPH_LANES targets i stands in the lanes of vector registers and
+ * meets the sources j of its list; each i sums over its own j and writes only itself, so the bits
+ * do not depend on the number of threads.
  *
  * Sums are made in the precision of the scheme, and all else is double: what enters a sum is the
- * difference of positions and of velocities, taken in double from a particle of the cluster and then
- * rounded, so that single precision costs about 1e-7 of a pair's contribution wherever the water is
- * and however fast. Within the loops units are h, c0 and rho0. */
+ * difference of positions and of velocities, taken in double from a particle of the cluster and
+ * then rounded, so that single precision costs about 1e-7 of a pair's contribution wherever the
+ * water is and however fast. Within the loops units are h, c0 and rho0. */
 #pragma once
 #include "sph/domain/wall.h"
 #include "sph/pair/diffusion.h"

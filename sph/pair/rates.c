@@ -112,8 +112,8 @@ static struct sph_totals totals_of(const struct sph *s, size_t at, const struct 
 
 static void cluster_rates(struct sph *s, const struct evaluation *how, size_t cluster) {
   const struct sph_loops *loops = sph_loops_of(&s->scheme);
-  const enum sph_diffusion d = how->diffuse ? (enum sph_diffusion)s->scheme.diffusion
-                                            : SPH_DIFFUSION_none;
+  const enum sph_diffusion d =
+      how->diffuse ? (enum sph_diffusion)s->scheme.diffusion : SPH_DIFFUSION_none;
   const size_t at = cluster * SPH_LANES;
   const struct sph_targets i = sph_targets_of(s, cluster);
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);

@@ -63,6 +63,21 @@ SPECIALISE vec vec_sources(const real *a) {
   return (vec)((twos){0} + two);
 }
 
+/* Eight numbers a and eight b, aligned to 64 bytes, in turn: out[2 k] = a[k], out[2 k + 1] = b[k].
+ */
+SPECIALISE void vec_interleave(const real *a, const real *b, real *out) {
+#if defined __AVX512F__ && defined SPH_SINGLE
+  const __m512i place = _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
+  _mm512_storeu_ps(out, _mm512_permutex2var_ps(_mm512_castps256_ps512(_mm256_load_ps(a)), place,
+                                               _mm512_castps256_ps512(_mm256_load_ps(b))));
+#else
+  for (int k = 0; k < 8; k++) {
+    out[2 * k] = a[k];
+    out[2 * k + 1] = b[k];
+  }
+#endif
+}
+
 /* a where x < limit, else 0. */
 SPECIALISE vec vec_where_less(vec a, vec x, vec limit) {
 #if defined __AVX512F__ && defined SPH_SINGLE
@@ -127,8 +142,9 @@ SPECIALISE vec vec_sqrt(vec a) {
 
 /* exp(-s) for s >= 0: 2^(n+f) with n whole and |f| <= 1/2, and for 2^f a polynomial that
  * interpolates at Chebyshev points, of degree 5 (relative error 1.0e-7) or 10 (3e-16); the rounding
- * of s/ln 2 adds up to s times that of a number. Beyond s = 80 the power of two leaves the exponent,
- * and anything may come: the caller throws it away. The build that traps overflows keeps it finite. */
+ * of s/ln 2 adds up to s times that of a number. Beyond s = 80 the power of two leaves the
+ * exponent, and anything may come: the caller throws it away. The build that traps overflows keeps
+ * it finite. */
 SPECIALISE vec vec_exp_minus(vec s) {
 #ifdef PLUNGE_TRAP_FLOATS
   for (int k = 0; k < SPH_REALS; k++) s[k] = s[k] < 80 ? s[k] : 80;

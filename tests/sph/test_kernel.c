@@ -15,8 +15,8 @@ static double slope(enum sph_kernel k, double q) {
   return kernel_slope_scale(k) * kernel_slope(k, vec_of((real)(q * q)))[SPH_REALS - 1];
 }
 
-/* Simpson's rule: the integrand is smooth, 2000 intervals leave an error below 1e-12; the rounding of
- * values that are positive cannot add up to more than their own, a few units. */
+/* Simpson's rule: the integrand is smooth, 2000 intervals leave an error below 1e-12; the rounding
+ * of values that are positive cannot add up to more than their own, a few units. */
 static void test_kernel_integrates_to_one_over_the_plane(void) {
   for (int k = 0; k < SPH_KERNEL_COUNT; k++) {
     const int n = 2000;
@@ -47,7 +47,8 @@ static void test_kernel_vanishes_at_the_edge_of_its_support(void) {
     EXPECT_NEAR(value((enum sph_kernel)k, kernel_support((enum sph_kernel)k)), 0, eps);
 }
 
-/* What vec.h states: the polynomial's error, s times the rounding of s/ln 2, and the last operations. */
+/* What vec.h states: the polynomial's error, s times the rounding of s/ln 2, and the last
+ * operations. */
 static void test_exponential_is_as_accurate_as_its_numbers(void) {
   double worst = 0, polynomial = sizeof(real) == sizeof(double) ? 3e-16 : 1.02e-7;
   for (double s = 0; s <= 9; s += 1e-4) {

@@ -8,9 +8,9 @@
 #include "sph/fluid/energy.h"
 #include "sph/observe/watch.h"
 #include "sph/pair/kernel.h"
+#include "sph/pair/loops.h"
 #include "sph/time/integrator.h"
 #include "sph/time/timestep.h"
-#include "sph/pair/loops.h"
 #include "tests/sph/pool.h"
 
 /* A tank filled to the brim. */

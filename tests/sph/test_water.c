@@ -338,7 +338,8 @@ static void test_water_outside_the_tank_is_removed_and_counted(void) {
  * of sums in another order. */
 static void a_step_again_at(const char *walls) {
   char run[100];
-  snprintf(run, sizeof run, "resolution: 12, alpha: 0.01, integrator: rk4-frozen, precision: double, walls: %s",
+  snprintf(run, sizeof run,
+           "resolution: 12, alpha: 0.01, integrator: rk4-frozen, precision: double, walls: %s",
            walls);
   double x[2][1000], rho[2][1000];
   for (int k = 0; k < 2; k++) {
