@@ -12,6 +12,7 @@
 #include "sph/estimate.h"
 #include "sph/observe/output.h"
 #include "sph/observe/watch.h"
+#include "sph/pair/diffusion.h"
 #include "sph/pair/kernel.h"
 #include "sph/pair/rates.h"
 #include "sph/sph.h"
@@ -108,6 +109,12 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  "runs.%s.delta: found '%g'; allowed: 0 to 10, or -1 for the usual one of the "
                  "diffusion; correct it",
                  r->name, o->delta);
+  if (sph_integrators[sph_integrator_chosen(o)]->split &&
+      diffusion_needs_gradient((enum sph_diffusion)o->diffusion))
+    problems_add(problems, case_run_line(r, "integrator"),
+                 "runs.%s.integrator: found '%s' with a diffusion that needs the density gradient, "
+                 "in each of its stages; allowed: any other; take rk4-frozen or leave the line out",
+                 r->name, sph_integrator_names[sph_integrator_chosen(o)]);
   if (!c->rectangular)
     problems_add(
         problems, case_run_line(r, "solver"),

@@ -139,6 +139,7 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   s->scheme = *o;
   s->scheme.delta = sph_scheme_delta(o);
   s->scheme.integrator = sph_integrator_chosen(o);
+  s->split = sph_integrators[s->scheme.integrator]->split;
   s->rho0 = c->density;
   s->seen = (struct sph_seen){.lightest = INFINITY};
   s->c0 = o->c0;

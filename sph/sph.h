@@ -71,6 +71,8 @@ struct sph {
   struct sph_pack *pack;             /* [f.room], owned */
   struct sph_totals *cluster_totals; /* [f.room / SPH_LANES], owned */
 
+  bool split; /* the diffusive term has steps of its own (time/split.c) */
+
   const struct sph_wall *wall;
   struct sph_wall_particles w;
 

@@ -123,7 +123,7 @@ static void fill_cluster(struct sph *s, size_t cluster) {
     i.y[l] = g->y[at + l];
   }
   struct sph_mls f;
-  sph_mls_at(s, farthest2, &i, &near, &f);
+  sph_mls_at(s, sph_loops_of(&s->scheme), farthest2, &i, &near, &f);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
     const double rx = g->rx[at + l], ry = g->ry[at + l];
     const double gravity = -s->g * eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, f.p[l]);

@@ -39,10 +39,10 @@ static void fit_plane(struct sph_fit_sums *a, int l, double farthest2, struct sp
   fit->py[l] = py;
 }
 
-void sph_mls_at(const struct sph *s, double farthest2, const struct sph_targets *i,
-                const struct sph_near *near, struct sph_mls *fit) {
+void sph_mls_at(const struct sph *s, const struct sph_loops *loops, double farthest2,
+                const struct sph_targets *i, const struct sph_near *near, struct sph_mls *fit) {
   struct sph_fit_sums a;
-  sph_loops_of(&s->scheme)->fit(s, i, near, &a);
+  loops->fit(s, i, near, &a);
   const struct sph_pack none = {0}, *first = near->n ? &near->pack[near->list[0]] : &none;
   const double pressure = s->rho0 * s->c0 * s->c0;
   *fit = (struct sph_mls){0};

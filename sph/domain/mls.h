@@ -23,6 +23,6 @@ struct sph_mls {
   double p[SPH_LANES], u[SPH_LANES], v[SPH_LANES], px[SPH_LANES], py[SPH_LANES];
 };
 
-/* At the points of i, whose x and y are enough. */
-void sph_mls_at(const struct sph *s, double farthest2, const struct sph_targets *i,
-                const struct sph_near *near, struct sph_mls *fit);
+/* At the points of i, whose x and y are enough, with sums by these loops. */
+void sph_mls_at(const struct sph *s, const struct sph_loops *loops, double farthest2,
+                const struct sph_targets *i, const struct sph_near *near, struct sph_mls *fit);

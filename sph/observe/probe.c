@@ -37,7 +37,7 @@ static enum status pressure_at(const struct sph *s, const struct sph_targets *at
   ATTEMPT(sph_lists_build(&lists, SPH_LANES, at->x, at->y, &s->grid, s->f.w.x, s->f.w.y,
                           sph_drift_since_sorted(s), s->support));
   const struct sph_near near = sph_near_of(&lists, 0, s->pack);
-  sph_mls_at(s, farthest2, at, &near, &fit);
+  sph_mls_at(s, &sph_loops_double[s->scheme.kernel], farthest2, at, &near, &fit);
   memcpy(p, fit.p, sizeof fit.p);
 done:
   sph_lists_destroy(&lists);

@@ -61,6 +61,17 @@ SPECIALISE double kernel_value_scale(enum sph_kernel k) {
   __builtin_unreachable();
 }
 
+/* Whether the slope, as a function of the distance, has a Fourier transform without negative
+ * values, but for what the cut at the edge of the support leaves out: sum_ij c_i c_j slope_ij >= 0
+ * then, wherever the particles are (Bochner). */
+SPECIALISE bool kernel_is_definite(enum sph_kernel k) {
+  switch (k) {
+  case SPH_KERNEL_gaussian:
+    return true;
+  }
+  __builtin_unreachable();
+}
+
 /* Pairs count below this q^2. A square lattice with h/dx = 4/3 has neighbours exactly on the edge
  * of a support of 3h; the last factor keeps them out whatever the rounding. */
 SPECIALISE real kernel_cutoff2(enum sph_kernel k) {

@@ -292,6 +292,59 @@ SPECIALISE void sum_gradient(enum sph_kernel kernel, const struct sph *s,
   }
 }
 
+/* The diffusion by itself -------------------------------------------------------------------- */
+
+struct diffusion {
+  vec D, weight;
+};
+
+SPECIALISE void add_diffusion(enum sph_kernel kernel, enum sph_diffusion d, const struct targets *i,
+                              const struct turn *block, size_t n, struct diffusion *sums) {
+  struct diffusion a = *sums;
+  const vec cutoff2 = vec_of(kernel_cutoff2(kernel)), zero = {0}, one = vec_of(1);
+  for (const struct turn *j = block; j < block + n; j++) {
+    const struct pair q = pair_with(j, i, cutoff2);
+    const vec e = slope_of(kernel, &q, j, cutoff2), dp = vec_sources(j->p) - i->p;
+    a.D += diffusion_psi(d, dp, q.x, q.y, q.q2, zero, zero) * e;
+    a.weight += diffusion_psi(d, one, q.x, q.y, q.q2, zero, zero) * e;
+  }
+  *sums = a;
+}
+
+SPECIALISE void choose_diffusion(enum sph_kernel kernel, enum sph_diffusion d,
+                                 const struct targets *i, const struct turn *block, size_t n,
+                                 struct diffusion *sums) {
+#define CASE(name, help)                                                                           \
+  case SPH_DIFFUSION_##name:                                                                       \
+    add_diffusion(kernel, SPH_DIFFUSION_##name, i, block, n, sums);                                \
+    break;
+  switch (d) { SPH_DIFFUSIONS(CASE) }
+#undef CASE
+}
+
+SPECIALISE void sum_diffusion(enum sph_kernel kernel, const struct sph *s,
+                              const struct sph_targets *of, const struct sph_near *near,
+                              struct sph_diffusion_sums *sums) {
+  const struct frame f = frame_of(s, of->x[0], of->y[0], 0, 0, of->p[0]);
+  struct targets i[SPH_PARTS] = {0};
+  struct diffusion a[SPH_PARTS] = {0};
+  for (int part = 0; part < SPH_PARTS; part++) {
+    set_places(&i[part], of, &f, part);
+    i[part].p = spread(of->p, part, f.origin[P], f.unit[P]);
+  }
+  struct turn block[BLOCK / SPH_SOURCES];
+  for (size_t from = 0; from < near->n; from += BLOCK) {
+    const size_t n = gather(&f, near, from, block);
+    for (int part = 0; part < SPH_PARTS; part++)
+      choose_diffusion(kernel, (enum sph_diffusion)s->scheme.diffusion, &i[part], block, n,
+                       &a[part]);
+  }
+  for (int part = 0; part < SPH_PARTS; part++) {
+    collect(sums->D, part, a[part].D);
+    collect(sums->weight, part, a[part].weight);
+  }
+}
+
 /* The fit of a plane -------------------------------------------------------------------------- */
 
 struct fit {
@@ -342,8 +395,9 @@ SPECIALISE void sum_fit(enum sph_kernel kernel, const struct sph *s, const struc
   for (int part = 0; part < SPH_PARTS; part++) {
 #define SUM(q) collect(sums->q, part, a[part].q);
     SUM(w)
-    SUM(x) SUM(y) SUM(xx) SUM(xy) SUM(yy) SUM(p) SUM(px) SUM(py) SUM(u) SUM(ux) SUM(uy) SUM(v)
-        SUM(vx) SUM(vy) SUM(speed2)
+    SUM(x)
+    SUM(y) SUM(xx) SUM(xy) SUM(yy) SUM(p) SUM(px) SUM(py) SUM(u) SUM(ux) SUM(uy) SUM(v) SUM(vx)
+        SUM(vy) SUM(speed2)
 #undef SUM
   }
 }
@@ -361,6 +415,10 @@ SPECIALISE void sum_fit(enum sph_kernel kernel, const struct sph *s, const struc
                            const struct sph_near *near, struct sph_gradient_sums *sums) {          \
     sum_gradient(SPH_KERNEL_##k, s, i, near, sums);                                                \
   }                                                                                                \
+  static void diffusion_##k(const struct sph *s, const struct sph_targets *i,                      \
+                            const struct sph_near *near, struct sph_diffusion_sums *sums) {        \
+    sum_diffusion(SPH_KERNEL_##k, s, i, near, sums);                                               \
+  }                                                                                                \
   static void fit_##k(const struct sph *s, const struct sph_targets *i,                            \
                       const struct sph_near *near, struct sph_fit_sums *sums) {                    \
     sum_fit(SPH_KERNEL_##k, s, i, near, sums);                                                     \
@@ -372,7 +430,7 @@ const struct sph_loops sph_loops_single[SPH_KERNEL_COUNT] = {
 #else
 const struct sph_loops sph_loops_double[SPH_KERNEL_COUNT] = {
 #endif
-#define ROW(k, help) {rates_##k, gradient_##k, fit_##k},
+#define ROW(k, help) {rates_##k, gradient_##k, diffusion_##k, fit_##k},
     SPH_KERNELS(ROW)
 #undef ROW
 };

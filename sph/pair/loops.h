@@ -47,6 +47,12 @@ struct sph_gradient_sums {
   double x[SPH_LANES], y[SPH_LANES];                  /* sum (p_j - p_i) x e ... */
 };
 
+struct sph_diffusion_sums {
+  double D[SPH_LANES];      /* sum psi e */
+  double weight[SPH_LANES]; /* sum of what a difference of one has for psi, the particle itself
+                               included, e */
+};
+
 /* Weighted with w = value V_j. Velocities and pressures are those of the sources less those of the
  * first one. */
 struct sph_fit_sums {
@@ -61,6 +67,8 @@ struct sph_loops {
                 const struct sph_near *near, struct sph_rates_sums *sums);
   void (*gradient)(const struct sph *s, const struct sph_targets *i, const struct sph_near *near,
                    struct sph_gradient_sums *sums);
+  void (*diffusion)(const struct sph *s, const struct sph_targets *i, const struct sph_near *near,
+                    struct sph_diffusion_sums *sums);
   void (*fit)(const struct sph *s, const struct sph_targets *i, const struct sph_near *near,
               struct sph_fit_sums *sums);
 };

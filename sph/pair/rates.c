@@ -16,6 +16,10 @@
 #include "sph/pair/gradient.h"
 #include "sph/pair/loops.h"
 
+static void pad_pressure(struct sph_particles *f) {
+  for (size_t i = f->n; i % SPH_LANES; i++) f->p[i] = f->p[f->n - 1];
+}
+
 void sph_pack_water(struct sph *s) {
   const struct sph_state *w = &s->f.w;
   const enum sph_eos eos = s->scheme.eos;
@@ -28,7 +32,15 @@ void sph_pack_water(struct sph *s) {
     s->f.p[i] = s->pack[i].p = eos_pressure(eos, s->rho0, s->c0, w->rho[i]);
     s->pack[i].V = s->f.m[i] / w->rho[i];
   }
-  for (size_t i = s->f.n; i % SPH_LANES; i++) s->f.p[i] = s->f.p[s->f.n - 1];
+  pad_pressure(&s->f);
+}
+
+void sph_pack_pressure(struct sph *s) {
+  const enum sph_eos eos = (enum sph_eos)s->scheme.eos;
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < s->f.n; i++)
+    s->f.p[i] = s->pack[i].p = eos_pressure(eos, s->rho0, s->c0, s->f.w.rho[i]);
+  pad_pressure(&s->f);
 }
 
 struct sph_targets sph_targets_of(const struct sph *s, size_t cluster) {
@@ -158,11 +170,11 @@ static void add_totals(struct sph *s) {
 }
 
 enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
-  const struct evaluation how = {stage, diffuse, bounds};
+  const struct evaluation how = {stage, diffuse && !s->split, bounds};
   if (stage == 0) TRY(sph_neighbours_update(s));
   sph_pack_water(s);
   s->wall->fill(s);
-  if (diffuse && diffusion_needs_gradient(s->scheme.diffusion)) {
+  if (how.diffuse && diffusion_needs_gradient(s->scheme.diffusion)) {
     sph_gradient(s);
     if (s->wall->fill_gradients) s->wall->fill_gradients(s);
   }

@@ -3,11 +3,12 @@
 #include "sph/sph.h"
 
 /* Rates of the state s->f.w into s->f.k[stage], totals into s->totals. Walls, and at stage 0 the
- * lists, are brought up to date first. With `diffuse` the diffusive term is evaluated and kept in
- * s->f.D; without, the kept one is used again (P eq. (25)). With `bounds` totals.acceleration2 and
- * .speed are found as well. */
+ * lists, are brought up to date first. With `diffuse` the diffusive term is evaluated (unless it
+ * has steps of its own, s->split) and kept in s->f.D; without, the kept one is used again (P eq.
+ * (25)). With `bounds` totals.acceleration2 and .speed are found as well. */
 enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds);
 
-/* Copies the water's state to the neighbours' side of the pair loops (pressure from the density).
- */
+/* Copies the water's state to the neighbours' side of the pair loops (pressure from the density);
+ * or the pressure alone, where volumes are to stay as they are. */
 void sph_pack_water(struct sph *s);
+void sph_pack_pressure(struct sph *s);

@@ -21,11 +21,11 @@ const char *const sph_integrator_helps[] = {
 #define X(variant, name, help) help,
     SPH_INTEGRATORS(X)
 #undef X
-        "rk4 with molteni or ferrari, which frozen need shorter steps, else rk4-frozen"};
+        "rk4-split with molteni or ferrari, which frozen need shorter steps, else rk4-frozen"};
 
 int sph_integrator_chosen(const struct sph_scheme *o) {
   if (o->integrator != SPH_INTEGRATOR_AUTO) return o->integrator;
-  return diffusion_frozen((enum sph_diffusion)o->diffusion) < 1 ? SPH_INTEGRATOR_rk4
+  return diffusion_frozen((enum sph_diffusion)o->diffusion) < 1 ? SPH_INTEGRATOR_rk4_split
                                                                 : SPH_INTEGRATOR_rk4_frozen;
 }
 

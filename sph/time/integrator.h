@@ -10,6 +10,7 @@ struct rk_table;
 struct sph_integrator {
   int order, evaluations; /* of the right-hand side, in a step */
   bool frozen;            /* the diffusive term of the first evaluation serves all (P eq. (25)) */
+  bool split;             /* the diffusive term has steps of its own */
   /* Limits of stability on the imaginary and the negative real axis, relative to those of classic
    * RK4 (2.828 and 2.785), for which P found its time step factors. What freezing the diffusion
    * costs depends on the term (diffusion.h). */
@@ -27,6 +28,8 @@ struct sph_integrator {
   X(rk4, "rk4", "classic Runge-Kutta of order 4")                                                  \
   X(rk4_frozen, "rk4-frozen",                                                                      \
     "classic Runge-Kutta, diffusion evaluated once a step (paper, eq. 25)")                        \
+  X(rk4_split, "rk4-split",                                                                        \
+    "classic Runge-Kutta, then diffusion by stabilised stages: no bound from it")                  \
   X(tvd_rk3, "tvd-rk3", "total-variation diminishing Runge-Kutta of order 3 (Gottlieb & Shu 1998)")
 
 enum {
@@ -45,7 +48,7 @@ extern const char *const sph_integrator_names[]; /* those, "auto", NULL */
 extern const char *const sph_integrator_helps[]; /* what each is */
 
 /* The index of the one that is asked for. "auto" is the frozen method where freezing the diffusion
- * leaves the time step as it is, the classic one where it would shorten it. */
+ * leaves the time step as it is, the split one where it would shorten it. */
 int sph_integrator_chosen(const struct sph_scheme *o);
 
 /* Advances the state and s->t by dt (s), from rates and totals that sph_rates(s, 0, true, ...) has

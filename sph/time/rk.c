@@ -1,7 +1,6 @@
 #include "sph/time/rk.h"
 
 #include "sph/pair/rates.h"
-#include "sph/time/integrator.h"
 
 _Static_assert(SPH_MAX_STAGES == 4, "combine adds four terms at most");
 
@@ -58,8 +57,8 @@ static void spend(struct sph_totals *spent, double weight, const struct sph_tota
   spent->walls += weight * t->walls;
 }
 
-static enum status rk_step(struct sph *s, const struct sph_integrator *method, double dt,
-                           struct sph_totals *spent, bool *held) {
+enum status sph_rk_step(struct sph *s, const struct sph_integrator *method, double dt,
+                        struct sph_totals *spent, bool *held) {
   const struct rk_table *table = method->table;
   spend(spent, table->b[0] * dt, &s->totals);
   for (int r = 1; r < table->stages; r++) {
@@ -75,15 +74,15 @@ static enum status rk_step(struct sph *s, const struct sph_integrator *method, d
   return OK;
 }
 
-static const struct rk_table classic = {.stages = 4,
+const struct rk_table sph_rk_classic = {.stages = 4,
                                         .a = {{0}, {1. / 2}, {0, 1. / 2}, {0, 0, 1}},
                                         .b = {1. / 6, 1. / 3, 1. / 3, 1. / 6}};
 const struct sph_integrator sph_rk4 = {.order = 4,
                                        .evaluations = 4,
                                        .acoustic = 1,
                                        .diffusive = 1,
-                                       .table = &classic,
-                                       .step = rk_step};
+                                       .table = &sph_rk_classic,
+                                       .step = sph_rk_step};
 
 /* Every stage of eq. (25) adds D(w0) with the weights of the classic method: it is that method
  * applied to dw/dt = Q(w) + D(w0). The error of freezing D is first order, times delta. */
@@ -92,8 +91,8 @@ const struct sph_integrator sph_rk4_frozen = {.order = 1,
                                               .frozen = true,
                                               .acoustic = 1,
                                               .diffusive = 1,
-                                              .table = &classic,
-                                              .step = rk_step};
+                                              .table = &sph_rk_classic,
+                                              .step = sph_rk_step};
 
 static const struct rk_table shu_osher = {
     .stages = 3, .a = {{0}, {1}, {1. / 4, 1. / 4}}, .b = {1. / 6, 1. / 6, 2. / 3}};
@@ -102,4 +101,4 @@ const struct sph_integrator sph_tvd_rk3 = {.order = 3,
                                            .acoustic = 1.732 / 2.828,
                                            .diffusive = 2.513 / 2.785,
                                            .table = &shu_osher,
-                                           .step = rk_step};
+                                           .step = sph_rk_step};

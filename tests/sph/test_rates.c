@@ -22,7 +22,8 @@ static const struct {
 static struct sph *drop_in(const char *precision, int diffusion, double resolution, double alpha,
                            struct case_file **c) {
   char run[200];
-  snprintf(run, sizeof run, "resolution: %g, diffusion: %s, alpha: %g, precision: %s", resolution,
+  snprintf(run, sizeof run,
+           "resolution: %g, diffusion: %s, alpha: %g, integrator: rk4, precision: %s", resolution,
            names[diffusion], alpha, precision);
   *c = pool_case(POOL_DROP, run);
   return pool_create(*c);
@@ -107,8 +108,9 @@ static void test_powers_close_the_energy_budget(void) {
       const int d = k / 2;
       char run[200];
       snprintf(run, sizeof run,
-               "resolution: 16, diffusion: %s, alpha: 0.1, walls: %s, precision: %s", names[d],
-               sph_wall_names[walls ? walls - 1 : 0], precisions[k % 2].name);
+               "resolution: 16, diffusion: %s, alpha: 0.1, integrator: rk4, walls: %s, "
+               "precision: %s",
+               names[d], sph_wall_names[walls ? walls - 1 : 0], precisions[k % 2].name);
       struct case_file *c = pool_case(walls ? POOL_STILL : POOL_DROP, run);
       struct sph *s = pool_create(c);
       pool_shake(s, 0.3, 2, 3e3);

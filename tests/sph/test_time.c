@@ -4,6 +4,7 @@
 #include <complex.h>
 
 #include "sph/pair/kernel.h"
+#include "sph/time/chebyshev.h"
 #include "sph/time/integrator.h"
 #include "sph/time/rk.h"
 #include "sph/time/timestep.h"
@@ -14,7 +15,9 @@
 static struct sph *cluster(int integrator, struct case_file **c) {
   char run[200];
   snprintf(run, sizeof run,
-           "resolution: 4, h_over_dx: 2, diffusion: antuono, alpha: 0.1, integrator: %s",
+           "resolution: 4, h_over_dx: 2, diffusion: %s, alpha: 0.1, integrator: %s, "
+           "precision: double",
+           sph_integrators[integrator]->split ? "molteni" : "antuono",
            sph_integrator_names[integrator]);
   *c = pool_case(
       "title: sixteen\nscales: {H: 1}\ntank: {walls: [[[0, 30], [0, 0], [30, 0], [30, 30]]]}\n"
@@ -123,7 +126,10 @@ static void test_time_step_factors_are_the_limits_of_stability(void) {
   for (int k = 0; k < SPH_INTEGRATOR_COUNT; k++) {
     const struct sph_integrator *m = sph_integrators[k];
     EXPECT_NEAR(m->acoustic, stable_up_to(m, I) / stable_up_to(rk4, I), 1e-3);
-    EXPECT_NEAR(m->diffusive, stable_up_to(m, -1) / stable_up_to(rk4, -1), 1e-3);
+    if (m->split)
+      EXPECT(isinf(m->diffusive));
+    else
+      EXPECT_NEAR(m->diffusive, stable_up_to(m, -1) / stable_up_to(rk4, -1), 1e-3);
   }
 }
 
@@ -153,9 +159,38 @@ static void lattice_wave(enum sph_diffusion d, double kx, double ky, double *ome
   *rate = sum;
 }
 
-/* Largest factor by which a step of dt = 1 lets a wave grow: rho' = i omega u - rate rho, u' = i
- * omega rho. */
-static double wave_growth(const struct sph_integrator *m, double omega, double rate) {
+/* What a step of dt = 1 leaves of y' = z y. */
+static double chebyshev_growth(const struct sph_chebyshev *c, double z) {
+  double before = 1, now = 1 + c->mu1[1] * z;
+  for (int j = 2; j <= c->stages; j++) {
+    double next = (1 - c->mu[j] - c->nu[j]) + c->mu[j] * now + c->nu[j] * before +
+                  z * (c->mu1[j] * now + c->gamma1[j]);
+    before = now;
+    now = next;
+  }
+  return now;
+}
+
+/* Damped, and no more than damped, up to the decay that the number of stages is chosen for; of
+ * second order: 1 + z + z^2/2 and a third-order term. */
+static void test_stabilised_stages_damp_whatever_they_are_chosen_for(void) {
+  EXPECT(sph_chebyshev_stages(1e9) == SPH_CHEBYSHEV_MOST + 1);
+  for (double z = 0.01; sph_chebyshev_stages(z) <= SPH_CHEBYSHEV_MOST; z *= 1.1) {
+    const struct sph_chebyshev c = sph_chebyshev_of(sph_chebyshev_stages(z));
+    double most = 0;
+    for (int k = 1; k <= 1000; k++) most = fmax(most, fabs(chebyshev_growth(&c, -z * k / 1000)));
+    EXPECT(most < 1);
+    double e[2];
+    for (int k = 0; k < 2; k++)
+      e[k] = fabs(chebyshev_growth(&c, -0.02 / (k + 1)) - exp(-0.02 / (k + 1)));
+    EXPECT_NEAR(log2(e[0] / e[1]), 3, 0.1);
+  }
+}
+
+/* The factors by which a step of dt = 1 changes the two waves of rho' = i omega u - rate rho, u' =
+ * i omega rho. */
+static void wave_factors(const struct sph_integrator *m, double omega, double rate,
+                         double complex factor[2]) {
   double complex G[2][2], k[SPH_MAX_STAGES][2];
   for (int c = 0; c < 2; c++) {
     double complex start[2] = {c == 0, c == 1};
@@ -164,14 +199,25 @@ static double wave_growth(const struct sph_integrator *m, double omega, double r
       double complex w[2] = {start[0], start[1]};
       for (int l = 0; l < r; l++)
         for (int q = 0; q < 2; q++) w[q] += m->table->a[r][l] * k[l][q];
-      k[r][0] = I * omega * w[1] - rate * (m->frozen ? start[0] : w[0]);
+      k[r][0] = I * omega * w[1];
+      if (!m->split) k[r][0] -= rate * (m->frozen ? start[0] : w[0]);
       k[r][1] = I * omega * w[0];
       for (int q = 0; q < 2; q++) G[q][c] += m->table->b[r] * k[r][q];
     }
+    if (!m->split) continue;
+    const struct sph_chebyshev stages = sph_chebyshev_of(sph_chebyshev_stages(rate));
+    G[0][c] *= chebyshev_growth(&stages, -rate);
   }
   double complex half = (G[0][0] + G[1][1]) / 2;
   double complex root = csqrt(half * half - (G[0][0] * G[1][1] - G[0][1] * G[1][0]));
-  return fmax(cabs(half + root), cabs(half - root));
+  factor[0] = half + root;
+  factor[1] = half - root;
+}
+
+static double wave_growth(const struct sph_integrator *m, double omega, double rate) {
+  double complex factor[2];
+  wave_factors(m, omega, rate, factor);
+  return fmax(cabs(factor[0]), cabs(factor[1]));
 }
 
 /* Sound and diffusion together, in every wave that a lattice carries along its rows and diagonals,
@@ -180,6 +226,7 @@ static double wave_growth(const struct sph_integrator *m, double omega, double r
 static void test_default_steps_are_stable_with_every_diffusion(void) {
   for (int d = 1; d < SPH_DIFFUSION_COUNT; d++)
     for (int k = 0; k < SPH_INTEGRATOR_COUNT; k++) {
+      if (sph_integrators[k]->split && diffusion_needs_gradient((enum sph_diffusion)d)) continue;
       struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, c0: 50");
       struct sph_scheme o = *(const struct sph_scheme *)c->runs[0].options;
       o.diffusion = d;
@@ -202,6 +249,53 @@ static void test_default_steps_are_stable_with_every_diffusion(void) {
     }
 }
 
+/* How wrong a step of dt makes the frequency and the damping of sound, over its frequency, at worst
+ * in the waves of 64 dx and down to 10.7 dx = 8 h along the rows of a lattice. The exact factor a
+ * unit of time is exp(-rate/2 +- i sqrt(omega^2 - rate^2/4)). */
+static double sound_error(enum sph_diffusion d, double delta, const struct sph_integrator *m,
+                          double dt) {
+  double worst = 0;
+  for (int n = 1; n <= 6; n++) {
+    double omega, rate;
+    double complex factor[2];
+    lattice_wave(d, M_PI * n / 32, 0, &omega, &rate);
+    rate *= delta;
+    wave_factors(m, omega * dt, rate * dt, factor);
+    const double complex exact = -rate / 2 + I * csqrt(omega * omega - rate * rate / 4);
+    const double complex forth = clog(factor[0]) / dt, back = clog(factor[1]) / dt;
+    const double complex made = cimag(forth) > cimag(back) ? forth : back;
+    worst = fmax(worst, cabs(made - exact) / omega);
+  }
+  return worst;
+}
+
+/* The long steps of rk4-split against the short ones that diffusion leaves to the frozen method,
+ * with its error of first order: sound is carried better. */
+static void test_split_steps_carry_sound_better_than_frozen_ones(void) {
+  const enum sph_diffusion of[2] = {SPH_DIFFUSION_molteni, SPH_DIFFUSION_ferrari};
+  for (int k = 0; k < 2; k++) {
+    double error[SPH_INTEGRATOR_COUNT], dt[SPH_INTEGRATOR_COUNT];
+    for (int m = 0; m < SPH_INTEGRATOR_COUNT; m++) {
+      struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, c0: 50");
+      struct sph_scheme o = *(const struct sph_scheme *)c->runs[0].options;
+      o.diffusion = of[k];
+      o.integrator = m;
+      struct sph *s;
+      EXPECT_OK(sph_create(c, 20, &o, &s));
+      EXPECT_OK(sph_rates(s, 0, true, true));
+      struct sph_bounds b = sph_timestep_bounds(s);
+      dt[m] = fmin(b.diffusive, b.acoustic) * s->c0 / s->dx;
+      error[m] = sound_error(of[k], s->scheme.delta, sph_integrators[m], dt[m]);
+      printf("     %s, %s: c0 dt/dx = %.3f, sound wrong by %.1e\n", k ? "ferrari" : "molteni",
+             sph_integrator_names[m], dt[m], error[m]);
+      sph_destroy(s);
+      case_destroy(c);
+    }
+    EXPECT(dt[SPH_INTEGRATOR_rk4_split] > 2 * dt[SPH_INTEGRATOR_rk4_frozen]);
+    EXPECT(error[SPH_INTEGRATOR_rk4_split] < error[SPH_INTEGRATOR_rk4_frozen]);
+  }
+}
+
 /* Freezing is for free only where it leaves the step as it is. */
 static void test_auto_freezes_only_what_is_stable_frozen(void) {
   for (int d = 0; d < SPH_DIFFUSION_COUNT; d++) {
@@ -210,8 +304,9 @@ static void test_auto_freezes_only_what_is_stable_frozen(void) {
     o.diffusion = d;
     struct sph *s;
     EXPECT_OK(sph_create(c, 20, &o, &s));
-    bool frozen = sph_integrators[s->scheme.integrator]->frozen;
-    EXPECT(frozen == (d != SPH_DIFFUSION_molteni && d != SPH_DIFFUSION_ferrari));
+    const struct sph_integrator *m = sph_integrators[s->scheme.integrator];
+    EXPECT(m->frozen == (d != SPH_DIFFUSION_molteni && d != SPH_DIFFUSION_ferrari));
+    EXPECT(m->split == !m->frozen);
     sph_destroy(s);
     case_destroy(c);
   }
@@ -295,6 +390,8 @@ int main(void) {
   RUN(test_time_step_obeys_every_bound);
   RUN(test_time_step_factors_are_the_limits_of_stability);
   RUN(test_default_steps_are_stable_with_every_diffusion);
+  RUN(test_stabilised_stages_damp_whatever_they_are_chosen_for);
+  RUN(test_split_steps_carry_sound_better_than_frozen_ones);
   RUN(test_auto_freezes_only_what_is_stable_frozen);
   RUN(test_time_step_bounds_know_the_integrator_and_the_diffusion);
   RUN(test_acoustic_bound_sees_velocity_gradients);

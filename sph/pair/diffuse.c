@@ -1,0 +1,40 @@
+#include "sph/pair/diffuse.h"
+
+#include <math.h>
+
+#include "sph/hot.h"
+#include "sph/pair/loops.h"
+
+/* What the largest decay rate of a wave is at most, over the largest of the sums that a particle
+ * weighs its neighbours with. The weights of Molteni's term, times the volumes, are a matrix that
+ * is positive definite wherever the particles are if the kernel is (kernel.h): the sum itself then,
+ * and what the cut at the edge of the support leaves. For others Gershgorin's circles say twice the
+ * sum; Ferrari's has 1.11 of it on a lattice. */
+static double decay_over_sum(const struct sph_scheme *o) {
+  const bool molteni = o->diffusion == SPH_DIFFUSION_molteni;
+  return molteni && kernel_is_definite((enum sph_kernel)o->kernel) ? 1.01 : 2;
+}
+
+static double cluster_diffusion(struct sph *s, size_t cluster, double *D) {
+  const size_t at = cluster * SPH_LANES;
+  const struct sph_targets i = sph_targets_of(s, cluster);
+  const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
+  struct sph_diffusion_sums a;
+  sph_loops_of(&s->scheme)->diffusion(s, &i, &water, &a);
+  const double per_time =
+      2 * s->scheme.delta * s->c0 / s->h * kernel_slope_scale((enum sph_kernel)s->scheme.kernel);
+  double most = 0;
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    D[at + l] = per_time * s->rho0 * a.D[l];
+    most = larger(per_time * a.weight[l], most);
+  }
+  return most;
+}
+
+double sph_diffuse(struct sph *s, double *D) {
+  double most = 0;
+#pragma omp parallel for schedule(dynamic, 16) reduction(max : most)
+  for (size_t c = 0; c < s->water_water.n_clusters; c++)
+    most = larger(cluster_diffusion(s, c, D), most);
+  return decay_over_sum(&s->scheme) * most;
+}
