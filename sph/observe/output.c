@@ -32,16 +32,22 @@ static double budget_of(const struct result_energy *e) {
 }
 
 /* How far the foremost particle, a disc of diameter dx, is from the wall on one side. */
-static double gap(const struct sph *s, int side, size_t *at) {
+static double gap(const struct sph *s, int side) {
   double nearest = INFINITY;
+#pragma omp simd reduction(min : nearest)
   for (size_t i = 0; i < s->f.n; i++) {
     double d = tank_inside(&s->tank, side, s->f.w.x[i]);
-    if (d < nearest) {
-      nearest = d;
-      *at = i;
-    }
+    nearest = d < nearest ? d : nearest;
   }
   return nearest - s->dx / 2;
+}
+
+static size_t foremost(const struct sph *s, int side) {
+  size_t at = 0;
+  for (size_t i = 1; i < s->f.n; i++)
+    if (tank_inside(&s->tank, side, s->f.w.x[i]) < tank_inside(&s->tank, side, s->f.w.x[at]))
+      at = i;
+  return at;
 }
 
 enum status sph_output_create(const struct case_file *c, const struct sph *s, struct result *result,
@@ -53,9 +59,7 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   o->result = result;
   o->started = progress_wall_clock();
   o->room = s->f.n;
-  size_t at = 0;
-  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++)
-    o->dry[side] = gap(s, side, &at) > 1.5 * s->dx;
+  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) o->dry[side] = gap(s, side) > 1.5 * s->dx;
   struct result_energy e = sph_energy(s);
   o->budget = o->budget0 = budget_of(&e);
   double rest = sph_rest_potential(s);
@@ -187,9 +191,9 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
 
 /* The instant at which the foremost particle touches the wall, from its velocity now. */
 static enum status write_impact(struct sph_output *o, const struct sph *s, int side) {
-  size_t i = 0;
-  double open = gap(s, side, &i);
+  double open = gap(s, side);
   if (open > 0) return OK;
+  size_t i = foremost(s, side);
   o->dry[side] = false;
   double speed = side == TANK_LEFT ? -s->f.w.u[i] : s->f.w.u[i];
   double ago = speed > 0 ? -open / speed : 0;
