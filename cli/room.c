@@ -1,5 +1,6 @@
 #include "cli/room.h"
 
+#include <lapack.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -68,9 +69,6 @@ void room_check(const struct case_run *r, const struct solver_estimate *e,
       r->name, r->resolution, e->points, e->unit, 1e-6 * e->bytes, 1e-6 * room, limit, todo);
 }
 
-/* LAPACK: LU factors of a matrix. Whatever the matrix, OpenBLAS takes its buffer for it. */
-extern void dgetrf_(const int *m, const int *n, double *a, const int *lda, int *pivot, int *info);
-
 enum status room_take_for_blas(void) {
   const size_t buffer = 144 << 20; /* 128 MB, what aligning it takes, and some */
   void *there = mmap(NULL, buffer, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -80,8 +78,8 @@ enum status room_take_for_blas(void) {
         "no memory for linear algebra: it takes %.0f MB, and there are %.0f MB %s",
         1e-6 * (double)buffer, 1e-6 * room, limit);
   munmap(there, buffer);
-  double a[4] = {2, 1, 1, 2};
-  int n = 2, pivot[2], info;
-  dgetrf_(&n, &n, a, &n, pivot, &info);
+  double a[4] = {2, 1, 1, 2}; /* whatever the matrix, OpenBLAS takes its buffer for it */
+  lapack_int n = 2, pivot[2], info;
+  LAPACK_dgetrf(&n, &n, a, &n, pivot, &info);
   return OK;
 }

@@ -35,63 +35,72 @@ static void report_syntax(struct problems *problems, const yaml_parser_t *parser
   }
 }
 
+/* What has been counted of a text so far. */
+struct census {
+  size_t depth, anchors, documents;
+};
+
+/* Whether there is more to come. */
+static bool count_event(struct census *c, const yaml_event_t *event) {
+  switch (event->type) {
+  case YAML_NO_EVENT:
+  case YAML_STREAM_END_EVENT:
+    return false;
+  case YAML_DOCUMENT_START_EVENT:
+    c->documents++;
+    return true;
+  case YAML_SEQUENCE_START_EVENT:
+    c->depth++;
+    c->anchors += event->data.sequence_start.anchor != NULL;
+    return true;
+  case YAML_MAPPING_START_EVENT:
+    c->depth++;
+    c->anchors += event->data.mapping_start.anchor != NULL;
+    return true;
+  case YAML_SEQUENCE_END_EVENT:
+  case YAML_MAPPING_END_EVENT:
+    c->depth--;
+    return true;
+  case YAML_SCALAR_EVENT:
+    c->anchors += event->data.scalar.anchor != NULL;
+    return true;
+  default:
+    return true;
+  }
+}
+
+static void judge_census(const struct census *c, int line, struct problems *problems) {
+  if (c->documents > 1)
+    problems_add(problems, line,
+                 "found a second YAML document; allowed: one case a file; remove "
+                 "the line '---' and what follows");
+  else if (c->depth > MOST_DEPTH)
+    problems_add(problems, line,
+                 "found lists and mappings more than %d deep; allowed: the keys of "
+                 "a case; close the brackets",
+                 MOST_DEPTH);
+  else if (c->anchors > MOST_ANCHORS)
+    problems_add(problems, line,
+                 "found more than %d anchors (&name); allowed: the keys of a case; "
+                 "write the values out",
+                 MOST_ANCHORS);
+}
+
 /* Reads through the text once without keeping anything: syntax errors, a second document, and what
  * would make libyaml's composing parser take quadratic time. */
 static void survey(const char *text, size_t n, struct problems *problems) {
   yaml_parser_t parser;
   yaml_event_t event;
-  size_t depth = 0, anchors = 0, documents = 0;
-  bool more = true;
+  struct census census = {0};
   if (!parser_begin(&parser, text, n, problems)) return;
-  while (more && !problems->n) {
+  for (bool more = true; more && !problems->n;) {
     if (!yaml_parser_parse(&parser, &event)) {
       report_syntax(problems, &parser);
       break;
     }
-    int line = (int)event.start_mark.line + 1;
-    yaml_char_t *anchor = NULL;
-    switch (event.type) {
-    case YAML_NO_EVENT:
-    case YAML_STREAM_END_EVENT:
-      more = false;
-      break;
-    case YAML_DOCUMENT_START_EVENT:
-      documents++;
-      break;
-    case YAML_SEQUENCE_START_EVENT:
-      depth++;
-      anchor = event.data.sequence_start.anchor;
-      break;
-    case YAML_MAPPING_START_EVENT:
-      depth++;
-      anchor = event.data.mapping_start.anchor;
-      break;
-    case YAML_SEQUENCE_END_EVENT:
-    case YAML_MAPPING_END_EVENT:
-      depth--;
-      break;
-    case YAML_SCALAR_EVENT:
-      anchor = event.data.scalar.anchor;
-      break;
-    default:
-      break;
-    }
-    if (anchor) anchors++;
+    more = count_event(&census, &event);
+    judge_census(&census, (int)event.start_mark.line + 1, problems);
     yaml_event_delete(&event);
-    if (documents > 1)
-      problems_add(problems, line,
-                   "found a second YAML document; allowed: one case a file; remove "
-                   "the line '---' and what follows");
-    else if (depth > MOST_DEPTH)
-      problems_add(problems, line,
-                   "found lists and mappings more than %d deep; allowed: the keys of "
-                   "a case; close the brackets",
-                   MOST_DEPTH);
-    else if (anchors > MOST_ANCHORS)
-      problems_add(problems, line,
-                   "found more than %d anchors (&name); allowed: the keys of a case; "
-                   "write the values out",
-                   MOST_ANCHORS);
   }
   yaml_parser_delete(&parser);
 }

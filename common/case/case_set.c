@@ -173,6 +173,41 @@ static void report_key(struct case_doc *d, int line, const char *path) {
                      "correct the path");
 }
 
+/* What `place` holds. */
+static int get(struct case_doc *d, struct place at) {
+  if (case_doc_is_list(d, at.holder)) return case_doc_item(d, at.holder, at.index);
+  return yaml_document_get_node(&d->yaml, at.holder)->data.mapping.pairs.start[at.index].value;
+}
+
+/* From what `at` holds (no holder: the root) to the item or key that *path starts with, which is
+ * taken off it. False with a problem when there is no such. */
+static bool step(struct case_doc *d, size_t k, struct place *at, const char **path) {
+  int line = -(int)k - 1, node = at->holder ? get(d, *at) : case_doc_root(d);
+  if (yaml_document_get_node(&d->yaml, node)->type == YAML_SCALAR_NODE) {
+    char found[64];
+    case_doc_found(d, node, found);
+    case_doc_problem(d, line, "", found, "a path to a key of a section or of a run",
+                     "the path goes on behind a value: correct it");
+    return false;
+  }
+  if (at->holder) { /* the root has no alias */
+    node = copy_shallow(d, node);
+    if (node) put(d, *at, node);
+  }
+  size_t taken = 0, index = 0;
+  bool list = node && case_doc_is_list(d, node);
+  if (list)
+    taken = find_item(d, node, *path, &index);
+  else if (node)
+    taken = find_key(d, node, *path, k, &index);
+  if (!taken && list) report_item(d, k, node, *path);
+  if (!taken && !list) report_key(d, line, *path);
+  *at = (struct place){node, index};
+  *path += taken;
+  if (**path == '.' && (*path)[1]) ++*path;
+  return taken > 0;
+}
+
 void case_doc_set(struct case_doc *d, size_t k, const char *assignment) {
   const char *equals = strchr(assignment, '=');
   int line = -(int)k - 1;
@@ -193,41 +228,9 @@ void case_doc_set(struct case_doc *d, size_t k, const char *assignment) {
     return;
   }
   const char *rest = path;
-  int node = case_doc_root(d);
   struct place at = {0, 0};
-  while (*rest) {
-    yaml_node_t *n = yaml_document_get_node(&d->yaml, node);
-    size_t taken, index = 0;
-    if (n->type == YAML_SCALAR_NODE) {
-      char found[64];
-      case_doc_found(d, node, found);
-      case_doc_problem(d, line, "", found, "a path to a key of a section or of a run",
-                       "the path goes on behind a value: correct it");
-      goto done;
-    }
-    if (at.holder) { /* the root has no alias */
-      node = copy_shallow(d, node);
-      if (node) put(d, at, node);
-    }
-    bool list = node && case_doc_is_list(d, node);
-    taken = !node  ? 0
-            : list ? find_item(d, node, rest, &index)
-                   : find_key(d, node, rest, k, &index);
-    if (!taken) {
-      if (list)
-        report_item(d, k, node, rest);
-      else
-        report_key(d, line, rest);
-      goto done;
-    }
-    at = (struct place){node, index};
-    node = list ? case_doc_item(d, node, index)
-                : yaml_document_get_node(&d->yaml, node)->data.mapping.pairs.start[index].value;
-    rest += taken;
-    if (*rest == '.' && rest[1]) rest++;
-  }
-  put(d, at, value);
-done:
+  while (*rest && step(d, k, &at, &rest)) continue;
+  if (!*rest) put(d, at, value);
   free(path);
 }
 

@@ -227,71 +227,80 @@ static bool plausible(hid_t set, hid_t type, const hsize_t dims[2], int rank) {
   return bytes <= 1032.0 * (double)H5Dget_storage_size(set) + 65536;
 }
 
-static enum status get_rows(hid_t group, const char *name, hid_t type, size_t width, bool all,
-                            hsize_t first, hsize_t *n, void **values) {
-  enum status status = OK;
-  hid_t set = hdf_has(group, name) ? H5Dopen2(group, name, H5P_DEFAULT) : -1;
-  hid_t space = set >= 0 ? H5Dget_space(set) : -1, stored = set >= 0 ? H5Dget_type(set) : -1;
-  hid_t memory = -1;
-  hsize_t dims[2] = {0, 0};
-  int rank = width ? 2 : 1;
-  *values = NULL;
-  if (space < 0 || stored < 0) {
-    status = hdf_raise(ERR_INPUT, "it has no dataset %s", full_name(group, name));
-    goto done;
-  }
-  if (H5Sget_simple_extent_ndims(space) != rank ||
-      H5Sget_simple_extent_dims(space, dims, NULL) < 0 || (width && dims[1] != width)) {
-    status = hdf_raise(ERR_INPUT, "its dataset %s has the wrong shape", full_name(group, name));
-    goto done;
-  }
-  H5T_class_t has = H5Tget_class(stored), asked = H5Tget_class(type);
+/* A dataset that is read: what is asked of it, and how it is. */
+struct table {
+  hid_t group;
+  const char *name;
+  hid_t type;               /* in memory */
+  size_t width;             /* of its rows; 0: a vector */
+  hid_t set, space, stored; /* negative when they are not open */
+  hsize_t dims[2];
+};
+
+static void table_close(const struct table *t) {
+  if (t->stored >= 0) H5Tclose(t->stored);
+  if (t->space >= 0) H5Sclose(t->space);
+  if (t->set >= 0) H5Dclose(t->set);
+}
+
+/* Opens it and sees whether it is what is asked for; to be closed in any case. */
+static enum status table_open(struct table *t) {
+  int rank = t->width ? 2 : 1;
+  t->set = hdf_has(t->group, t->name) ? H5Dopen2(t->group, t->name, H5P_DEFAULT) : -1;
+  t->space = t->set >= 0 ? H5Dget_space(t->set) : -1;
+  t->stored = t->set >= 0 ? H5Dget_type(t->set) : -1;
+  if (t->space < 0 || t->stored < 0)
+    return hdf_raise(ERR_INPUT, "it has no dataset %s", full_name(t->group, t->name));
+  if (H5Sget_simple_extent_ndims(t->space) != rank ||
+      H5Sget_simple_extent_dims(t->space, t->dims, NULL) < 0 ||
+      (t->width && t->dims[1] != t->width))
+    return hdf_raise(ERR_INPUT, "its dataset %s has the wrong shape", full_name(t->group, t->name));
+  H5T_class_t has = H5Tget_class(t->stored), asked = H5Tget_class(t->type);
   bool fits = has == asked || (has == H5T_INTEGER && asked == H5T_FLOAT);
-  if (!fits || !plausible(set, stored, dims, rank)) {
-    status = hdf_raise(ERR_INPUT, "its dataset %s is damaged", full_name(group, name));
-    goto done;
-  }
-  if (all) *n = dims[0];
-  if (first > dims[0] || *n > dims[0] - first) {
-    status = hdf_raise(ERR_INPUT, "its dataset %s has %llu rows where %llu are needed",
-                       full_name(group, name), (unsigned long long)dims[0],
-                       (unsigned long long)(first + *n));
-    goto done;
-  }
-  hsize_t start[2] = {first, 0}, count[2] = {*n, width};
-  size_t bytes = (size_t)*n * (width ? width : 1) * H5Tget_size(type);
+  if (!fits || !plausible(t->set, t->stored, t->dims, rank))
+    return hdf_raise(ERR_INPUT, "its dataset %s is damaged", full_name(t->group, t->name));
+  return OK;
+}
+
+/* Its rows [first, first + n), in memory of the caller's. */
+static enum status table_read(const struct table *t, hsize_t first, hsize_t n, void **values) {
+  if (first > t->dims[0] || n > t->dims[0] - first)
+    return hdf_raise(ERR_INPUT, "its dataset %s has %llu rows where %llu are needed",
+                     full_name(t->group, t->name), (unsigned long long)t->dims[0],
+                     (unsigned long long)(first + n));
+  hsize_t start[2] = {first, 0}, count[2] = {n, t->width};
+  size_t bytes = (size_t)n * (t->width ? t->width : 1) * H5Tget_size(t->type);
   *values = malloc(bytes ? bytes : 1);
-  if (!*values) {
-    status = status_raise(ERR_MEMORY, "no memory for %zu bytes", bytes);
-    goto done;
-  }
-  memory = H5Screate_simple(rank, count, NULL);
-  if (*n && (H5Sselect_hyperslab(space, H5S_SELECT_SET, start, NULL, count, NULL) < 0 ||
-             H5Dread(set, type, memory, space, H5P_DEFAULT, *values) < 0))
-    status = hdf_raise(ERR_INPUT, "its dataset %s cannot be read", full_name(group, name));
-done:
-  if (status != OK) {
-    free(*values);
-    *values = NULL;
-  }
+  CHECK(*values, ERR_MEMORY, "no memory for %zu bytes", bytes);
+  hid_t memory = H5Screate_simple(t->width ? 2 : 1, count, NULL);
+  bool good = !n || (H5Sselect_hyperslab(t->space, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
+                     H5Dread(t->set, t->type, memory, t->space, H5P_DEFAULT, *values) >= 0);
   if (memory >= 0) H5Sclose(memory);
-  if (stored >= 0) H5Tclose(stored);
-  if (space >= 0) H5Sclose(space);
-  if (set >= 0) H5Dclose(set);
-  return status;
+  if (good) return OK;
+  free(*values);
+  *values = NULL;
+  return hdf_raise(ERR_INPUT, "its dataset %s cannot be read", full_name(t->group, t->name));
 }
 
 enum status hdf_read_rows(hid_t group, const char *name, hid_t type, size_t width, hsize_t first,
                           hsize_t n, void **values) {
-  return get_rows(group, name, type, width, false, first, &n, values);
+  struct table t = {.group = group, .name = name, .type = type, .width = width};
+  *values = NULL;
+  enum status status = table_open(&t);
+  if (status == OK) status = table_read(&t, first, n, values);
+  table_close(&t);
+  return status;
 }
 
 enum status hdf_read_all(hid_t group, const char *name, hid_t type, size_t width, size_t *n,
                          void **values) {
-  hsize_t rows = 0;
-  TRY(get_rows(group, name, type, width, true, 0, &rows, values));
-  *n = (size_t)rows;
-  return OK;
+  struct table t = {.group = group, .name = name, .type = type, .width = width};
+  *values = NULL;
+  enum status status = table_open(&t);
+  if (status == OK) status = table_read(&t, 0, t.dims[0], values);
+  if (status == OK) *n = (size_t)t.dims[0];
+  table_close(&t);
+  return status;
 }
 
 enum status hdf_get_scalar(hid_t group, const char *name, hid_t type, void *value) {
