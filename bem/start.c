@@ -87,7 +87,9 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
 }
 
 /* From wall to wall, with the potential that the flow has there. */
-static enum status start_wave(const struct case_file *c, double resolution, struct bem_surface *s) {
+static enum status start_wave(const struct flow_water *w, double resolution,
+                              struct bem_surface *s) {
+  const struct case_file *c = w->c;
   size_t last = (size_t)ceil(s->tank * resolution);
   double speed = sqrt(c->gravity * c->H);
   s->right = BEM_END_WALL;
@@ -96,9 +98,9 @@ static enum status start_wave(const struct case_file *c, double resolution, stru
   double *x = s->state, *y = x + s->n, *phi = y + s->n;
   for (size_t k = 0; k < s->n; k++) {
     x[k] = s->tank * (double)k / (double)last;
-    double at = c->tank.min[0] + c->H * x[k], eta = c->flow->elevation(c, at);
+    double at = c->tank.min[0] + c->H * x[k], eta = flow_elevation(w, at, 0);
     y[k] = (eta - c->tank.min[1]) / c->H;
-    phi[k] = flow_potential(c, at, eta) / (c->H * speed);
+    phi[k] = flow_potential(w, at, eta, 0) / (c->H * speed);
   }
   return OK;
 }
@@ -135,5 +137,10 @@ enum status bem_start_surface(const struct case_file *c, const struct case_run *
   f->mesh.resolution = r->resolution;
   f->surface.tank = tank;
   f->level = wide * high / tank;
-  return wave ? start_wave(c, r->resolution, &f->surface) : start_column(wide, high, f);
+  if (!wave) return start_column(wide, high, f);
+  struct flow_water w;
+  enum status status = flow_open(c, (struct flow_use){0}, &w);
+  if (status == OK) status = start_wave(&w, r->resolution, &f->surface);
+  flow_close(&w);
+  return status;
 }

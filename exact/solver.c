@@ -27,28 +27,18 @@ static const struct param params[] = {
              "order (Tadjbakhsh & Keller, J. Fluid Mech. 8, 1960)"},
 };
 
-/* What theory leaves out: beyond MOST_ERROR it means nothing; beyond
- * CLEAR_ERROR the run says so, since no difference from it below that is the other solver's. */
+/* What theory leaves out: beyond MOST_ERROR it means nothing; beyond CLEAR_ERROR the run says so,
+ * since no difference from it below that is the other solver's. */
 static const double MOST_ERROR = 0.5, CLEAR_ERROR = 0.02;
 
 static double tank_width(const struct case_file *c) {
   return c->tank.max[0] - c->tank.min[0];
 }
 
-/* A theory of the case's water. */
-struct theory {
-  const struct case_file *c;
-  const struct flow_theory *flow;
-  void *of; /* what the flow's functions take; owned */
-  int order;
-};
-
-static enum status theory_create(const struct case_file *c, const struct case_run *r,
-                                 struct theory *w) {
+static enum status open_theory(const struct case_file *c, const struct case_run *r,
+                               struct flow_water *w) {
   const struct options *o = r->options;
-  *w = (struct theory){c, c->flow->theory, c->flow->theory->create(c, o->order), o->order};
-  CHECK(w->of, ERR_MEMORY, "no memory for the theory of a wave");
-  return OK;
+  return flow_open(c, (struct flow_use){.order = o->order}, w);
 }
 
 /* "a standing wave": those that have a theory. */
@@ -56,7 +46,7 @@ static void name_waves(size_t n, char out[]) {
   size_t at = (size_t)snprintf(out, n, "a");
   const char *before = " ";
   for (size_t i = 0; i < flow_waves.n && at < n; i++) {
-    if (!flow_waves.flow[i]->theory) continue;
+    if (!flow_has_theory(flow_waves.flow[i])) continue;
     at += (size_t)snprintf(out + at, n - at, "%s%s", before, flow_wave_names[i]);
     before = " or ";
   }
@@ -64,8 +54,8 @@ static void name_waves(size_t n, char out[]) {
 }
 
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
-  struct theory w;
-  if (!c->flow->theory) {
+  struct flow_water w;
+  if (!flow_has_theory(c->flow)) {
     char waves[256];
     name_waves(sizeof waves, waves);
     problems_add(problems, case_run_line(r, "solver"),
@@ -76,46 +66,46 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  waves);
     return;
   }
-  if (theory_create(c, r, &w) != OK) {
+  double error = NAN;
+  if (open_theory(c, r, &w) == OK)
+    error = c->flow->error(&w, c->end);
+  else
     problems->out_of_memory = true;
-    return;
-  }
-  double error = w.flow->error(w.of, c->end);
   if (error > MOST_ERROR)
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'exact' where what theory leaves out is %.2g of the wave; "
                  "allowed: at most %g; lower water.wave.amplitude or raise water.wave.depth",
                  r->name, error, MOST_ERROR);
-  free(w.of);
+  flow_close(&w);
 }
 
 /* An instant of the theory. */
 struct moment {
-  const struct theory *w;
+  const struct flow_water *w;
   double t; /* s */
 };
 
 static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
   const struct moment *m = solver;
-  const struct theory *w = m->w;
+  const struct flow_water *w = m->w;
   double p[RECORD_PARTS][2], sum = 0;
   size_t parts = record_sensor(w->c, probe, p);
-  for (size_t i = 0; i < parts; i++) sum += w->flow->pressure(w->of, p[i][0], p[i][1], m->t);
+  for (size_t i = 0; i < parts; i++) sum += w->c->flow->pressure(w, p[i][0], p[i][1], m->t);
   *pressure = w->c->density * sum / (double)parts;
   return OK;
 }
 
 static enum status elevation_of(void *solver, const struct case_gauge *gauge, double *elevation) {
   const struct moment *m = solver;
-  *elevation = m->w->flow->elevation(m->w->of, gauge->x, m->t);
+  *elevation = flow_elevation(m->w, gauge->x, m->t);
   return OK;
 }
 
-static enum status write_series(const struct theory *w, double t, size_t row, double start,
+static enum status write_series(const struct flow_water *w, double t, size_t row, double start,
                                 struct result *out) {
   const struct case_file *c = w->c;
-  double kinetic = c->density * w->flow->kinetic(w->of, t);
-  double potential = c->density * w->flow->potential_energy(w->of, t);
+  double kinetic = c->density * c->flow->kinetic(w, t);
+  double potential = c->density * c->flow->potential_energy(w, t);
   struct moment moment = {w, t};
   struct record r = {.energy = {.time = t,
                                 .kinetic = kinetic,
@@ -156,7 +146,7 @@ static enum status points_create(struct surface_points *s, const struct case_fil
   return OK;
 }
 
-static enum status write_output(const struct theory *w, double t, struct surface_points *s,
+static enum status write_output(const struct flow_water *w, double t, struct surface_points *s,
                                 struct result *out) {
   const struct geo_box *tank = &w->c->tank;
   geo_lines_clear(&s->line);
@@ -164,9 +154,9 @@ static enum status write_output(const struct theory *w, double t, struct surface
   for (size_t i = 0; i < s->n; i++) {
     double f = (double)i / (double)(s->n - 1), velocity[2];
     s->x[i] = tank->min[0] * (1 - f) + tank->max[0] * f;
-    s->y[i] = w->flow->elevation(w->of, s->x[i], t);
-    s->phi[i] = w->flow->potential(w->of, s->x[i], s->y[i], t);
-    w->flow->velocity(w->of, s->x[i], s->y[i], t, velocity);
+    s->y[i] = flow_elevation(w, s->x[i], t);
+    s->phi[i] = flow_potential(w, s->x[i], s->y[i], t);
+    flow_velocity(w, s->x[i], s->y[i], t, velocity);
     s->u[i] = velocity[0];
     s->v[i] = velocity[1];
     TRY(geo_lines_add(&s->line, s->x[i], s->y[i]));
@@ -180,14 +170,14 @@ static enum status write_output(const struct theory *w, double t, struct surface
   return result_flush(out);
 }
 
-static enum status write_error(const struct theory *w, struct result *out,
+static enum status write_error(const struct flow_water *w, struct result *out,
                                struct progress *progress) {
-  double error = w->flow->error(w->of, w->c->end);
+  double error = w->c->flow->error(w, w->c->end);
   if (error > CLEAR_ERROR)
     progress_say(progress,
                  "exact: this wave is steep for a theory of order %d: what it leaves out is about "
                  "%.2g %% of the wave (of its energy up to time.end, or of its elevation)",
-                 w->order, 100 * error);
+                 w->use.order, 100 * error);
   return result_statistic(out, "theory_error", error, "1",
                           "estimate of what the theory leaves out, relative to the wave: its error "
                           "of energy up to the end, or the next term of its series");
@@ -197,9 +187,9 @@ static enum status run(const struct case_file *c, const struct case_run *r, stru
                        struct progress *progress) {
   enum status status = OK;
   struct surface_points points = {0};
-  struct theory w = {0};
+  struct flow_water w = {0};
   const double slack = 1e-9 * c->sample, start = progress_wall_clock();
-  ATTEMPT(theory_create(c, r, &w));
+  ATTEMPT(open_theory(c, r, &w));
   ATTEMPT(points_create(&points, c, r->resolution));
   ATTEMPT(write_error(&w, out, progress));
   for (size_t row = 0, outputs = 0; (double)row * c->sample <= c->end + slack; row++) {
@@ -218,7 +208,7 @@ static enum status run(const struct case_file *c, const struct case_run *r, stru
   }
 done:
   points_destroy(&points);
-  free(w.of);
+  flow_close(&w);
   return status;
 }
 

@@ -185,7 +185,7 @@ static void check_tank_of_wave(struct case_draft *d) {
   }
   if (c->velocity[0] != 0 || c->velocity[1] != 0) {
     snprintf(todo, sizeof todo, "remove it: a %s wave %s", flow_name(c->flow),
-             c->flow->velocity ? "has its own" : "starts at rest");
+             c->flow->at_rest ? "starts at rest" : "has its own");
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "velocity"),
                      "water.velocity", "a velocity with a wave", "a velocity of regions", todo);
   }

@@ -1,5 +1,6 @@
 #include "common/flow/flow.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "common/case/case.h"
@@ -25,7 +26,8 @@ bool flow_is_wave(const struct flow *f) {
 size_t flow_place(const struct flow *f) {
   const struct flow_list *list = flow_is_wave(f) ? &flow_waves : &flow_regions;
   size_t i = 0;
-  while (list->flow[i] != f) i++;
+  while (i < list->n && list->flow[i] != f) i++;
+  assert(i < list->n);
   return i;
 }
 
@@ -33,33 +35,60 @@ const char *flow_name(const struct flow *f) {
   return (flow_is_wave(f) ? flow_wave_names : flow_region_names)[flow_place(f)];
 }
 
-double flow_potential(const struct case_file *c, double x, double y) {
-  return c->flow->potential ? c->flow->potential(c, x, y) : 0;
+bool flow_has_theory(const struct flow *f) {
+  return f->error != NULL;
 }
 
-void flow_velocity(const struct case_file *c, double x, double y, double velocity[2]) {
+enum status flow_open(const struct case_file *c, struct flow_use use, struct flow_water *w) {
+  *w = (struct flow_water){c, use, NULL};
+  return c->flow->create ? c->flow->create(w) : OK;
+}
+
+void flow_close(struct flow_water *w) {
+  if (w->c && w->c->flow->destroy) w->c->flow->destroy(w);
+}
+
+double flow_elevation(const struct flow_water *w, double x, double t) {
+  return w->c->flow->elevation(w, x, t);
+}
+
+double flow_potential(const struct flow_water *w, double x, double y, double t) {
+  const struct flow *f = w->c->flow;
+  return f->at_rest && t == 0 ? 0 : f->potential(w, x, y, t);
+}
+
+void flow_velocity(const struct flow_water *w, double x, double y, double t, double velocity[2]) {
+  const struct flow *f = w->c->flow;
   velocity[0] = velocity[1] = 0;
-  if (c->flow->velocity) c->flow->velocity(c, x, y, velocity);
+  if (!f->at_rest || t != 0) f->velocity(w, x, y, t, velocity);
 }
 
-enum status flow_head(const struct case_file *c, void *prepared, const struct flow_point *p,
-                      double *head) {
-  if (c->flow->head) return c->flow->head(c, prepared, p, head);
-  *head = c->flow->elevation(c, p->x) - p->y;
+enum status flow_head(const struct flow_water *w, const struct flow_point *p, double *head) {
+  if (w->c->flow->head) return w->c->flow->head(w, p, head);
+  *head = flow_elevation(w, p->x, 0) - p->y;
   return OK;
 }
 
-enum status flow_outline(const struct case_file *c, struct geo_lines *water) {
-  double left = c->tank.min[0], bed = c->tank.min[1], width = c->tank.max[0] - left;
-  double lengths = fmin(width / c->flow->scale(c).length, MOST_LENGTHS);
+static enum status draw(const struct flow_water *w, struct geo_lines *water) {
+  const struct geo_box *tank = &w->c->tank;
+  double left = tank->min[0], bed = tank->min[1], width = tank->max[0] - left;
+  double lengths = fmin(width / w->c->flow->scale(w->c).length, MOST_LENGTHS);
   size_t n = (size_t)ceil(lengths * OUTLINE_POINTS);
   geo_lines_clear(water);
   TRY(geo_lines_begin(water, true));
   TRY(geo_lines_add(water, left, bed));
-  TRY(geo_lines_add(water, c->tank.max[0], bed));
+  TRY(geo_lines_add(water, tank->max[0], bed));
   for (size_t i = n + 1; i-- > 0;) {
     double x = left + width * (double)i / (double)n;
-    TRY(geo_lines_add(water, x, c->flow->elevation(c, x)));
+    TRY(geo_lines_add(water, x, flow_elevation(w, x, 0)));
   }
   return OK;
+}
+
+enum status flow_outline(const struct case_file *c, struct geo_lines *water) {
+  struct flow_water w;
+  enum status status = flow_open(c, (struct flow_use){0}, &w);
+  if (status == OK) status = draw(&w, water);
+  flow_close(&w);
+  return status;
 }

@@ -1,9 +1,8 @@
-/* The water at t = 0. An initial state is a struct flow in a file of its own and a line in one of
- * the two lists below; whatever else must know of it - the case reader, `plunge list`, the
- * fingerprints, the solvers, the tests - takes it from there.
+/* The water at t = 0, and what theory knows of it later. An initial state is a struct flow in a
+ * file of its own and a line in one of the two lists below; whatever else must know of it - the
+ * case reader, `plunge list`, the fingerprints, the solvers, the tests - takes it from there.
  *
- * Places are those of the case: m, y upwards. Functions read the case after it was checked, but for
- * `check` and `scale`. */
+ * Places are those of the case: m, y upwards. */
 #pragma once
 #include <stdbool.h>
 #include <stddef.h>
@@ -24,55 +23,58 @@ struct flow_scale {
 
 struct flow_point {
   double x, y; /* m */
-  double
-      rest; /* y of the same water when the column that it is in is not stretched by the wave, m */
+  double rest; /* m, what y would be in water at rest: a wave stretches its columns */
 };
 
-/* How a flow goes on, where theory knows: what the solver `exact` evaluates. t in s. */
-struct flow_theory {
-  /* `order` is what the run asks for, 1 or 2. To be freed with free; NULL: no memory. */
-  void *(*create)(const struct case_file *c, int order);
-  double (*elevation)(const void *theory, double x, double t); /* y, m */
-  /* In the water, and in its analytic continuation above it: m^2/s, m/s. */
-  double (*potential)(const void *theory, double x, double y, double t);
-  void (*velocity)(const void *theory, double x, double y, double t, double velocity[2]);
-  double (*pressure)(const void *theory, double x, double y, double t); /* over density; 0 above */
-  /* Of the water in the tank, over density, m^4 s^-2; the latter from y = 0. */
-  double (*kinetic)(const void *theory, double t);
-  double (*potential_energy)(const void *theory, double t);
-  double (*error)(const void *theory, double end); /* what it leaves out up to t = end, relative */
+struct flow_use {
+  int order;      /* of the theory, as a run of `exact` asks; 0: nothing but t = 0 is wanted */
+  double spacing; /* of the particles, m; 0: `head` is not wanted */
+};
+
+/* The water of a checked case, to be evaluated. */
+struct flow_water {
+  const struct case_file *c;
+  struct flow_use use;
+  void *own; /* the flow's, from its create */
 };
 
 struct flow {
-  /* Rows of the section `water.wave` into a struct of the flow's own, which case_file.form holds.
-   */
+  /* Rows of the section `water.wave` into a struct of its own, which case_file.form holds. */
   const struct param *params;
   size_t n_params, params_size;
   const char *example; /* the section `water` of a case whose tank is 4 m long and 2 m high */
   /* Whether it makes sense, alone and, if case_file.rectangular, in the tank: case_flow_problem. */
   void (*check)(const struct case_file *c, struct case_draft *d);
 
+  /* What the functions below need besides, into w->own; both or neither. After a create that failed
+   * destroy is called, too. */
+  enum status (*create)(struct flow_water *w);
+  void (*destroy)(struct flow_water *w);
+
   /* Of waves, which fill a rectangular tank from wall to wall below a surface that is a function of
    * x. Regions have neither: their outline is the case's. `scale` needs nothing but form and box of
    * the tank. */
   struct flow_scale (*scale)(const struct case_file *c);
-  double (*elevation)(const struct case_file *c, double x); /* y, m */
+  double (*elevation)(const struct flow_water *w, double x, double t); /* y, m */
 
-  /* Inside the water and on its surface, m^2/s and m/s; velocity is the potential's gradient. NULL:
-   * at rest. Of the flow as incompressible water has it from t = 0 on; regions have no potential.
-   */
-  double (*potential)(const struct case_file *c, double x, double y);
-  void (*velocity)(const struct case_file *c, double x, double y, double velocity[2]);
+  /* In the water, on its surface, and in its analytic continuation above, m^2/s and m/s: velocity
+   * is the potential's gradient. Of the flow as incompressible water has it from t = 0 on; regions
+   * have no potential. */
+  bool at_rest; /* at t = 0, when neither is asked */
+  double (*potential)(const struct flow_water *w, double x, double y, double t);
+  void (*velocity)(const struct flow_water *w, double x, double y, double t, double velocity[2]);
 
-  /* What compressible water starts with: p/(rho g), m. NULL: the depth below the elevation.
-   * `prepare` makes what `head` needs besides the case, for particles of that spacing (m), and
-   * `finish` (of NULL, too) ends it; both or neither. */
-  enum status (*prepare)(const struct case_file *c, double spacing, void **prepared);
-  enum status (*head)(const struct case_file *c, void *prepared, const struct flow_point *p,
-                      double *head);
-  void (*finish)(void *prepared);
+  /* What compressible water starts with: p/(rho g), m. NULL: the depth below the elevation. */
+  enum status (*head)(const struct flow_water *w, const struct flow_point *p, double *head);
 
-  const struct flow_theory *theory; /* NULL: none */
+  /* How it goes on, for the solver `exact`, and then the functions above hold at any t; or NULL.
+   * Pressure is over density, and zero above the water. Energies are of the water in the tank, over
+   * density, m^4 s^-2, potential energy from y = 0. `error` is what the theory leaves out up to
+   * t = end, relative to the wave. */
+  double (*pressure)(const struct flow_water *w, double x, double y, double t);
+  double (*kinetic)(const struct flow_water *w, double t);
+  double (*potential_energy)(const struct flow_water *w, double t);
+  double (*error)(const struct flow_water *w, double end);
 };
 
 /* X(name, help). Fingerprints hold places in these lists: new ones go to the end. What a case may
@@ -101,12 +103,17 @@ extern const char *const flow_wave_names[], *const flow_wave_helps[];
 const char *flow_name(const struct flow *f);
 size_t flow_place(const struct flow *f); /* in its list */
 bool flow_is_wave(const struct flow *f);
+bool flow_has_theory(const struct flow *f);
+
+/* What was opened is closed in any case. */
+enum status flow_open(const struct case_file *c, struct flow_use use, struct flow_water *w);
+void flow_close(struct flow_water *w);
 
 /* The flow's functions, or what stands for those that it has not. */
-double flow_potential(const struct case_file *c, double x, double y);
-void flow_velocity(const struct case_file *c, double x, double y, double velocity[2]);
-enum status flow_head(const struct case_file *c, void *prepared, const struct flow_point *p,
-                      double *head);
+double flow_elevation(const struct flow_water *w, double x, double t);
+double flow_potential(const struct flow_water *w, double x, double y, double t);
+void flow_velocity(const struct flow_water *w, double x, double y, double t, double velocity[2]);
+enum status flow_head(const struct flow_water *w, const struct flow_point *p, double *head);
 
 /* Draws the water under the elevation of a wave: one closed piece. ERR_MEMORY. */
 enum status flow_outline(const struct case_file *c, struct geo_lines *water);

@@ -7,24 +7,22 @@
 #include "common/flow/flow.h"
 #include "common/flow/regions.h"
 
-static enum status prepare(const struct case_file *c, double spacing, void **prepared) {
-  (void)c, (void)spacing;
-  struct geo_cut *above = calloc(1, sizeof *above); /* the water above and below a point */
-  CHECK(above, ERR_MEMORY, "no memory for a cut through the water");
-  *prepared = above;
+static enum status create(struct flow_water *w) {
+  w->own = calloc(1, sizeof(struct geo_cut)); /* the water above and below a point */
+  CHECK(w->own, ERR_MEMORY, "no memory for a cut through the water");
   return OK;
 }
 
-static void finish(void *prepared) {
-  geo_cut_destroy(prepared);
-  free(prepared);
+static void destroy(struct flow_water *w) {
+  geo_cut_destroy(w->own);
+  free(w->own);
 }
 
-static enum status head(const struct case_file *c, void *prepared, const struct flow_point *p,
-                        double *out) {
+static enum status head(const struct flow_water *w, const struct flow_point *p, double *out) {
+  const struct case_file *c = w->c;
   const double near = case_near(c);
-  TRY(geo_lines_cut(&c->water, 0, p->x, near, prepared));
-  const double *span = geo_cut_span(prepared, p->y);
+  TRY(geo_lines_cut(&c->water, 0, p->x, near, w->own));
+  const double *span = geo_cut_span(w->own, p->y);
   bool stands = span && fabs(span[0] - c->tank.min[1]) <= near;
   *out = stands ? fmax(span[1] - p->y, 0) : 0;
   return OK;
@@ -32,8 +30,8 @@ static enum status head(const struct case_file *c, void *prepared, const struct 
 
 const struct flow flow_hydrostatic = {
     .example = "regions: [[[0, 0], [4, 0], [4, 0.5], [0, 0.5]], [[0, 0.5], [1, 0.5], [0, 1.5]]]",
+    .create = create,
+    .destroy = destroy,
     .velocity = flow_regions_velocity,
-    .prepare = prepare,
     .head = head,
-    .finish = finish,
 };

@@ -2,10 +2,11 @@
 
 #include <math.h>
 
-void flow_regions_velocity(const struct case_file *c, double x, double y, double velocity[2]) {
-  (void)x, (void)y;
-  velocity[0] = c->velocity[0];
-  velocity[1] = c->velocity[1];
+void flow_regions_velocity(const struct flow_water *w, double x, double y, double t,
+                           double velocity[2]) {
+  (void)x, (void)y, (void)t;
+  velocity[0] = w->c->velocity[0];
+  velocity[1] = w->c->velocity[1];
 }
 
 bool flow_find_column(const struct case_file *c, struct flow_column *column) {

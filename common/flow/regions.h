@@ -1,9 +1,11 @@
 /* What initial states of regions share. */
 #pragma once
 #include "common/case/case.h"
+#include "common/flow/flow.h"
 
 /* Of every region alike: case_file.velocity. */
-void flow_regions_velocity(const struct case_file *c, double x, double y, double velocity[2]);
+void flow_regions_velocity(const struct flow_water *w, double x, double y, double t,
+                           double velocity[2]);
 
 /* Water that is one rectangle on the bed, against one side of the tank or both. */
 struct flow_column {

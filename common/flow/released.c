@@ -20,34 +20,25 @@ static void check(const struct case_file *c, struct case_draft *d) {
                       "released for regions of water in a rectangular tank", "write hydrostatic");
 }
 
-static void finish(void *prepared) {
-  struct pressure *p = prepared;
-  if (!p) return;
-  release_destroy(p->solved);
+static enum status create(struct flow_water *w) {
+  const struct case_file *c = w->c;
+  const struct tank tank = tank_of(&c->walls);
+  struct pressure *p = w->own = calloc(1, sizeof *p);
+  CHECK(p, ERR_MEMORY, "no memory for the released pressure");
+  p->alone = flow_find_column(c, &p->column) && p->column.left != p->column.right;
+  if (p->alone || w->use.spacing == 0) return OK;
+  return release_create(&c->water, &tank, w->use.spacing, case_near(c), &p->solved);
+}
+
+static void destroy(struct flow_water *w) {
+  struct pressure *p = w->own;
+  if (p) release_destroy(p->solved);
   free(p);
 }
 
-static enum status prepare(const struct case_file *c, double spacing, void **prepared) {
-  const struct tank tank = tank_of(&c->walls);
-  enum status status = OK;
-  struct pressure *p = calloc(1, sizeof *p);
-  CHECK(p, ERR_MEMORY, "no memory for the released pressure");
-  p->alone = flow_find_column(c, &p->column) && p->column.left != p->column.right;
-  if (!p->alone) ATTEMPT(release_create(&c->water, &tank, spacing, case_near(c), &p->solved));
-done:
-  if (status != OK) {
-    finish(p);
-    p = NULL;
-  }
-  *prepared = p;
-  return status;
-}
-
-static enum status head(const struct case_file *c, void *prepared, const struct flow_point *p,
-                        double *out) {
-  const struct pressure *pressure = prepared;
+static enum status head(const struct flow_water *w, const struct flow_point *p, double *out) {
+  const struct pressure *pressure = w->own;
   const struct geo_box *b = &pressure->column.box;
-  (void)c;
   if (pressure->alone)
     *out = release_head(pressure->column.left ? p->x - b->min[0] : b->max[0] - p->x,
                         p->y - b->min[1], b->max[0] - b->min[0], b->max[1] - b->min[1]);
@@ -59,8 +50,8 @@ static enum status head(const struct case_file *c, void *prepared, const struct 
 const struct flow flow_released = {
     .example = "pressure: released, regions: [[[0, 0], [1, 0], [1, 1], [0, 1]]]",
     .check = check,
+    .create = create,
+    .destroy = destroy,
     .velocity = flow_regions_velocity,
-    .prepare = prepare,
     .head = head,
-    .finish = finish,
 };

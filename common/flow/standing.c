@@ -48,91 +48,73 @@ static void check(const struct case_file *c, struct case_draft *d) {
   }
 }
 
-static double wavenumber(const struct form *w) {
-  return 2 * M_PI / w->wavelength;
+/* ---- the wave, at any time ---- */
+
+struct wave {
+  struct wave_standing theory;
+  double width; /* of the tank, m */
+};
+
+static enum status create(struct flow_water *w) {
+  const struct form *f = w->c->form;
+  const struct geo_box *tank = &w->c->tank;
+  struct wave *wave = w->own = malloc(sizeof *wave);
+  CHECK(wave, ERR_MEMORY, "no memory for a standing wave");
+  wave->theory = wave_standing_create(f->amplitude, f->wavelength, f->depth, w->c->gravity,
+                                      tank->min[0], tank->min[1], w->use.order);
+  wave->width = tank->max[0] - tank->min[0];
+  return OK;
 }
 
-/* Above the water at rest, m. */
-static double rise(const struct case_file *c, double x) {
-  const struct form *w = c->form;
-  return w->amplitude * cos(wavenumber(w) * (x - c->tank.min[0]));
+static void destroy(struct flow_water *w) {
+  free(w->own);
 }
 
-static double elevation(const struct case_file *c, double x) {
-  const struct form *w = c->form;
-  return c->tank.min[1] + w->depth + rise(c, x);
+static const struct wave_standing *theory(const struct flow_water *w) {
+  const struct wave *wave = w->own;
+  return &wave->theory;
+}
+
+static double elevation(const struct flow_water *w, double x, double t) {
+  return wave_standing_elevation(theory(w), x, t);
+}
+
+static double potential(const struct flow_water *w, double x, double y, double t) {
+  return wave_standing_potential(theory(w), x, y, t);
+}
+
+static void velocity(const struct flow_water *w, double x, double y, double t, double out[2]) {
+  wave_standing_velocity(theory(w), x, y, t, out);
+}
+
+static double pressure(const struct flow_water *w, double x, double y, double t) {
+  return wave_standing_pressure(theory(w), x, y, t);
 }
 
 /* That of the linear wave, stretched with the column so that it vanishes on the surface:
  * depth - eta (1 - cosh(k Y)/cosh(k d)), Y the height above the bed in still water. */
-static enum status head(const struct case_file *c, void *prepared, const struct flow_point *p,
-                        double *out) {
-  const struct form *w = c->form;
-  double bed = c->tank.min[1], k = wavenumber(w), d = w->depth, Y = p->rest - bed;
-  double eta = rise(c, p->x);
+static enum status head(const struct flow_water *w, const struct flow_point *p, double *out) {
+  const struct wave_standing *s = theory(w);
+  double k = s->k, d = s->depth, Y = p->rest - s->bed;
+  double eta = s->amplitude * cos(k * (p->x - s->left));
   double decay = exp(k * (Y - d)) * (1 + exp(-2 * k * Y)) / (1 + exp(-2 * k * d));
-  (void)prepared;
-  *out = d + eta - (p->y - bed) - eta * (1 - decay);
+  *out = d + eta - (p->y - s->bed) - eta * (1 - decay);
   return OK;
 }
 
-/* ---- what follows ---- */
-
-struct theory {
-  struct wave_standing wave;
-  double width; /* of the tank, m */
-};
-
-static void *theory_create(const struct case_file *c, int order) {
-  const struct form *w = c->form;
-  struct theory *t = malloc(sizeof *t);
-  if (!t) return NULL;
-  t->wave = wave_standing_create(w->amplitude, w->wavelength, w->depth, c->gravity, c->tank.min[0],
-                                 c->tank.min[1], order);
-  t->width = c->tank.max[0] - c->tank.min[0];
-  return t;
+static double kinetic(const struct flow_water *w, double t) {
+  const struct wave *wave = w->own;
+  return wave_standing_kinetic(&wave->theory, wave->width, t);
 }
 
-static double theory_elevation(const void *theory, double x, double t) {
-  return wave_standing_elevation(theory, x, t);
+static double potential_energy(const struct flow_water *w, double t) {
+  const struct wave *wave = w->own;
+  return wave_standing_potential_energy(&wave->theory, wave->width, t);
 }
 
-static double theory_potential(const void *theory, double x, double y, double t) {
-  return wave_standing_potential(theory, x, y, t);
+static double error(const struct flow_water *w, double end) {
+  return wave_standing_error(theory(w), end);
 }
-
-static void theory_velocity(const void *theory, double x, double y, double t, double velocity[2]) {
-  wave_standing_velocity(theory, x, y, t, velocity);
-}
-
-static double theory_pressure(const void *theory, double x, double y, double t) {
-  return wave_standing_pressure(theory, x, y, t);
-}
-
-static double theory_kinetic(const void *theory, double t) {
-  const struct theory *w = theory;
-  return wave_standing_kinetic(&w->wave, w->width, t);
-}
-
-static double theory_potential_energy(const void *theory, double t) {
-  const struct theory *w = theory;
-  return wave_standing_potential_energy(&w->wave, w->width, t);
-}
-
-static double theory_error(const void *theory, double end) {
-  return wave_standing_error(theory, end);
-}
-
-static const struct flow_theory theory = {
-    .create = theory_create,
-    .elevation = theory_elevation,
-    .potential = theory_potential,
-    .velocity = theory_velocity,
-    .pressure = theory_pressure,
-    .kinetic = theory_kinetic,
-    .potential_energy = theory_potential_energy,
-    .error = theory_error,
-};
 
 const struct flow flow_standing = {
     .params = rows,
@@ -140,8 +122,16 @@ const struct flow flow_standing = {
     .params_size = sizeof(struct form),
     .example = "wave: {kind: standing, amplitude: 0.05, wavelength: 4, depth: 1}",
     .check = check,
+    .create = create,
+    .destroy = destroy,
     .scale = scale,
     .elevation = elevation,
+    .at_rest = true,
+    .potential = potential,
+    .velocity = velocity,
     .head = head,
-    .theory = &theory,
+    .pressure = pressure,
+    .kinetic = kinetic,
+    .potential_energy = potential_energy,
+    .error = error,
 };

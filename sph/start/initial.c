@@ -10,15 +10,15 @@
 struct filling {
   struct sph *s;
   const struct case_file *c;
-  void *prepared; /* what the flow's pressure needs */
+  struct flow_water water;
 };
 
 static enum status place(struct filling *w, const struct flow_point *p, double cell) {
   struct sph *s = w->s;
   struct sph_particles *f = &s->f;
   double head = 0, velocity[2];
-  TRY(flow_head(w->c, w->prepared, p, &head));
-  flow_velocity(w->c, p->x, p->y, velocity);
+  TRY(flow_head(&w->water, p, &head));
+  flow_velocity(&w->water, p->x, p->y, 0, velocity);
   size_t i = f->n++;
   f->w.x[i] = p->x;
   f->w.y[i] = p->y;
@@ -86,7 +86,7 @@ static enum status fill_columns(struct filling *w) {
   double dx = width / (double)nx;
   for (size_t i = 0; i < nx; i++) {
     double x = corner[0] + ((double)i + 0.5) * dx;
-    double dy = (w->c->flow->elevation(w->c, x) - corner[1]) / (double)ny;
+    double dy = (flow_elevation(&w->water, x, 0) - corner[1]) / (double)ny;
     for (size_t j = 0; j < ny; j++) {
       double up = (double)j + 0.5;
       const struct flow_point p = {x, corner[1] + up * dy, corner[1] + up * depth / (double)ny};
@@ -99,10 +99,10 @@ static enum status fill_columns(struct filling *w) {
 enum status sph_initial_fill(struct sph *s, const struct case_file *c) {
   struct filling w = {.s = s, .c = c};
   enum status status = OK;
-  if (c->flow->prepare) ATTEMPT(c->flow->prepare(c, s->dx, &w.prepared));
+  ATTEMPT(flow_open(c, (struct flow_use){.spacing = s->dx}, &w.water));
   ATTEMPT(flow_is_wave(c->flow) ? fill_columns(&w) : fill_regions(&w));
 done:
-  if (c->flow->finish) c->flow->finish(w.prepared);
+  flow_close(&w.water);
   TRY(status);
   CHECK(s->f.n > 0, ERR_INPUT,
         "no particle of spacing %g m fits into the water: raise the resolution", s->dx);
