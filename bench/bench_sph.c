@@ -4,6 +4,10 @@
  *
  *   bench_sph [largest H/dx, default 200]
  *
+ * Processors of one kind differ by half, and busy ones by more, so that times are given a second time
+ * as counts of a reference: one fused multiply-add of a register of floats, as wide as the processor
+ * has them, in a loop of twelve independent ones that runs before each repeat.
+ *
  * Medians of repeats. On one thread the processor's time is taken, which a busy machine does not
  * lengthen; on more, the time of the clock on the wall. */
 #include <math.h>
@@ -11,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#define SPH_SINGLE
 #include "bench/bench.h"
 #include "common/base/array.h"
 #include "common/case/case.h"
@@ -18,20 +23,39 @@
 #include "sph/pair/diffusion.h"
 #include "sph/pair/gradient.h"
 #include "sph/pair/rates.h"
+#include "sph/pair/vec.h"
 #include "sph/solver.h"
 #include "sph/sph.h"
 #include "sph/time/integrator.h"
 #include "sph/time/timestep.h"
 
-enum { REPEATS = 15 };
+enum { REPEATS = 15, CHAINS = 12, ROUNDS = 20000 };
+
+/* Nanoseconds for a fused multiply-add of a register: as many as go into the pipes at once. */
+static double reference(void) {
+  static volatile float one = 1; /* which the compiler does not know */
+  vec a[CHAINS];
+  const vec factor = vec_of(0.999f * one), term = vec_of(1e-3f * one);
+  for (int k = 0; k < CHAINS; k++) a[k] = vec_of((float)k * one);
+  const double start = bench_seconds();
+  for (int n = 0; n < ROUNDS; n++)
+#pragma GCC unroll 12
+    for (int k = 0; k < CHAINS; k++) a[k] = a[k] * factor + term;
+  const double seconds = bench_seconds() - start;
+  vec sum = {0};
+  for (int k = 0; k < CHAINS; k++) sum += a[k];
+  one = sum[0] < 1e30f; /* the loop is for something */
+  return seconds / ROUNDS / CHAINS * 1e9;
+}
+
+static double median(double t[REPEATS]) {
+  qsort(t, REPEATS, sizeof *t, array_ascending);
+  return t[REPEATS / 2];
+}
 
 /* What is timed; `stage` and `diffuse` as in sph_rates. */
 static enum status evaluate(struct sph *s) {
   return sph_rates(s, 0, true, false);
-}
-
-static enum status evaluate_frozen(struct sph *s) {
-  return sph_rates(s, 0, false, false);
 }
 
 static enum status pack(struct sph *s) {
@@ -59,19 +83,21 @@ static enum status step(struct sph *s) {
   return sph_step(s, 1e-9);
 }
 
-/* Nanoseconds per particle, the median. */
-static double measure(struct sph *s, enum status (*what)(struct sph *)) {
-  double t[REPEATS];
+/* Nanoseconds per particle, the median; into *fma (or NULL) that of how many references it is. */
+static double measure(struct sph *s, enum status (*what)(struct sph *), double *fma) {
+  double t[REPEATS], ratio[REPEATS];
   for (int r = 0; r < REPEATS; r++) {
+    const double unit = fma ? reference() : 1;
     double start = bench_seconds();
     if (what(s) != OK) {
       fprintf(stderr, "%s\n", status_message());
       exit(1);
     }
     t[r] = (bench_seconds() - start) / (double)s->f.n * 1e9;
+    ratio[r] = t[r] / unit;
   }
-  qsort(t, REPEATS, sizeof *t, array_ascending);
-  return t[REPEATS / 2];
+  if (fma) *fma = median(ratio);
+  return median(t);
 }
 
 /* Buchner's dam break with one run for each diffusion. */
@@ -123,10 +149,13 @@ static void bench(const struct case_file *c, const struct case_run *r) {
   int most = omp_get_num_procs();
   for (int threads = 1; threads <= most; threads *= 2) {
     omp_set_num_threads(threads);
-    printf("%5g %7zu  %-8s %7d %9.1f %9.1f %9.1f %7.1f %7.1f %9.1f %7.1f %8.1f\n", resolution,
-           s->f.n, r->name, threads, measure(s, evaluate), measure(s, evaluate_frozen),
-           measure(s, step), measure(s, pack), measure(s, walls), measure(s, gradient),
-           measure(s, lists),
+    double per_evaluation, per_step;
+    const double evaluation = measure(s, evaluate, &per_evaluation);
+    const double whole = measure(s, step, &per_step);
+    printf("%5g %7zu  %-8s %7d %9.1f %6.0f %9.1f %6.0f %7.1f %7.1f %9.1f %7.1f %8.1f\n", resolution,
+           s->f.n, r->name, threads, evaluation, per_evaluation, whole, per_step,
+           measure(s, pack, NULL), measure(s, walls, NULL), measure(s, gradient, NULL),
+           measure(s, lists, NULL),
            (double)pairs_listed(&s->water_water) / (double)s->water_water.n_clusters);
     fflush(stdout);
   }
@@ -135,12 +164,11 @@ static void bench(const struct case_file *c, const struct case_run *r) {
 
 int main(int argc, char **argv) {
   double largest = argc > 1 ? atof(argv[1]) : 200;
-  printf(
-      "ns per particle of water; viscosity on, alpha = 0.01; listed: sources per cluster of %d\n",
-      SPH_LANES);
-  printf(
-      " H/dx       n  diffusion threads  evaluate    frozen      step    pack   walls  gradient   "
-      "lists   listed\n");
+  printf("ns per particle of water, and (fma) how many times a fused multiply-add of %d floats; "
+         "alpha = 0.01; listed: sources per cluster of %d\n"
+         " H/dx       n  diffusion threads  evaluate    fma      step    fma    pack   walls  "
+         "gradient   lists   listed\n",
+         SPH_REALS, SPH_LANES);
   for (double resolution = 50; resolution <= largest; resolution *= 2) {
     struct case_file *c = dam_break(resolution);
     for (size_t r = 0; r < c->n_runs; r++) bench(c, &c->runs[r]);
