@@ -3,8 +3,12 @@
 #include <stddef.h>
 
 #include "sph/domain/wall.h"
+#include "sph/pair/continuity.h"
 #include "sph/pair/diffusion.h"
+#include "sph/pair/eos.h"
 #include "sph/pair/kernel.h"
+#include "sph/pair/momentum.h"
+#include "sph/pair/viscosity.h"
 #include "sph/time/integrator.h"
 
 /* What a case may name, and the help, of each family. */
@@ -14,6 +18,10 @@
   static const char *const tag##_names[] = {LIST(NAME) NULL};                                      \
   static const char *const tag##_helps[] = {LIST(HELP)};
 FAMILY(kernel, SPH_KERNELS)
+FAMILY(eos, SPH_EOS)
+FAMILY(momentum, SPH_MOMENTUMS)
+FAMILY(continuity, SPH_CONTINUITIES)
+FAMILY(viscosity, SPH_VISCOSITIES)
 FAMILY(diffusion, SPH_DIFFUSIONS)
 
 static const char *const precision_names[] = {"single", "double", NULL};
@@ -27,6 +35,14 @@ const struct param sph_params[SPH_N_PARAMS] = {
      "smoothing kernel", kernel_helps},
     {"h_over_dx", PARAM_REAL, QTY_NUMBER, AT(h_over_dx), 0.8, 3, "1.3333333333333333", NULL,
      "smoothing length over particle spacing (4/3: paper, III.A)", NULL},
+    {"eos", PARAM_CHOICE, QTY_NUMBER, AT(eos), 0, 0, "linear", eos_names,
+     "equation of state, the pressure of a density", eos_helps},
+    {"momentum", PARAM_CHOICE, QTY_NUMBER, AT(momentum), 0, 0, "plus", momentum_names,
+     "form of the pressure force", momentum_helps},
+    {"continuity", PARAM_CHOICE, QTY_NUMBER, AT(continuity), 0, 0, "divergence", continuity_names,
+     "form of the continuity equation", continuity_helps},
+    {"viscosity", PARAM_CHOICE, QTY_NUMBER, AT(viscosity), 0, 0, "artificial", viscosity_names,
+     "form of the viscous force, whose strength is alpha", viscosity_helps},
     {"diffusion", PARAM_CHOICE, QTY_NUMBER, AT(diffusion), 0, 0, "antuono", diffusion_names,
      "density diffusion in the continuity equation (paper, eqs. 7, 9, 10)", diffusion_helps},
     {"delta", PARAM_REAL, QTY_NUMBER, AT(delta), -1, 10, "-1", NULL,
@@ -43,9 +59,13 @@ const struct param sph_params[SPH_N_PARAMS] = {
      sph_wall_helps},
     {"precision", PARAM_CHOICE, QTY_NUMBER, AT(precision), 0, 0, "single", precision_names,
      "of the sums over neighbours; all else is double", precision_helps},
-    {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,
-     "factor of the bound from sound and convection (paper, eq. 29); of rk4, scaled for others",
-     NULL},
+#define ROW(name, help)                                                                            \
+  {#name, PARAM_INT, QTY_NUMBER, AT(every[SPH_TREATMENT_##name]), 0, 1e9, "0", NULL, help, NULL},
+    SPH_TREATMENTS(ROW)
+#undef ROW
+        {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,
+         "factor of the bound from sound and convection (paper, eq. 29); of rk4, scaled for others",
+         NULL},
     {"cfl_diffusive", PARAM_REAL, QTY_NUMBER, AT(cfl_diffusive), 1e-3, 10, "0.44", NULL,
      "factor of the bound from diffusion (paper, eq. 27); of rk4, scaled for others; molteni and "
      "ferrari take 0.72 of it in rk4-frozen",

@@ -1,12 +1,13 @@
-/* The scheme of a run: one of every family of variants, and the factors. A family of one has no key
- * yet. */
+/* The scheme of a run: one of every family of variants, and the factors. */
 #pragma once
 #include "common/base/params.h"
+#include "sph/treat/list.h"
 
 struct sph_scheme {
   int kernel, eos, momentum, continuity, viscosity, diffusion; /* pair/, enumerations */
   int integrator, walls;                                       /* indices into their lists */
   int precision;                                               /* of the sums over pairs */
+  int every[SPH_TREATMENT_COUNT];                              /* steps; 0: never */
   double h_over_dx;
   double delta; /* negative: the usual one of the diffusion */
   double alpha;
@@ -16,7 +17,7 @@ struct sph_scheme {
 
 enum { SPH_PRECISION_single, SPH_PRECISION_double };
 
-enum { SPH_N_PARAMS = 13 };
+enum { SPH_N_PARAMS = 17 + SPH_TREATMENT_COUNT };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* delta, or the default of the diffusion when it is negative. */

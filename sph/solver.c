@@ -8,7 +8,6 @@
 #include "common/base/progress.h"
 #include "common/case/case.h"
 #include "common/result/result.h"
-#include "sph/domain/ghost.h"
 #include "sph/estimate.h"
 #include "sph/observe/output.h"
 #include "sph/observe/watch.h"
@@ -18,6 +17,7 @@
 #include "sph/sph.h"
 #include "sph/time/integrator.h"
 #include "sph/time/timestep.h"
+#include "sph/treat/treat.h"
 
 static enum status march(const struct case_file *c, struct sph *s, struct sph_output *output,
                          struct progress *progress) {
@@ -27,6 +27,7 @@ static enum status march(const struct case_file *c, struct sph *s, struct sph_ou
   while (s->t < c->end) {
     if (progress_stop_requested()) return status_raise(INTERRUPTED, "stopped at t = %g s", s->t);
     TRY(sph_remove_outside(s));
+    TRY(sph_treat(s));
     TRY(sph_rates(s, 0, true, true));
     double next = sph_output_next(output), dt = sph_timestep(s, next);
     TRY(sph_watch_step(s, dt, next - s->t));

@@ -3,14 +3,15 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "sph/domain/ghost.h"
-#include "sph/domain/mirror.h"
-
-const struct sph_wall *const sph_walls[] = {&sph_wall_ghost, &sph_wall_mirror};
-const char *const sph_wall_names[] = {"ghost", "mirror", NULL};
-const char *const sph_wall_helps[] = {
-    "fixed ghost particles with free slip (Marrone et al. 2011)",
-    "mirror images of the water with free slip (Colagrossi & Landrini 2003)"};
+#define X(variant, help) &sph_wall_##variant,
+const struct sph_wall *const sph_walls[] = {SPH_WALLS(X)};
+#undef X
+#define X(variant, help) #variant,
+const char *const sph_wall_names[] = {SPH_WALLS(X) NULL};
+#undef X
+#define X(variant, help) help,
+const char *const sph_wall_helps[] = {SPH_WALLS(X)};
+#undef X
 
 enum status sph_wall_create(struct sph *s, const struct geo_lines *walls) {
   s->wall = sph_walls[s->scheme.walls];

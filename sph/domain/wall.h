@@ -4,7 +4,6 @@
 #include "sph/sph.h"
 
 struct sph_wall {
-  const char *name;
   /* Makes s->w.grid and .data, and what does not move: s->w.x, .y, .pack (positions and volumes)
    * and .n. */
   enum status (*create)(struct sph *s, const struct geo_lines *walls);
@@ -34,6 +33,15 @@ struct sph_lip {
  * filled. Arrays are [SPH_LANES]. */
 bool sph_lip_at(const struct sph *s, const double *x, const double *y, const double *over,
                 struct sph_lip *lip);
+
+/* X(variant, help). */
+#define SPH_WALLS(X)                                                                               \
+  X(ghost, "fixed ghost particles with free slip (Marrone et al. 2011)")                           \
+  X(mirror, "mirror images of the water with free slip (Colagrossi & Landrini 2003)")
+
+#define X(variant, help) extern const struct sph_wall sph_wall_##variant;
+SPH_WALLS(X)
+#undef X
 
 extern const struct sph_wall *const sph_walls[];
 extern const char *const sph_wall_names[]; /* NULL-terminated */

@@ -16,32 +16,26 @@ void *sph_memory(size_t n, size_t size) {
   return memory;
 }
 
-/* Every array of doubles, in one list; first those that a particle carries with it from step to
- * step. */
-enum { CARRIED = 5 + 2, MAX_ARRAYS = CARRIED + 5 * (1 + SPH_MAX_STAGES) + 7 };
+#define ONE(name, unit, help) +1
+enum { EVOLVING = SPH_EVOLVING(ONE), CARRIED = EVOLVING SPH_KEPT(ONE) };
+enum { MAX_ARRAYS = CARRIED + EVOLVING * (1 + SPH_MAX_STAGES) SPH_MADE(ONE) };
 
+/* Every array, first those that a particle carries with it from step to step. */
 static size_t arrays(struct sph_particles *p, double **list[MAX_ARRAYS]) {
   size_t n = 0;
-#define X(a) list[n++] = &p->w.a;
-  SPH_STATE(X)
-#undef X
-  list[n++] = &p->m;
-  list[n++] = &p->over;
-#define X(a) list[n++] = &p->w0.a;
-  SPH_STATE(X)
-#undef X
-  for (size_t s = 0; s < SPH_MAX_STAGES; s++) {
-#define X(a) list[n++] = &p->k[s].a;
-    SPH_STATE(X)
-#undef X
+  struct sph_state *state = &p->w;
+#define OF_STATE(name, unit, help)     list[n++] = &state->name;
+#define OF_PARTICLES(name, unit, help) list[n++] = &p->name;
+  SPH_EVOLVING(OF_STATE)
+  SPH_KEPT(OF_PARTICLES)
+  state = &p->w0;
+  SPH_EVOLVING(OF_STATE)
+  for (state = p->k; state < p->k + SPH_MAX_STAGES; state++) {
+    SPH_EVOLVING(OF_STATE)
   }
-  list[n++] = &p->p;
-  list[n++] = &p->D;
-  list[n++] = &p->x_listed;
-  list[n++] = &p->y_listed;
-  list[n++] = &p->x_walls;
-  list[n++] = &p->y_walls;
-  list[n++] = &p->scratch;
+  SPH_MADE(OF_PARTICLES)
+#undef OF_STATE
+#undef OF_PARTICLES
   return n;
 }
 
@@ -73,8 +67,8 @@ void sph_particles_destroy(struct sph_particles *p) {
 void sph_particles_pad(struct sph_particles *p) {
   if (!p->n) return;
   for (size_t i = p->n; i % SPH_LANES; i++) {
-#define X(a) p->w.a[i] = p->w.a[p->n - 1];
-    SPH_STATE(X)
+#define X(name, unit, help) p->w.name[i] = p->w.name[p->n - 1];
+    SPH_EVOLVING(X)
 #undef X
     p->m[i] = 0;
     p->over[i] = p->over[p->n - 1];

@@ -5,31 +5,27 @@
 #include <stdint.h>
 
 #include "common/base/status.h"
+#include "sph/fluid/fields.h"
 
 enum { SPH_LANES = 8 }; /* particles in a cluster */
 enum { SPH_MAX_STAGES = 4 };
 
-#define SPH_STATE(X) X(x) X(y) X(u) X(v) X(rho)
-
-struct sph_state { /* position m, velocity m/s, density kg m^-3; or the rates of these */
-#define X(a) double *a;
-  SPH_STATE(X)
+struct sph_state { /* what evolves; or the rates of it, per second */
+#define X(name, unit, help) double *name;
+  SPH_EVOLVING(X)
 #undef X
 };
 
 struct sph_particles {
   size_t n, room;                     /* room: of every array, a multiple of SPH_LANES */
   uint32_t *id;                       /* [n], the particle's number at t = 0 */
-  double *m;                          /* kg/m, [n] */
   struct sph_state w;                 /* now */
   struct sph_state w0;                /* at the start of the step */
   struct sph_state k[SPH_MAX_STAGES]; /* rates of the stages */
-  double *p;                          /* pressure of an evaluation, Pa (sph_pack_water) */
-  double *over; /* 1 for water that has passed over the top of a wall, else 0; [n] */
-  double *D;    /* delta h c0 D_i, kg m^-3 s^-1: kept where an integrator freezes it */
-  double *x_listed, *y_listed; /* where the particles were when they were sorted, m */
-  double *x_walls, *y_walls;   /* ... when the walls were listed, m */
-  double *scratch;
+#define X(name, unit, help) double *name;
+  SPH_KEPT(X)
+  SPH_MADE(X)
+#undef X
   uint32_t *order, *key; /* scratch of the sort */
 };
 

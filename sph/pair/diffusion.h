@@ -86,7 +86,7 @@ SPECIALISE bool diffusion_needs_gradient(enum sph_diffusion d) {
 }
 
 /* What wall particles take part in. In still water they carry the density gradient on through the
- * bed (ghost.h): Antuono's psi is zero then, but Molteni's and Ferrari's would let density flow in
+ * bed (ghost.c): Antuono's psi is zero then, but Molteni's and Ferrari's would let density flow in
  * through the bed, against the conservation that P asks of the term, sum D_i V_i = 0 (eq. (6)). */
 SPECIALISE enum sph_diffusion diffusion_at_walls(enum sph_diffusion d) {
   return diffusion_needs_gradient(d) ? d : SPH_DIFFUSION_none;

@@ -386,7 +386,10 @@ SPECIALISE void sum_fit(enum sph_kernel kernel, const struct sph *s, const struc
   const struct frame f = frame_of(s, of->x[0], of->y[0], first->u, first->v, first->p);
   struct targets i[SPH_PARTS] = {0};
   struct fit a[SPH_PARTS] = {0};
-  for (int part = 0; part < SPH_PARTS; part++) set_places(&i[part], of, &f, part);
+  for (int part = 0; part < SPH_PARTS; part++) {
+    set_places(&i[part], of, &f, part);
+    set_lip(&i[part], near->lip, &f, part);
+  }
   struct turn block[BLOCK / SPH_SOURCES];
   for (size_t from = 0; from < near->n; from += BLOCK) {
     const size_t n = gather(&f, near, from, block);
@@ -396,8 +399,9 @@ SPECIALISE void sum_fit(enum sph_kernel kernel, const struct sph *s, const struc
 #define SUM(q) collect(sums->q, part, a[part].q);
     SUM(w)
     SUM(x)
-    SUM(y) SUM(xx) SUM(xy) SUM(yy) SUM(p) SUM(px) SUM(py) SUM(u) SUM(ux) SUM(uy) SUM(v) SUM(vx)
-        SUM(vy) SUM(speed2)
+    SUM(y)
+    SUM(xx) SUM(xy) SUM(yy) SUM(p) SUM(px) SUM(py) SUM(u) SUM(ux) SUM(uy) SUM(v) SUM(vx) SUM(vy)
+        SUM(speed2)
 #undef SUM
   }
 }

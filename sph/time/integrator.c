@@ -32,8 +32,8 @@ int sph_integrator_chosen(const struct sph_scheme *o) {
 static void copy_state(size_t n, const struct sph_state *to, const struct sph_state *from) {
 #pragma omp parallel for simd schedule(static)
   for (size_t i = 0; i < n; i++) {
-#define X(q) to->q[i] = from->q[i];
-    SPH_STATE(X)
+#define X(q, unit, help) to->q[i] = from->q[i];
+    SPH_EVOLVING(X)
 #undef X
   }
 }

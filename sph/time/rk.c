@@ -42,10 +42,10 @@ static void set_state(struct sph *s, const double *weights, int stages, double d
 #pragma omp parallel
   {
     const double *k[SPH_MAX_STAGES] = {0};
-#define X(q)                                                                                       \
+#define X(q, unit, help)                                                                           \
   for (int t = 0; t < n_terms; t++) k[t] = f->k[term[t]].q;                                        \
   combine(f->n, f->w.q, f->w0.q, n_terms, c, k);
-    SPH_STATE(X)
+    SPH_EVOLVING(X)
 #undef X
   }
   sph_particles_pad(f);

@@ -1,0 +1,33 @@
+#include "sph/treat/treat.h"
+
+#include "sph/domain/wall.h"
+#include "sph/fluid/energy.h"
+#include "sph/pair/rates.h"
+
+static void (*const treatments[])(struct sph *) = {
+#define X(name, help) sph_treat_##name,
+    SPH_TREATMENTS(X)
+#undef X
+};
+
+static bool is_due(const struct sph *s, int treatment) {
+  const int every = s->scheme.every[treatment];
+  return every > 0 && s->steps > 0 && s->steps % (size_t)every == 0;
+}
+
+static enum status apply(struct sph *s, int treatment) {
+  TRY(sph_neighbours_update(s));
+  sph_pack_water(s);
+  s->wall->fill(s);
+  const double before = sph_energy(s).total;
+  treatments[treatment](s);
+  sph_particles_pad(&s->f);
+  s->budget.diffusion += before - sph_energy(s).total;
+  return OK;
+}
+
+enum status sph_treat(struct sph *s) {
+  for (int k = 0; k < SPH_TREATMENT_COUNT; k++)
+    if (is_due(s, k)) TRY(apply(s, k));
+  return OK;
+}
