@@ -339,8 +339,7 @@ static void averages_say(struct page *p, const struct comparison *c) {
   cmp_page_close(p);
 }
 
-void cmp_html_method(struct page *p, const struct comparison *c) {
-  cmp_page_open(p, "ul", NULL);
+static void scales_say(struct page *p, const struct comparison *c) {
   cmp_page_element(
       p, "li", NULL,
       "Scales: lengths in H = %.4g m, times t* in √(H/g) = %.4g s, pressures in ρgH = %.4g "
@@ -354,6 +353,9 @@ void cmp_html_method(struct page *p, const struct comparison *c) {
       "Noise floor: the surface of a cloud of particles is known to about half a particle "
       "spacing, dx/2; for the area, dx/2 times the length of the reference's surface in the "
       "window. Values below it are shown in grey: they are zero as far as can be told.");
+}
+
+static void surfaces_say(struct page *p, const struct comparison *c) {
   cmp_page_element(
       p, "li", NULL,
       "Main surface: pieces at least %g %% as long as the longest. Shorter ones are spray "
@@ -372,6 +374,9 @@ void cmp_html_method(struct page *p, const struct comparison *c) {
       "Area: free surfaces are closed along the tank into regions of water; the area is "
       "that of their symmetric difference within the window. It is withheld when an outline "
       "encloses less or more than the run's volume by a fifth.");
+}
+
+static void front_say(struct page *p, const struct comparison *c) {
   cmp_page_element(
       p, "li", NULL,
       "Front: the furthest x, towards the wall that the reference's water runs to (%s), at which "
@@ -379,6 +384,9 @@ void cmp_html_method(struct page *p, const struct comparison *c) {
       "same depth in every run, until the reference reaches that wall. None runs where the bed is "
       "wet from wall to wall at first.",
       (const char *[]){"the left", "the right", "here none"}[c->side], c->depth);
+}
+
+static void health_say(struct page *p) {
   cmp_page_open(p, "li", NULL);
   cmp_page_text(p, "Health: what a run says of itself, against limits. ");
   for (size_t k = 0; k < HEALTH_N; k++) {
@@ -390,6 +398,9 @@ void cmp_html_method(struct page *p, const struct comparison *c) {
   cmp_page_text(p, ". Nothing is compared with a reference after the instant at which its energies "
                    "or volumes have failed.");
   cmp_page_close(p);
+}
+
+static void jet_say(struct page *p, const struct comparison *c) {
   cmp_page_element(
       p, "li", NULL,
       "Jet: where the longest piece turns back by more than %.4g H "
@@ -400,22 +411,26 @@ void cmp_html_method(struct page *p, const struct comparison *c) {
       "the tip cut its two sides; the cavity is closed by the vertical through the tip. "
       "Direction is counted counter-clockwise from +x.",
       CMP_JET_LEAST * c->depth);
+}
+
+static void signals_say(struct page *p) {
   cmp_page_element(
       p, "li", NULL,
       "Signals are compared over the time both cover, interpolated linearly. Arrival: first "
       "time at %g ρgH (pressure) or %g H (height). The best shift is the one within ±%g "
       "√(H/g) with the smallest rms; positive: the run is late. It is never applied.",
       CMP_ONSET, CMP_ONSET, CMP_SHIFT_REACH);
-  averages_say(p, c);
+}
+
+static void energy_say(struct page *p) {
   cmp_page_element(
       p, "li", NULL,
       "Energy: mechanical = kinetic + potential + the energy of water that a solver took "
       "out of its computation. The budget is kinetic + potential + elastic + viscous and "
       "diffusive losses + work on walls + removed; its closure is its change since t = 0.");
-  if (!c->window_whole)
-    cmp_page_element(p, "li", NULL, "Window: x/H from %.4g to %.4g, y/H from %.4g to %.4g.",
-                     c->window.min[0], c->window.max[0], c->window.min[1], c->window.max[1]);
-  cmp_page_close(p);
+}
+
+static void measures_say(struct page *p) {
   cmp_page_element(p, "h3", NULL, "The measures that compare.tolerances may name");
   cmp_page_open(p, "dl", NULL);
   for (size_t m = 0; m < CMP_N_MEASURES; m++) {
@@ -423,4 +438,21 @@ void cmp_html_method(struct page *p, const struct comparison *c) {
     cmp_page_element(p, "dd", NULL, "%s", cmp_measures[m].help);
   }
   cmp_page_close(p);
+}
+
+void cmp_html_method(struct page *p, const struct comparison *c) {
+  cmp_page_open(p, "ul", NULL);
+  scales_say(p, c);
+  surfaces_say(p, c);
+  front_say(p, c);
+  health_say(p);
+  jet_say(p, c);
+  signals_say(p);
+  averages_say(p, c);
+  energy_say(p);
+  if (!c->window_whole)
+    cmp_page_element(p, "li", NULL, "Window: x/H from %.4g to %.4g, y/H from %.4g to %.4g.",
+                     c->window.min[0], c->window.max[0], c->window.min[1], c->window.max[1]);
+  cmp_page_close(p);
+  measures_say(p);
 }
