@@ -11,6 +11,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include "common/base/array.h"
@@ -19,7 +20,8 @@
 #include "common/result/result_hdf.h"
 #include "common/result/result_seal.h"
 
-#define PAGE RESULT_SEAL_PAGE /* bytes that are kept in memory and written together */
+#define PAGE RESULT_SEAL_PAGE /* bytes that are kept in memory together */
+enum { TOGETHER = 256 };      /* pages that are written at once */
 
 struct result_store {
   char *path, *twin; /* owned */
@@ -158,6 +160,11 @@ static enum status write_at(const struct result_store *s, int fd, haddr_t at, si
   return OK;
 }
 
+/* Bytes of a page: the last may be shorter. */
+static size_t page_size(const struct result_store *s, size_t k) {
+  return s->eoa - k * PAGE < PAGE ? (size_t)(s->eoa - k * PAGE) : PAGE;
+}
+
 static enum status open_twin(struct result_store *s, int i) {
   s->fd[i] = file_open(s->twin, O_RDWR | O_CREAT | O_NOFOLLOW);
   CHECK(s->fd[i] >= 0, ERR_IO, "cannot write beside %s: %s", s->path, strerror(errno));
@@ -215,13 +222,24 @@ static enum status replace_back(struct result_store *s, haddr_t size) {
   return status;
 }
 
+/* Writes n pages in memory that follow each other in the file, at once where that goes. */
+static enum status write_pages(const struct result_store *s, int fd, size_t first, size_t n) {
+  struct iovec part[TOGETHER];
+  for (size_t i = 0; i < n; i++)
+    part[i] = (struct iovec){s->page[first + i], page_size(s, first + i)};
+  ssize_t put = pwritev(fd, part, (int)n, (off_t)first * PAGE);
+  for (size_t i = put < 0 ? 0 : (size_t)put / PAGE; i < n; i++) /* what is left, or why */
+    TRY(write_at(s, fd, (haddr_t)(first + i) * PAGE, part[i].iov_len, s->page[first + i]));
+  return OK;
+}
+
 /* Makes the back file equal to the present state. */
 static enum status write_back(const struct result_store *s, const struct result_seal *seal) {
   int fd = s->fd[!s->front];
-  for (size_t k = 0; k * PAGE < s->eoa; k++) {
-    if (!s->page[k]) continue;
-    size_t n = s->eoa - k * PAGE < PAGE ? (size_t)(s->eoa - k * PAGE) : PAGE;
-    TRY(write_at(s, fd, (haddr_t)k * PAGE, n, s->page[k]));
+  size_t pages = (size_t)((s->eoa + PAGE - 1) / PAGE);
+  for (size_t k = 0, n; k < pages; k += n + !n) {
+    for (n = 0; k + n < pages && n < TOGETHER && s->page[k + n];) n++;
+    if (n) TRY(write_pages(s, fd, k, n));
   }
   TRY(write_at(s, fd, s->eoa, sizeof *seal, seal));
   CHECK(!ftruncate(fd, (off_t)(s->eoa + sizeof *seal)), ERR_IO, "cannot write %s: %s", s->path,
@@ -252,13 +270,16 @@ static enum status update_sums(struct result_store *s, uint64_t *sum) {
   TRY(reserve_pages(s, s->eoa));
   if (s->committed) TRY(page_need(s, (size_t)(s->committed / PAGE))); /* holds the old seal */
   TRY(page_need(s, (size_t)(s->eoa / PAGE)));                         /* perhaps cut shorter */
-  *sum = 0;
-  for (size_t k = 0; k * PAGE < s->eoa; k++) {
-    size_t n = s->eoa - k * PAGE < PAGE ? (size_t)(s->eoa - k * PAGE) : PAGE;
+  size_t pages = (size_t)((s->eoa + PAGE - 1) / PAGE);
+  uint64_t total = 0;
+  for (size_t k = 0; k < pages; k++)
     if (!s->page[k] && k * PAGE >= s->committed) TRY(page_need(s, k)); /* a gap: zeros */
-    if (s->page[k] && s->fresh[k]) s->sum[k] = result_seal_page(s->page[k], n, k);
-    *sum += s->sum[k];
+#pragma omp parallel for schedule(static) reduction(+ : total)
+  for (size_t k = 0; k < pages; k++) {
+    if (s->page[k] && s->fresh[k]) s->sum[k] = result_seal_page(s->page[k], page_size(s, k), k);
+    total += s->sum[k];
   }
+  *sum = total;
   return OK;
 }
 

@@ -4,6 +4,9 @@
 
 #include "sph/pair/eos.h"
 
+/* Particles whose energies one thread sums: the same for any number of threads, as are the bits. */
+enum { BLOCK = 512 };
+
 static void add(const struct sph *s, size_t i, struct result_energy *e) {
   const struct sph_state *w = &s->f.w;
   double m = s->f.m[i];
@@ -18,7 +21,21 @@ struct result_energy sph_energy(const struct sph *s) {
                             .diffusion = s->budget.diffusion,
                             .walls = s->budget.walls,
                             .removed = s->budget.removed};
-  for (size_t i = 0; i < s->f.n; i++) add(s, i, &e);
+  size_t blocks = (s->f.n + BLOCK - 1) / BLOCK;
+  double(*part)[3] = (double(*)[3])s->f.scratch; /* [blocks] */
+#pragma omp parallel for schedule(static)
+  for (size_t b = 0; b < blocks; b++) {
+    struct result_energy sum = {0};
+    for (size_t i = b * BLOCK; i < s->f.n && i < (b + 1) * BLOCK; i++) add(s, i, &sum);
+    part[b][0] = sum.kinetic;
+    part[b][1] = sum.potential;
+    part[b][2] = sum.internal;
+  }
+  for (size_t b = 0; b < blocks; b++) {
+    e.kinetic += part[b][0];
+    e.potential += part[b][1];
+    e.internal += part[b][2];
+  }
   e.total = e.kinetic + e.potential + e.internal;
   return e;
 }

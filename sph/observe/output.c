@@ -109,18 +109,19 @@ static size_t sort_by_id(struct sph_output *o, const struct sph *s) {
   for (size_t i = 0; i < o->room; i++) o->place[i] = UINT32_MAX;
   for (size_t i = 0; i < f->n; i++) o->place[f->id[i]] = (uint32_t)i;
   size_t n = 0;
-  for (size_t k = 0; k < o->room; k++) {
+  for (size_t k = 0; k < o->room; k++)
+    if (o->place[k] != UINT32_MAX) o->place[n++] = o->place[k];
+#pragma omp parallel for schedule(static)
+  for (size_t k = 0; k < n; k++) {
     size_t i = o->place[k];
-    if (i == UINT32_MAX) continue;
-    o->x[n] = f->w.x[i];
-    o->y[n] = f->w.y[i];
-    o->u[n] = f->w.u[i];
-    o->v[n] = f->w.v[i];
-    o->rho[n] = f->w.rho[i];
-    o->p[n] = eos_pressure((enum sph_eos)s->scheme.eos, s->rho0, s->c0, f->w.rho[i]);
-    o->m[n] = f->m[i];
-    o->V[n] = f->m[i] / f->w.rho[i];
-    n++;
+    o->x[k] = f->w.x[i];
+    o->y[k] = f->w.y[i];
+    o->u[k] = f->w.u[i];
+    o->v[k] = f->w.v[i];
+    o->rho[k] = f->w.rho[i];
+    o->p[k] = eos_pressure((enum sph_eos)s->scheme.eos, s->rho0, s->c0, f->w.rho[i]);
+    o->m[k] = f->m[i];
+    o->V[k] = f->m[i] / f->w.rho[i];
   }
   return n;
 }
@@ -129,6 +130,7 @@ static size_t sort_by_id(struct sph_output *o, const struct sph *s) {
 static struct sph_cloud cloud_of(struct sph_output *o, const struct sph *s) {
   if (s->f.n < o->room)
     for (size_t k = 0; k < o->room; k++) o->x[k] = o->y[k] = INFINITY;
+#pragma omp parallel for schedule(static)
   for (size_t i = 0; i < s->f.n; i++) {
     o->x[s->f.id[i]] = s->f.w.x[i];
     o->y[s->f.id[i]] = s->f.w.y[i];
