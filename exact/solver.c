@@ -224,7 +224,7 @@ static void estimate(const struct case_file *c, const struct case_run *r,
 
 const struct solver exact_solver = {
     .name = "exact",
-    .help = "wave theory: standing waves in a rectangular tank, to second order",
+    .help = "wave theory, where it knows how the water goes on",
     .params = params,
     .n_params = sizeof params / sizeof *params,
     .options_size = sizeof(struct options),
