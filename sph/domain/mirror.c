@@ -1,16 +1,17 @@
 /* Moving mirror images with free slip (Colagrossi & Landrini, J. Comput. Phys. 191, 2003), for a
  * tank with upright sides and a flat bed.
  *
- * Every particle of water j near a wall has an image there, with its volume, its velocity with the
- * normal component reversed, and p_j' = p_j + rho_j f . (r_j' - r_j): beside an upright wall the
- * same pressure, below the bed 2 d rho g more. In a corner there is a third image, mirrored in both
- * walls. In still water the images continue the linear pressure through the wall, and its
- * renormalised gradient, whose excess over the hydrostatic one is reflected like a velocity, as the
- * fixed ghosts do (ghost.c).
+ * Every particle of water j near a wall has an image there (images.h), with its volume, its
+ * velocity with the normal component reversed, and p_j' = p_j + rho_j f . (r_j' - r_j): beside an
+ * upright wall the same pressure, below the bed 2 d rho g more. In a corner there is a third image,
+ * mirrored in both walls. In still water the images continue the linear pressure through the wall,
+ * and its renormalised gradient, whose excess over the hydrostatic one is reflected like a
+ * velocity, as the fixed ghosts do (ghost.c).
  *
  * Upright walls do no work, whatever the noise. Particle i meets the image j' exactly when j meets
  * i', and the way from j to i' is the way from i to j' mirrored and turned round: with R the
- * reflection of vectors, grad_j W_ji' = -R grad_i W_ij'. The power that the two take out (rates.h),
+ * reflection of vectors, in a corner the half turn, grad_j W_ji' = -R grad_i W_ij'. The power that
+ * the two take out (rates.h),
  *
  *   V_i V_j ((p_j u_i + p_i R u_j) . grad_i W_ij' + (p_i u_j + p_j R u_i) . grad_j W_ji') = 0,
  *
@@ -27,15 +28,14 @@
 
 #include <stdlib.h>
 
-#include "sph/pair/kernel.h"
+#include "sph/domain/images.h"
 
-/* r_image = (x0, y0) + (sign_x x, sign_y y). */
 struct image {
-  uint32_t of; /* particle of water */
-  double x0, y0, sign_x, sign_y;
+  uint32_t of, motion; /* particle of water; sph_images_motion */
 };
 
 struct mirror {
+  struct sph_images images;
   size_t room;
   struct image *image;   /* [w.n], in the order of s->w, owned */
   struct image *found;   /* [w.n], in that of the water; scratch, owned */
@@ -43,11 +43,11 @@ struct mirror {
   uint32_t *key, *order; /* [w.n], scratch, owned */
 };
 
-enum { MAX_IMAGES = 5 }; /* of one particle: both sides, the bed, both corners */
-
 static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
-  (void)walls;
-  TRY(sph_allocate(1, sizeof(struct mirror), &s->w.data));
+  struct mirror *m;
+  TRY(sph_allocate(1, sizeof *m, &m));
+  s->w.data = m;
+  TRY(sph_images_set_walls(&m->images, walls));
   double reach = s->support + s->wall_skin;
   struct geo_box box = tank_around(&s->tank, reach);
   return sph_grid_create(&s->w.grid, &box, s->dx);
@@ -64,7 +64,7 @@ static void free_arrays(struct sph *s) {
   free(s->w.x);
   free(s->w.y);
   free(s->w.pack);
-  *m = (struct mirror){0};
+  *m = (struct mirror){.images = m->images};
   s->w.x = s->w.y = NULL;
   s->w.pack = NULL;
 }
@@ -87,43 +87,30 @@ static enum status make_room(struct sph *s, size_t n) {
   return OK;
 }
 
-/* The images of one particle of water; reach from the walls. Those in a side wall are listed for
- * water that may sink below its top before the lists are made anew. */
-static size_t images_of(const struct sph *s, uint32_t i, double reach,
-                        struct image out[MAX_IMAGES]) {
-  double x = s->f.w.x[i], y = s->f.w.y[i];
-  const struct tank *t = &s->tank;
-  bool bed = y < t->box.min[1] + reach;
-  size_t n = 0;
-  if (bed) out[n++] = (struct image){i, 0, 2 * t->box.min[1], 1, -1};
-  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) {
-    double wall = tank_wall(t, side);
-    if (y >= t->top[side] + s->wall_skin || tank_inside(t, side, x) >= reach) continue;
-    out[n++] = (struct image){i, 2 * wall, 0, -1, 1};
-    if (bed) out[n++] = (struct image){i, 2 * wall, 2 * t->box.min[1], -1, -1};
+/* Every image of the water, into m->found, m->x and m->y, for which there is room. */
+static void find_images(struct mirror *m, const struct sph *s) {
+  size_t at = 0;
+  for (size_t i = 0; i < s->f.n; i++) {
+    size_t k = sph_images_of(&m->images, s->f.w.x[i], s->f.w.y[i]);
+    for (size_t l = 0; l < k; l++, at++) {
+      const struct sph_image *image = &m->images.found[l];
+      m->found[at] = (struct image){(uint32_t)i, image->motion};
+      m->x[at] = image->x;
+      m->y[at] = image->y;
+    }
   }
-  return n;
 }
 
 /* A pair of water and image is at most the support apart, so that either is at most that far from
  * the wall when the other is inside it; the skin covers the ways until the next lists, through the
- * wall and along it. */
+ * wall and along it, such as below the top of a side. */
 static enum status mirror_list(struct sph *s) {
   struct mirror *m = s->w.data;
-  const double reach = s->support + s->wall_skin;
-  struct image images[MAX_IMAGES];
   size_t n = 0;
-  for (size_t i = 0; i < s->f.n; i++) n += images_of(s, (uint32_t)i, reach, images);
+  sph_images_set_reach(&m->images, s->support + s->wall_skin, s->wall_skin);
+  for (size_t i = 0; i < s->f.n; i++) n += sph_images_of(&m->images, s->f.w.x[i], s->f.w.y[i]);
   TRY(make_room(s, n));
-  size_t at = 0;
-  for (size_t i = 0; i < s->f.n; i++) {
-    size_t k = images_of(s, (uint32_t)i, reach, images);
-    for (size_t l = 0; l < k; l++, at++) {
-      m->found[at] = images[l];
-      m->x[at] = images[l].x0 + images[l].sign_x * s->f.w.x[i];
-      m->y[at] = images[l].y0 + images[l].sign_y * s->f.w.y[i];
-    }
-  }
+  find_images(m, s);
   s->w.n = sph_grid_sort(&s->w.grid, n, m->x, m->y, NULL, m->key, m->order);
   for (size_t k = 0; k < n; k++) {
     m->image[k] = m->found[m->order[k]];
@@ -134,10 +121,9 @@ static enum status mirror_list(struct sph *s) {
 }
 
 /* Water above the top of a side wall has no image in it; water that has passed over has none. */
-static bool has_image(const struct sph *s, const struct image *a) {
-  if (s->f.over[a->of] != 0) return false;
-  return a->sign_x > 0 ||
-         s->pack[a->of].y < s->tank.top[a->x0 > s->tank.box.min[0] + s->tank.box.max[0]];
+static bool has_image(const struct sph *s, const struct sph_images *t, const struct image *a) {
+  const struct sph_pack *j = &s->pack[a->of];
+  return s->f.over[a->of] == 0 && sph_images_counts(t, a->motion, j->x, j->y);
 }
 
 static void mirror_fill(struct sph *s) {
@@ -145,14 +131,19 @@ static void mirror_fill(struct sph *s) {
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < s->w.n; k++) {
     const struct image *a = &m->image[k];
+    const struct sph_motion *motion = sph_images_motion(&m->images, a->motion);
     const struct sph_pack *j = &s->pack[a->of];
-    double y = a->y0 + a->sign_y * j->y, rho = s->f.w.rho[a->of];
-    s->w.pack[k] = (struct sph_pack){.x = a->x0 + a->sign_x * j->x,
+    double x, y, u, v, rho = s->f.w.rho[a->of];
+    sph_motion_turn(motion, j->x, j->y, &x, &y);
+    sph_motion_turn(motion, j->u, j->v, &u, &v);
+    x += motion->at[0];
+    y += motion->at[1];
+    s->w.pack[k] = (struct sph_pack){.x = x,
                                      .y = y,
-                                     .u = a->sign_x * j->u,
-                                     .v = a->sign_y * j->v,
+                                     .u = u,
+                                     .v = v,
                                      .p = j->p + rho * s->g * (j->y - y),
-                                     .V = has_image(s, a) ? j->V : 0};
+                                     .V = has_image(s, &m->images, a) ? j->V : 0};
   }
 }
 
@@ -162,16 +153,20 @@ static void mirror_fill_gradients(struct sph *s) {
   for (size_t k = 0; k < s->w.n; k++) {
     const struct image *a = &m->image[k];
     const struct sph_pack *j = &s->pack[a->of];
+    struct sph_pack *w = &s->w.pack[k];
     double weight = -s->f.w.rho[a->of] * s->g;
-    s->w.pack[k].Gx = a->sign_x * j->Gx;
-    s->w.pack[k].Gy = weight + a->sign_y * (j->Gy - weight);
+    sph_motion_turn(sph_images_motion(&m->images, a->motion), j->Gx, j->Gy - weight, &w->Gx,
+                    &w->Gy);
+    w->Gy += weight;
   }
 }
 
 static void mirror_destroy(struct sph *s) {
   if (!s->w.data) return;
+  struct mirror *m = s->w.data;
   free_arrays(s);
-  free(s->w.data);
+  sph_images_destroy(&m->images);
+  free(m);
 }
 
 const struct sph_wall sph_wall_mirror = {

@@ -21,7 +21,7 @@ struct sph_source {
 
 void sph_fraction_destroy(struct sph_fraction *g) {
   free(g->memory);
-  free(g->beside);
+  sph_images_destroy(&g->images);
   free(g->source);
   free(g->band);
   free(g->listed);
@@ -99,52 +99,11 @@ static enum status add_source(struct sph_fraction *g, double x, double y, double
   return OK;
 }
 
-/* Around every segment of the walls, the box out of which nothing has an image in it. */
-static enum status list_walls(struct sph_fraction *g, const struct geo_lines *walls) {
-  const double reach = 1.001 * (REACH + 1) * g->spacing;
-  size_t n = 0;
-  TRY(array_grow(&g->beside, &g->wall_room, walls->points, "walls beside a free surface"));
-  for (size_t k = 0; k < walls->pieces; k++)
-    for (size_t i = 0; i < geo_piece_segments(walls, k); i++, n++) {
-      const double *a = walls->p[walls->first[k] + i], *b = geo_segment_end(walls, k, i);
-      for (int d = 0; d < 2; d++) {
-        g->beside[n].min[d] = fmin(a[d], b[d]) - reach;
-        g->beside[n].max[d] = fmax(a[d], b[d]) + reach;
-      }
-    }
-  return OK;
-}
-
-/* Adds the images of a particle: mirrored in every segment on which it has its foot, and
- * point-reflected in every vertex on both of whose segments it has one. At a corner of 90 to 180
- * degrees, straight ones included, water that fills the corner is thereby continued to every side
- * exactly once. */
-static enum status add_images(struct sph_fraction *g, const struct geo_lines *walls, double x,
-                              double y, double volume) {
-  const double reach = (REACH + 1) * g->spacing;
-  const struct geo_box *beside = g->beside;
-  for (size_t k = 0; k < walls->pieces; k++) {
-    size_t m = geo_piece_segments(walls, k);
-    bool before = false, on_first = false;
-    for (size_t i = 0; i < m; i++, beside++) {
-      if (!geo_box_contains(beside, x, y)) {
-        before = false;
-        continue;
-      }
-      const double *a = walls->p[walls->first[k] + i], *b = geo_segment_end(walls, k, i);
-      double d, t = geo_line_foot(a, b, x, y, &d);
-      bool here = t >= 0 && t < 1 && fabs(d) < reach;
-      if (here) {
-        double fx = a[0] + t * (b[0] - a[0]), fy = a[1] + t * (b[1] - a[1]);
-        TRY(add_source(g, 2 * fx - x, 2 * fy - y, volume));
-        if (before) TRY(add_source(g, 2 * a[0] - x, 2 * a[1] - y, volume));
-        if (i == 0) on_first = true;
-        if (i + 1 == m && i > 1 && walls->closed[k] && on_first)
-          TRY(add_source(g, 2 * b[0] - x, 2 * b[1] - y, volume));
-      }
-      before = here;
-    }
-  }
+/* Adds the images of a particle. */
+static enum status add_images(struct sph_fraction *g, double x, double y, double volume) {
+  size_t n = sph_images_of(&g->images, x, y);
+  for (size_t k = 0; k < n; k++)
+    TRY(add_source(g, g->images.found[k].x, g->images.found[k].y, volume));
   return OK;
 }
 
@@ -165,7 +124,8 @@ static size_t choose(const struct sph_fraction *g, const struct sph_cloud *c, st
 
 static enum status add_sources(struct sph_fraction *g, const struct sph_cloud *c,
                                const struct geo_lines *walls, const struct geo_box *catch) {
-  TRY(list_walls(g, walls));
+  TRY(sph_images_set_walls(&g->images, walls));
+  sph_images_set_reach(&g->images, (REACH + 1) * g->spacing, 0);
   TRY(array_grow(&g->listed, &g->list_room, c->n + 1, "particles near a free surface"));
   size_t n = choose(g, c, *catch, g->listed);
   g->sources = 0;
@@ -173,7 +133,7 @@ static enum status add_sources(struct sph_fraction *g, const struct sph_cloud *c
     size_t i = g->listed[k];
     double volume = c->volume ? c->volume[i] : c->dx * c->dx;
     TRY(add_source(g, c->x[i], c->y[i], volume));
-    TRY(add_images(g, walls, c->x[i], c->y[i], volume));
+    TRY(add_images(g, c->x[i], c->y[i], volume));
   }
   CHECK(g->sources < UINT32_MAX, ERR_INPUT, "%zu particles and images are too many", g->sources);
   return OK;

@@ -1,12 +1,13 @@
 /* The smoothed volume fraction of a particle cloud, on a grid:
  *     F(x) = sum_j V_j W(x - x_j),   W(r) = exp(-r^2/s^2) / (pi s^2),   s = dx.
- * Water that touches a wall is continued through it by mirror particles. */
+ * Water that touches a wall is continued through it (images.h). */
 #pragma once
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "common/base/geometry.h"
 #include "common/base/status.h"
+#include "sph/domain/images.h"
 
 struct sph_cloud {
   size_t n;
@@ -30,8 +31,7 @@ struct sph_fraction {
   double *memory; /* of f: rows go on at both ends, where particles reach beyond the strip; owned */
   size_t room;
 
-  struct geo_box *beside; /* of each segment of the walls, [wall_room], owned */
-  size_t wall_room;
+  struct sph_images images;
   struct sph_source *source; /* particles and images, [sources], owned */
   size_t sources, source_room;
   size_t *band; /* where the list of each band of rows begins, [bands + 1], owned */

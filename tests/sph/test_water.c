@@ -105,18 +105,22 @@ static void test_walls_reflect_the_normal_velocity_and_keep_the_tangential(void)
   for (size_t k = 0; sph_wall_names[k]; k++) sliding_water_at(sph_wall_names[k]);
 }
 
-/* The power that an upright wall takes out of noisy water clear of the bed, over what it would be
- * if every term of the sum counted by its size: zero for mirror images. */
-static double power_of_noise(const char *walls, const char *precision) {
-  char run[200];
+/* The power that walls take out of noisy water against the right one, of which `water` gives left,
+ * low and high edge, over what it would be if every term of the sum counted by its size. */
+static double power_of_noise(const char *walls, const char *precision, double g,
+                             const double water[3]) {
+  char run[200], head[500];
   snprintf(run, sizeof run, "resolution: 20, diffusion: none, alpha: 0, walls: %s, precision: %s",
            walls, precision);
-  struct case_file *c = pool_case("title: sheet on a wall\nscales: {H: 1}\n"
-                                  "tank: {walls: [[[0, 2], [0, 0], [1, 0], [1, 2]]]}\n"
-                                  "water: {regions: [[[0.7, 0.5], [1, 0.5], [1, 1.5], [0.7, "
-                                  "1.5]]], pressure: hydrostatic}\n" POOL_TIMES,
-                                  run);
+  snprintf(head, sizeof head,
+           "title: sheet on a wall\nscales: {H: 1}\n"
+           "tank: {walls: [[[0, 2], [0, 0], [1, 0], [1, 2]]]}\n"
+           "water: {regions: [[[%g, %g], [1, %g], [1, %g], [%g, %g]]], "
+           "pressure: hydrostatic}\n" POOL_TIMES,
+           water[0], water[1], water[1], water[2], water[0], water[2]);
+  struct case_file *c = pool_case(head, run);
   struct sph *s = pool_create(c);
+  s->g = g;
   pool_shake(s, 0.2, 1, s->rho0 * s->c0); /* the pressure of sound at this speed */
   EXPECT_OK(sph_rates(s, 0, true, true));
   double size = 0;
@@ -129,10 +133,53 @@ static double power_of_noise(const char *walls, const char *precision) {
   return power;
 }
 
+/* Upright walls do none; nor do, without weight, a bed and its corners. */
 static void test_mirrors_do_no_work_on_noise(void) {
-  power_of_noise("ghost", "double");
-  EXPECT_NEAR(power_of_noise("mirror", "double"), 0, 1e-12);
-  EXPECT_NEAR(power_of_noise("mirror", "single"), 0, 1.2e-7);
+  const double clear_of_bed[3] = {0.7, 0.5, 1.5}, in_corner[3] = {0.7, 0, 1};
+  power_of_noise("ghost", "double", 9.81, clear_of_bed);
+  EXPECT_NEAR(power_of_noise("mirror", "double", 9.81, clear_of_bed), 0, 1e-12);
+  EXPECT_NEAR(power_of_noise("mirror", "single", 9.81, clear_of_bed), 0, 1.2e-7);
+  EXPECT_NEAR(power_of_noise("mirror", "double", 0, in_corner), 0, 1e-12);
+  EXPECT(fabs(power_of_noise("mirror", "double", 9.81, in_corner)) > 1e-9);
+}
+
+static void by_id(const struct sph *s, double (*out)[5]) {
+  for (size_t i = 0; i < s->f.n; i++) {
+    double *o = out[s->f.id[i]];
+    o[0] = s->f.w.x[i];
+    o[1] = s->f.w.y[i];
+    o[2] = s->f.w.u[i];
+    o[3] = s->f.w.v[i];
+    o[4] = s->f.w.rho[i];
+  }
+}
+
+/* Walls that are drawn with further points along them are the same walls. */
+static void test_mirrors_know_no_points_along_a_wall(void) {
+  static double state[2][4000][5];
+  size_t n = 0;
+  for (int k = 0; k < 2; k++) {
+    struct case_file *c = pool_case(POOL_DAM, "resolution: 20, walls: mirror, precision: double");
+    if (k == 1) {
+      const double H = c->H, W = 5.366 * H;
+      const double p[][2] = {{0, 3 * H},   {0, 0.71 * H}, {0, 0.7 * H}, {0, 0},
+                             {1.3 * H, 0}, {W, 0},        {W, 3 * H}};
+      geo_lines_clear(&c->walls);
+      EXPECT_OK(geo_lines_begin(&c->walls, false));
+      for (size_t i = 0; i < sizeof p / sizeof *p; i++)
+        EXPECT_OK(geo_lines_add(&c->walls, p[i][0], p[i][1]));
+    }
+    struct sph *s = pool_create(c);
+    EXPECT_OK(march(s, 60));
+    n = s->f.n;
+    by_id(s, state[k]);
+    sph_destroy(s);
+    case_destroy(c);
+  }
+  double worst = 0;
+  for (size_t i = 0; i < n; i++)
+    for (int a = 0; a < 4; a++) worst = fmax(worst, fabs(state[1][i][a] - state[0][i][a]));
+  EXPECT_NEAR(worst, 0, 1e-10); /* rounding of sums in another order, amplified by 60 steps */
 }
 
 /* A particle on its way through a wall is next to its own image, which must not stop the clock. */
@@ -193,17 +240,6 @@ static void test_probes_read_still_water(void) {
   EXPECT(pressure(s, &probe, c) == 0); /* dry */
   sph_destroy(s);
   case_destroy(c);
-}
-
-static void by_id(const struct sph *s, double (*out)[5]) {
-  for (size_t i = 0; i < s->f.n; i++) {
-    double *o = out[s->f.id[i]];
-    o[0] = s->f.w.x[i];
-    o[1] = s->f.w.y[i];
-    o[2] = s->f.w.u[i];
-    o[3] = s->f.w.v[i];
-    o[4] = s->f.w.rho[i];
-  }
 }
 
 static void march_with_threads_at(const char *walls) {
@@ -414,6 +450,7 @@ int main(void) {
   RUN(test_walls_continue_still_water_linearly);
   RUN(test_walls_reflect_the_normal_velocity_and_keep_the_tangential);
   RUN(test_mirrors_do_no_work_on_noise);
+  RUN(test_mirrors_know_no_points_along_a_wall);
   RUN(test_mirrors_let_a_particle_touch_the_wall);
   RUN(test_mirrors_do_not_pump_energy_into_the_dam_break);
   RUN(test_probes_read_still_water);
