@@ -4,15 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/measure.h"
+#include "compare/measures/look.h"
 #include "compare/text.h"
 
 /* ---- distance ---- */
 
-static double distance_top(const struct comparison *c, size_t panel) {
+static double distance_top(const struct comparison *c, size_t measure) {
   double top = 0;
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_evolution *e = &c->run[r].evolution;
-    const double *value = panel == 0 ? e->mean : panel == 1 ? e->largest : e->area;
+    const double *value = e->value[measure];
     for (size_t i = 0; i < e->n; i++)
       if (isfinite(value[i])) top = fmax(top, value[i]);
   }
@@ -28,7 +30,7 @@ struct noise {
 
 static struct noise noise_of(const struct comparison *c) {
   struct noise noise = {INFINITY, 0, false};
-  double top = distance_top(c, 0);
+  double top = distance_top(c, CMP_MEASURE_mean_distance);
   for (size_t r = 0; r < c->n_runs; r++) {
     noise.low = fmin(noise.low, c->run[r].noise);
     noise.high = fmax(noise.high, c->run[r].noise);
@@ -37,10 +39,10 @@ static struct noise noise_of(const struct comparison *c) {
   return noise;
 }
 
-static struct cmp_frame distance_frame(const struct comparison *c, size_t panel,
+static struct cmp_frame distance_frame(const struct comparison *c, size_t measure,
                                        const struct noise *noise) {
-  double top = distance_top(c, panel);
-  if (panel == 0 && noise->drawn) top = fmax(top, noise->high);
+  double top = distance_top(c, measure);
+  if (measure == CMP_MEASURE_mean_distance && noise->drawn) top = fmax(top, noise->high);
   return (struct cmp_frame){0, top > 0 ? 1.06 * top : 1};
 }
 
@@ -67,15 +69,63 @@ static void caption_end(const struct comparison *c, struct cmp_figure *fig) {
                  sizeof fig->caption - used);
 }
 
+/* The measures that have a panel, and the columns of the table, e.g. "area [H^2],...". */
+static size_t distance_panels(size_t measure[CMP_N_MEASURES], char *columns, size_t room) {
+  size_t n = 0, used = 0;
+  for (size_t m = 0; m < CMP_N_MEASURES; m++) {
+    if (!cmp_measure_always(m) || cmp_measure_sections[m] != CMP_SECTION_DISTANCE) continue;
+    if (used < room)
+      used += (size_t)snprintf(columns + used, room - used, "%s%s [%s]", n ? "," : "",
+                               cmp_measures[m].name, cmp_measures[m].units);
+    measure[n++] = m;
+  }
+  return n;
+}
+
+static void distance_rows(const struct comparison *c, struct cmp_chart *chart,
+                          const size_t *measure) {
+  double value[CMP_N_MEASURES];
+  for (size_t r = 0; r < c->n_runs; r++) {
+    const struct cmp_evolution *e = &c->run[r].evolution;
+    for (size_t i = 0; i < e->n; i++) {
+      for (size_t k = 0; k < chart->panels; k++) value[k] = e->value[measure[k]][i];
+      cmp_chart_row(chart, r, c->run[r].data.label, e->t[i], value, chart->panels);
+    }
+  }
+}
+
+static void distance_panel(const struct comparison *c, struct cmp_chart *chart, size_t panel,
+                           size_t measure, const struct noise *noise) {
+  struct cmp_frame frame = distance_frame(c, measure, noise);
+  char label[96];
+  snprintf(label, sizeof label, "%s / %s", cmp_measures[measure].name, cmp_measures[measure].units);
+  for (char *s = label; *s; s++)
+    if (*s == '_') *s = ' ';
+  cmp_chart_panel(chart, panel, &frame, label, NULL);
+  cmp_chart_others(chart, panel, true);
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (cmp_run_is_picked(c, r, CMP_NAMED))
+      cmp_chart_curve(chart, &(struct cmp_curve){.series = r,
+                                                 .column = panel,
+                                                 .name = c->run[r].data.label,
+                                                 .style = cmp_run_style(c, r),
+                                                 .width = 1.3});
+  if (measure == CMP_MEASURE_mean_distance && noise->drawn) {
+    cmp_chart_level(chart, noise->low);
+    if (noise->high > noise->low) cmp_chart_level(chart, noise->high);
+  }
+  cmp_chart_panel_end(chart);
+}
+
 static enum status distance_chart(const struct comparison *c, struct cmp_figures *f) {
   struct cmp_chart chart;
   struct noise noise = noise_of(c);
-  char floor[192];
+  char floor[192], columns[1024];
+  size_t measure[CMP_N_MEASURES];
   const struct cmp_chart_plan plan = {.section = CMP_SECTION_DISTANCE,
                                       .name = "distance",
-                                      .columns =
-                                          "mean_distance [H],largest_distance [H],area [H^2]",
-                                      .panels = 3,
+                                      .panels = distance_panels(measure, columns, sizeof columns),
+                                      .columns = columns,
                                       .panel_height = 190};
   TRY(cmp_chart_begin(c, f, &plan, &chart));
   noise_say(&noise, floor, sizeof floor);
@@ -85,28 +135,8 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
       "largest distance of the main surfaces away from walls, and the area between the two.%s",
       c->ref.data.label, floor);
   caption_end(c, chart.fig);
-  for (size_t r = 0; r < c->n_runs; r++) {
-    const struct cmp_evolution *e = &c->run[r].evolution;
-    for (size_t i = 0; i < e->n; i++)
-      cmp_chart_row(&chart, r, c->run[r].data.label, e->t[i],
-                    (double[]){e->mean[i], e->largest[i], e->area[i]}, 3);
-  }
-  static const char *const label[] = {"mean distance / H", "largest distance / H", "area / H^2"};
-  for (size_t panel = 0; panel < 3; panel++) {
-    struct cmp_frame frame = distance_frame(c, panel, &noise);
-    cmp_chart_panel(&chart, panel, &frame, label[panel], NULL);
-    cmp_chart_others(&chart, panel, true);
-    for (size_t r = 0; r < c->n_runs; r++)
-      if (cmp_run_is_picked(c, r, CMP_NAMED))
-        cmp_chart_curve(&chart, &(struct cmp_curve){.series = r,
-                                                    .column = panel,
-                                                    .name = c->run[r].data.label,
-                                                    .style = cmp_run_style(c, r),
-                                                    .width = 1.3});
-    if (panel == 0 && noise.drawn) cmp_chart_level(&chart, noise.low);
-    if (panel == 0 && noise.drawn && noise.high > noise.low) cmp_chart_level(&chart, noise.high);
-    cmp_chart_panel_end(&chart);
-  }
+  distance_rows(c, &chart, measure);
+  for (size_t k = 0; k < plan.panels; k++) distance_panel(c, &chart, k, measure[k], &noise);
   return cmp_chart_end(&chart);
 }
 

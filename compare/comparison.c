@@ -79,11 +79,12 @@ static void gap_take(double *longest, double from, double to) {
 
 static void off_measure(const struct comparison *c, struct cmp_run *run) {
   const struct cmp_evolution *e = &run->evolution;
+  const double *mean = e->value[CMP_MEASURE_mean_distance];
   double worst = NAN;
   run->unseen[0] = run->unseen[1] = NAN;
   for (size_t i = 0, next = 0; i < e->n; i++) { /* next: after the last output with a distance */
-    worst = fmax(worst, e->mean[i]);
-    if (isfinite(e->mean[i]))
+    worst = fmax(worst, mean[i]);
+    if (isfinite(mean[i]))
       next = i + 1;
     else
       gap_take(run->unseen, e->t[next], e->t[i]);
@@ -98,21 +99,21 @@ static void off_measure(const struct comparison *c, struct cmp_run *run) {
  * compared. */
 static void agreement_measure(struct cmp_run *run) {
   const struct cmp_evolution *e = &run->evolution;
+  const double *mean = e->value[CMP_MEASURE_mean_distance];
   double limit = 2 * run->noise;
   size_t last = SIZE_MAX; /* the last output with a distance */
   run->blind[0] = run->blind[1] = NAN;
   run->agreement = cmp_unknown("no surfaces at common times");
   for (size_t i = 0; i < e->n; i++) {
-    if (!isfinite(e->mean[i])) continue;
+    if (!isfinite(mean[i])) continue;
     size_t next = last == SIZE_MAX ? 0 : last + 1;
-    bool leaves = e->mean[i] > limit;
+    bool leaves = mean[i] > limit;
     if (i > next) gap_take(run->blind, e->t[next], e->t[i - 1]);
     if (leaves) {
       double t = e->t[i];
       if (last != SIZE_MAX)
         t = e->t[last] +
-            (i > next ? 0
-                      : (limit - e->mean[last]) / (e->mean[i] - e->mean[last]) * (t - e->t[last]));
+            (i > next ? 0 : (limit - mean[last]) / (mean[i] - mean[last]) * (t - e->t[last]));
       run->agreement = cmp_number(t);
       return;
     }
@@ -123,36 +124,7 @@ static void agreement_measure(struct cmp_run *run) {
   run->agreement = cmp_unknown("it never leaves it");
 }
 
-/* ---- front, energy, volume ---- */
-
-/* When the reference reaches its wall: the event, or else the last output before its front stands
- * there. */
-static double front_until(const struct comparison *c) {
-  const struct cmp_data *ref = &c->ref.data;
-  struct geo_box box = geo_lines_box(&ref->walls);
-  double wall = c->side == CMP_LEFT ? box.min[0] : box.max[0];
-  size_t n = 0;
-  if (cmp_known(&ref->impact.time)) return ref->impact.time.value;
-  while (n < ref->front.n && fabs(ref->front.value[n] - wall) > c->depth) n++;
-  return n ? ref->front.t[n - 1] : INFINITY;
-}
-
-static void front_measure(const struct comparison *c, struct cmp_run *run) {
-  struct cmp_signal ref = cmp_series_signal(&c->ref.data.front);
-  const struct cmp_series *a = &run->data.front;
-  double until = front_until(c), worst = -1, when = NAN;
-  for (size_t i = 0; i < a->n && a->t[i] <= until; i++) {
-    double d = fabs(a->value[i] - cmp_signal_at(&ref, a->t[i]));
-    if (d > worst) {
-      worst = d;
-      when = a->t[i];
-    }
-  }
-  run->front = c->side == CMP_NO_SIDE ? cmp_unknown("no front runs to a wall in the reference")
-               : worst >= 0           ? cmp_number(worst)
-                                      : cmp_unknown("no front at common times");
-  run->front_time = cmp_known(&run->front) ? cmp_number(when) : run->front;
-}
+/* ---- energy, volume ---- */
 
 static struct cmp_value largest_magnitude(const struct cmp_series *s, double until) {
   double worst = -1;
@@ -216,7 +188,6 @@ static enum status pairs_measure(const struct comparison *c, struct cmp_run *run
 static enum status run_measure(const struct comparison *c, struct cmp_run *run) {
   agreement_measure(run);
   off_measure(c, run);
-  front_measure(c, run);
   budget_measure(c, run);
   return pairs_measure(c, run);
 }
@@ -337,9 +308,7 @@ static void run_destroy(struct cmp_run *run) {
   cmp_data_destroy(&run->data);
   free(run->at);
   free(run->evolution.t);
-  free(run->evolution.mean);
-  free(run->evolution.largest);
-  free(run->evolution.area);
+  for (size_t m = 0; m < CMP_N_MEASURES; m++) free(run->evolution.value[m]);
   free(run->pairs);
 }
 

@@ -4,6 +4,7 @@
 #include "common/case/case.h"
 #include "common/result/health.h"
 #include "compare/data.h"
+#include "compare/measures/list.h"
 
 /* A pressure of this many rho g H marks the arrival of the water at a probe, an elevation of this
  * many H its arrival at a gauge. */
@@ -20,7 +21,8 @@ struct cmp_at {              /* one run and the reference at one comparison time
 
 struct cmp_evolution { /* at every output of the run at which the reference has one too */
   size_t n;
-  double *t, *mean, *largest, *area; /* [n]; NaN: not available */
+  double *t;                     /* [n] */
+  double *value[CMP_N_MEASURES]; /* [n]; NaN: not available; NULL: a measure not taken ALWAYS */
 };
 
 struct cmp_pair { /* a signal of a run against the same of the reference or of an experiment */
@@ -36,10 +38,9 @@ struct cmp_run {
   bool foreign;      /* of another tank, water or scale than the reference */
   struct cmp_at *at; /* [comparison.n_times] */
   struct cmp_evolution evolution;
-  double noise;                       /* of lengths, H: half a particle spacing */
-  struct cmp_value front, front_time; /* largest difference until the impact, and when */
-  struct cmp_value off;               /* largest mean distance, as a part of comparison.motion */
-  struct cmp_value agreement;         /* t* until which the mean distance stays within one dx */
+  double noise;               /* of lengths, H: half a particle spacing */
+  struct cmp_value off;       /* largest mean distance, as a part of comparison.motion */
+  struct cmp_value agreement; /* t* until which the mean distance stays within one dx */
   double blind[2]; /* t*: the longest stretch of outputs until then without a distance; NaN: none */
   double unseen[2];                         /* the same of the whole run */
   struct cmp_value closure, closure_before; /* of the energy budget: whole run, until impact */

@@ -6,17 +6,7 @@
 #include <stdio.h>
 
 #include "common/base/status.h"
-
-enum cmp_section { /* of the report, in its order */
-                   CMP_SECTION_DISTANCE,
-                   CMP_SECTION_OVERLAY,
-                   CMP_SECTION_JET,
-                   CMP_SECTION_FRONT,
-                   CMP_SECTION_ENERGY,
-                   CMP_SECTION_PRESSURE,
-                   CMP_SECTION_GAUGE,
-                   CMP_SECTIONS
-};
+#include "compare/section.h"
 
 struct cmp_figure {
   char name[96];     /* of its files, without suffix */

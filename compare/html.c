@@ -108,12 +108,15 @@ static void agreement_cell(struct page *p, const struct cmp_run *run,
 
 /* Columns of the summary after the distances; one that no run has a number for is left out. */
 static const struct {
-  const char *heading, *measure;
+  const char *heading;
+  size_t measure;
   bool last; /* at the last comparison time */
-} columns[] = {
-    {"front / H", "front", false},     {"touchdown t*", "touchdown_time", false},
-    {"probe rms", "probe_rms", false}, {"rms to experiment", "experiment_probe_rms", false},
-    {"energy lost", "decay", true},    {"budget until impact", "budget_before_impact", false}};
+} columns[] = {{"front / H", CMP_MEASURE_front, false},
+               {"touchdown t*", CMP_MEASURE_touchdown_time, false},
+               {"probe rms", CMP_MEASURE_probe_rms, false},
+               {"rms to experiment", CMP_MEASURE_experiment_probe_rms, false},
+               {"energy lost", CMP_MEASURE_decay, true},
+               {"budget until impact", CMP_MEASURE_budget_before_impact, false}};
 enum { COLUMNS = sizeof columns / sizeof *columns };
 
 static const struct cmp_row *column_row(const struct comparison *c, const struct cmp_rows *rows,
@@ -123,7 +126,7 @@ static const struct cmp_row *column_row(const struct comparison *c, const struct
 }
 
 static bool column_shown(const struct comparison *c, const struct cmp_rows *rows, size_t k) {
-  if (!strcmp(columns[k].measure, "front") && !cmp_comparison_has_front(c)) return false;
+  if (columns[k].measure == CMP_MEASURE_front && !cmp_comparison_has_front(c)) return false;
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_row *row = column_row(c, rows, k, r);
     if (row && cmp_known(&row->value)) return true;
@@ -254,9 +257,7 @@ static enum status write_checks(struct page *p, const struct content *w) {
 
 static enum status write_distance(struct page *p, const struct content *w) {
   TRY(cmp_html_figures(p, w->figures, CMP_SECTION_DISTANCE));
-  cmp_html_measures(p, w->c, w->rows,
-                    (const char *const[]){"mean_distance", "relative_distance", "largest_distance",
-                                          "hausdorff", "frechet", "area", NULL});
+  cmp_html_measures(p, w->c, w->rows, CMP_SECTION_DISTANCE);
   return OK;
 }
 
@@ -268,35 +269,33 @@ static enum status write_jet(struct page *p, const struct content *w) {
   cmp_html_jets(p, w->c);
   TRY(cmp_html_figures(p, w->figures, CMP_SECTION_JET));
   cmp_page_element(p, "h3", NULL, "Differences from the reference");
-  cmp_html_measures(p, w->c, w->rows,
-                    (const char *const[]){"jet_tip", "jet_direction", "jet_thickness", "jet_cavity",
-                                          "overturning_time", "touchdown_time", NULL});
+  cmp_html_measures(p, w->c, w->rows, CMP_SECTION_JET);
   return OK;
 }
 
 static enum status write_front(struct page *p, const struct content *w) {
   TRY(cmp_html_figures(p, w->figures, CMP_SECTION_FRONT));
-  cmp_html_measures(p, w->c, w->rows, (const char *const[]){"front", NULL});
+  cmp_html_measures(p, w->c, w->rows, CMP_SECTION_FRONT);
   cmp_html_signals(p, w->c, CMP_FRONT);
   return OK;
 }
 
 static enum status write_energy(struct page *p, const struct content *w) {
   TRY(cmp_html_figures(p, w->figures, CMP_SECTION_ENERGY));
-  cmp_html_measures(p, w->c, w->rows,
-                    (const char *const[]){"kinetic", "potential", "mechanical", "decay", "budget",
-                                          "budget_before_impact", "volume", NULL});
+  cmp_html_measures(p, w->c, w->rows, CMP_SECTION_ENERGY);
   return OK;
 }
 
 static enum status write_pressure(struct page *p, const struct content *w) {
   TRY(cmp_html_figures(p, w->figures, CMP_SECTION_PRESSURE));
+  cmp_html_measures(p, w->c, w->rows, CMP_SECTION_PRESSURE);
   cmp_html_signals(p, w->c, CMP_PRESSURE);
   return OK;
 }
 
 static enum status write_gauges(struct page *p, const struct content *w) {
   TRY(cmp_html_figures(p, w->figures, CMP_SECTION_GAUGE));
+  cmp_html_measures(p, w->c, w->rows, CMP_SECTION_GAUGE);
   cmp_html_signals(p, w->c, CMP_ELEVATION);
   return OK;
 }

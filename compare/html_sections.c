@@ -9,9 +9,9 @@
 /* ---- measures ---- */
 
 static void measure_cells(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
-                          const char *name, size_t time, struct cmp_html_reasons *why) {
+                          size_t m, size_t time, struct cmp_html_reasons *why) {
   for (size_t r = 0; r < c->n_runs; r++) {
-    const struct cmp_row *row = cmp_rows_find(rows, name, r, time);
+    const struct cmp_row *row = cmp_rows_find(rows, m, r, time);
     if (!row || !cmp_run_is_picked(c, r, CMP_NAMED)) continue;
     if (cmp_known(&row->value) && row->value.value < row->noise)
       cmp_html_cell(p, "below", "%.4g", row->value.value);
@@ -20,16 +20,34 @@ static void measure_cells(struct page *p, const struct comparison *c, const stru
   }
 }
 
-static const struct measure *measure_named(const char *name) {
-  for (size_t m = 0; m < CMP_N_MEASURES; m++)
-    if (!strcmp(cmp_measures[m].name, name)) return &cmp_measures[m];
-  return NULL;
+static void measure_rows(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
+                         size_t m, struct cmp_html_reasons *why) {
+  bool whole = cmp_rows_find(rows, m, 0, SIZE_MAX) != NULL;
+  size_t n = whole ? 1 : c->n_times;
+  for (size_t i = 0; i < n; i++) {
+    cmp_page_open(p, "tr", NULL);
+    if (i == 0) {
+      char span[24];
+      cmp_page_open(p, "th", "t");
+      snprintf(span, sizeof span, "%zu", n);
+      cmp_page_attribute(p, "rowspan", span);
+      cmp_page_attribute(p, "title", cmp_measures[m].help);
+      cmp_page_text(p, "%s [%s]", cmp_measures[m].name, cmp_measures[m].units);
+      cmp_page_close(p);
+    }
+    cmp_html_cell(p, NULL, whole ? "all" : "%.4g", whole ? 0. : c->times[i]);
+    measure_cells(p, c, rows, m, whole ? SIZE_MAX : i, why);
+    cmp_page_close(p);
+  }
 }
 
 void cmp_html_measures(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
-                       const char *const *names) {
+                       enum cmp_section section) {
   struct cmp_html_reasons why = {0};
   char left_out[160];
+  size_t first = 0;
+  while (first < CMP_N_MEASURES && cmp_measure_sections[first] != section) first++;
+  if (first == CMP_N_MEASURES) return;
   cmp_html_table_open(p);
   cmp_page_open(p, "tr", NULL);
   cmp_page_element(p, "th", "t", "measure");
@@ -37,26 +55,8 @@ void cmp_html_measures(struct page *p, const struct comparison *c, const struct 
   for (size_t r = 0; r < c->n_runs; r++)
     if (cmp_run_is_picked(c, r, CMP_NAMED)) cmp_html_run(p, c, r);
   cmp_page_close(p);
-  for (size_t k = 0; names[k]; k++) {
-    const struct measure *m = measure_named(names[k]);
-    bool whole = cmp_rows_find(rows, m->name, 0, SIZE_MAX) != NULL;
-    size_t n = whole ? 1 : c->n_times;
-    for (size_t i = 0; i < n; i++) {
-      cmp_page_open(p, "tr", NULL);
-      if (i == 0) {
-        char span[24];
-        cmp_page_open(p, "th", "t");
-        snprintf(span, sizeof span, "%zu", n);
-        cmp_page_attribute(p, "rowspan", span);
-        cmp_page_attribute(p, "title", m->help);
-        cmp_page_text(p, "%s [%s]", m->name, m->units);
-        cmp_page_close(p);
-      }
-      cmp_html_cell(p, NULL, whole ? "all" : "%.4g", whole ? 0. : c->times[i]);
-      measure_cells(p, c, rows, m->name, whole ? SIZE_MAX : i, &why);
-      cmp_page_close(p);
-    }
-  }
+  for (size_t m = first; m < CMP_N_MEASURES; m++)
+    if (cmp_measure_sections[m] == section) measure_rows(p, c, rows, m, &why);
   cmp_html_table_close(p);
   cmp_html_reasons_list(p, &why);
   cmp_picked_say(c, CMP_NAMED, "are in report.json", left_out, sizeof left_out);

@@ -2,10 +2,10 @@
 #pragma once
 #include "compare/html_parts.h"
 
-/* Tables of the measures named in a NULL-terminated list: one that is taken at the comparison times
+/* A table of the measures of a section, if it has any: one that is taken at the comparison times
  * has a row per time, one of the whole run a row; a column per run. */
 void cmp_html_measures(struct page *p, const struct comparison *c, const struct cmp_rows *rows,
-                       const char *const *names);
+                       enum cmp_section section);
 
 void cmp_html_jets(struct page *p, const struct comparison *c);
 /* A row for the reference and for each run: can it be believed, and by which numbers. */

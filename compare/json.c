@@ -172,9 +172,8 @@ static json_t *run_object(struct maker *m, const struct comparison *c, const str
     set_value(m, object, "within_one_spacing_until", &run->agreement);
     set_value(m, object, "largest_relative_distance", &run->off);
     set(m, evolution, "t_star", numbers(m, e->t, e->n));
-    set(m, evolution, "mean_distance", numbers(m, e->mean, e->n));
-    set(m, evolution, "largest_distance", numbers(m, e->largest, e->n));
-    set(m, evolution, "area", numbers(m, e->area, e->n));
+    for (size_t k = 0; k < CMP_N_MEASURES; k++)
+      if (e->value[k]) set(m, evolution, cmp_measures[k].name, numbers(m, e->value[k], e->n));
     set(m, object, "against_time", evolution);
     for (size_t k = 0; k < c->n_times; k++) {
       const struct cmp_at *at = &run->at[k];

@@ -5,9 +5,10 @@
 #include <string.h>
 
 double cmp_summary_shared(const struct cmp_run *run) {
+  const struct cmp_evolution *e = &run->evolution;
   double last = NAN;
-  for (size_t i = 0; i < run->evolution.n; i++)
-    if (isfinite(run->evolution.mean[i])) last = run->evolution.t[i];
+  for (size_t i = 0; i < e->n; i++)
+    if (isfinite(e->value[CMP_MEASURE_mean_distance][i])) last = e->t[i];
   return last;
 }
 

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "common/base/array.h"
+#include "compare/measure.h"
+#include "compare/measures/look.h"
 #include "compare/outline.h"
 
 /* Outputs this close (in sqrt(H/g)) count as simultaneous. */
@@ -116,11 +118,13 @@ static enum status run_tasks(const struct comparison *c, struct cmp_run *run, st
   struct task task = {.run = run, .step = fmax(run->data.dx / 2, 1e-3)};
   run->at = calloc(c->n_times + 1, sizeof *run->at);
   e->t = calloc(n + 1, sizeof *e->t);
-  e->mean = calloc(n + 1, sizeof *e->mean);
-  e->largest = calloc(n + 1, sizeof *e->largest);
-  e->area = calloc(n + 1, sizeof *e->area);
-  CHECK(run->at && e->t && e->mean && e->largest && e->area, ERR_MEMORY,
-        "no memory for %zu outputs at %zu comparison times", n, c->n_times);
+  CHECK(run->at && e->t, ERR_MEMORY, "no memory for %zu outputs at %zu comparison times", n,
+        c->n_times);
+  for (size_t m = 0; m < CMP_N_MEASURES; m++) {
+    if (!cmp_measure_always(m)) continue;
+    e->value[m] = calloc(n + 1, sizeof *e->value[m]);
+    CHECK(e->value[m], ERR_MEMORY, "no memory for %s at %zu outputs", cmp_measures[m].name, n);
+  }
   for (size_t k = 0; k < c->n_times; k++) {
     task.at = &run->at[k];
     at_choose(c, run, c->times[k], task.at);
@@ -139,11 +143,20 @@ static enum status run_tasks(const struct comparison *c, struct cmp_run *run, st
   return OK;
 }
 
+static void evolution_take(const struct comparison *c, const struct task *k,
+                           const struct cmp_at *at) {
+  char detail[192];
+  for (size_t m = 0; m < CMP_N_MEASURES; m++) {
+    struct cmp_look look = {c, k->run, at, at->t, detail, sizeof detail, 0};
+    if (cmp_measure_always(m))
+      k->run->evolution.value[m][k->row] = cmp_measure_take(m, &look).value;
+  }
+}
+
 /* One bad surface must not cost the report: it says why there is no number. `q` is NULL when the
  * reference's is bad, for the reason of the last failure. */
 static void task_do(const struct comparison *c, struct cmp_geos *g, const struct task *k,
                     const struct cmp_outline *q) {
-  struct cmp_evolution *e = &k->run->evolution;
   struct cmp_at own = {.output = k->output,
                        .ref_output = k->ref_output,
                        .t = k->run->data.t[k->output],
@@ -151,10 +164,7 @@ static void task_do(const struct comparison *c, struct cmp_geos *g, const struct
   struct cmp_at *at = k->at ? k->at : &own;
   if (!q || surfaces_compare(c, g, k->run, k->step, k->at != NULL, q, at) != OK)
     unavailable(at, cmp_unknown("%.100s", status_message()));
-  if (k->at) return;
-  e->mean[k->row] = at->mean.value;
-  e->largest[k->row] = at->largest.value;
-  e->area[k->row] = at->area.value;
+  if (!k->at) evolution_take(c, k, at);
 }
 
 /* The tasks from `first` to before `end`, which share the reference's outline. */

@@ -151,10 +151,8 @@ static double value_of(const char *measure, const char *run, double t) {
 static struct case_tolerance everything[64];
 static double times[2];
 
-/* One tolerance per measure that these runs have (no jet, no experiment, no front). */
+/* One tolerance per measure that these runs have (no jet, no experiment, no front, no impact). */
 static void settings_make(struct case_file *c) {
-  static const char *const missing[] = {"jet_",       "overturning", "touchdown",
-                                        "experiment", "front",       "budget_before"};
   *c = (struct case_file){0};
   times[0] = 2 * sqrt(H / g);
   times[1] = 4 * sqrt(H / g);
@@ -163,10 +161,10 @@ static void settings_make(struct case_file *c) {
   c->compare.window = (struct geo_box){{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
   c->compare.tolerances = everything;
   for (size_t m = 0; m < CMP_N_MEASURES; m++) {
-    bool skip = false;
-    for (size_t k = 0; k < 6; k++)
-      skip = skip || !strncmp(cmp_measures[m].name, missing[k], strlen(missing[k]));
-    if (skip) continue;
+    if (cmp_measure_sections[m] == CMP_SECTION_JET ||
+        cmp_measure_sections[m] == CMP_SECTION_FRONT || m == CMP_MEASURE_budget_before_impact ||
+        m == CMP_MEASURE_experiment_probe_rms || m == CMP_MEASURE_experiment_gauge_rms)
+      continue;
     everything[c->compare.n_tolerances++] =
         (struct case_tolerance){.measure = text(cmp_measures[m].name), .at = NAN, .max = 1e-12};
   }

@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "compare/measures/look.h"
 #include "compare/output.h"
 #include "tests/compare/made_up.h"
 
@@ -93,6 +94,43 @@ static void test_sentence_groups_runs(void) {
   settings_free(&c);
   result_file_destroy(a);
   for (size_t r = 0; r < 3; r++) result_file_destroy(runs[r]);
+}
+
+/* Each measure has a row in the table of its section and in no other, and those taken ALWAYS are in
+ * against_time with a number for every common output. */
+static void test_measures_list_themselves(void) {
+  static const char *const id[] = {[CMP_SECTION_DISTANCE] = "distance",
+                                   [CMP_SECTION_ENERGY] = "energy",
+                                   [CMP_SECTION_PRESSURE] = "pressure",
+                                   [CMP_SECTION_GAUGE] = "gauges"};
+  struct case_file c;
+  char path[PATH_MAX], *bytes = NULL, open[64], heading[256];
+  size_t n;
+  settings_make(&c);
+  struct result_file *a = made_up("a", "lists", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "lists", (struct flaws){.until = end});
+  compare(&c, a, 1, &b);
+  path_in("report.html", path);
+  EXPECT_OK(cmp_file_read(path, &bytes, &n));
+  json_t *against =
+      json_object_get(json_array_get(json_object_get(report, "runs"), 0), "against_time");
+  for (size_t m = 0; m < CMP_N_MEASURES && bytes; m++) {
+    json_t *row = json_object_get(against, cmp_measures[m].name);
+    EXPECT(cmp_measure_always(m) == (row != NULL));
+    if (row) EXPECT(json_array_size(row) == a->n_surfaces);
+    snprintf(heading, sizeof heading, "%s [%s]</th>", cmp_measures[m].name, cmp_measures[m].units);
+    for (enum cmp_section s = CMP_SECTION_DISTANCE; s <= CMP_SECTION_GAUGE; s++) {
+      if (!id[s]) continue;
+      snprintf(open, sizeof open, "<h2 id=\"%s\">", id[s]);
+      const char *from = strstr(bytes, open), *to = from ? strstr(from + 1, "<h2 ") : NULL;
+      const char *found = from ? strstr(from, heading) : NULL;
+      EXPECT(to && (found && found < to) == (cmp_measure_sections[m] == s));
+    }
+  }
+  free(bytes);
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
 }
 
 /* Without gnuplot there is a page with the numbers that says what is missing, and an error. */
@@ -400,6 +438,7 @@ int main(void) {
   RUN(test_figures_are_complete);
   gnuplot_pretend(); /* pictures are drawn enough */
   RUN(test_known_flaws_are_measured);
+  RUN(test_measures_list_themselves);
   RUN(test_missing_times_are_not_zero);
   RUN(test_sentence_groups_runs);
   RUN(test_page_without_figures);
