@@ -116,6 +116,7 @@ static void book_removal(struct sph *s, size_t i) {
 
 enum status sph_remove_outside(struct sph *s) {
   size_t n_out = 0;
+#pragma omp parallel for schedule(static) reduction(+ : n_out)
   for (size_t i = 0; i < s->f.n; i++) n_out += is_gone(s, i);
   if (!n_out) return OK;
   unsigned char *drop = calloc(s->f.n, 1);

@@ -169,7 +169,7 @@ enum status sph_lists_build(struct sph_lists *l, size_t n, const double *x, cons
     l->chunk_room = l->n_chunks;
   }
   int failed = 0;
-#pragma omp parallel for schedule(dynamic) reduction(| : failed)
+#pragma omp parallel for schedule(static) reduction(| : failed)
   for (size_t c = 0; c < l->n_chunks; c++)
     failed |= build_chunk(l, c, n, x, y, g, xs, ys, drift, reach) != OK;
   CHECK(!failed, ERR_MEMORY, "no memory for the neighbour lists");

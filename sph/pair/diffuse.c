@@ -33,7 +33,7 @@ static double cluster_diffusion(struct sph *s, size_t cluster, double *D) {
 
 double sph_diffuse(struct sph *s, double *D) {
   double most = 0;
-#pragma omp parallel for schedule(dynamic, 16) reduction(max : most)
+#pragma omp parallel for schedule(static) reduction(max : most)
   for (size_t c = 0; c < s->water_water.n_clusters; c++)
     most = larger(cluster_diffusion(s, c, D), most);
   return decay_over_sum(&s->scheme) * most;

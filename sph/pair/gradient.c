@@ -30,6 +30,6 @@ static void cluster_gradient(struct sph *s, size_t cluster) {
 }
 
 void sph_gradient(struct sph *s) {
-#pragma omp parallel for schedule(dynamic, 16)
+#pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_gradient(s, c);
 }

@@ -163,8 +163,8 @@ static void add_totals(struct sph *s) {
     t.viscosity += k->viscosity;
     t.diffusion += k->diffusion;
     t.walls += k->walls;
-    t.acceleration2 = fmax(t.acceleration2, k->acceleration2);
-    t.speed = fmax(t.speed, k->speed);
+    t.acceleration2 = larger(k->acceleration2, t.acceleration2);
+    t.speed = larger(k->speed, t.speed);
   }
   s->totals = t;
 }
@@ -178,7 +178,8 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
     sph_gradient(s);
     if (s->wall->fill_gradients) s->wall->fill_gradients(s);
   }
-#pragma omp parallel for schedule(dynamic, 16)
+  /* Static everywhere: what a thread has written, most of it reads again. */
+#pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_rates(s, &how, c);
   add_totals(s);
   s->evaluations++;

@@ -33,6 +33,6 @@ static void cluster_mean(struct sph *s, size_t cluster) {
 }
 
 void sph_treat_shepard(struct sph *s) {
-#pragma omp parallel for schedule(dynamic, 16)
+#pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_mean(s, c);
 }
