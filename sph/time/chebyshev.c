@@ -2,34 +2,29 @@
 
 #include <math.h>
 
-int sph_chebyshev_stages(double z) {
-  const double stages = 1 + floor(sqrt(1 + 1.54 * z)); /* the paper's, after its eq. (2.7) */
-  return stages > SPH_CHEBYSHEV_MOST ? SPH_CHEBYSHEV_MOST + 1 : (int)fmax(2, stages);
+static const double tolerance = 2e-3; /* the largest decay is off by less; slow ones by far less */
+
+/* c_k, by the trapezoidal rule on the circle, which is exact to rounding for so many points. */
+static double coefficient(int k, double Z) {
+  const int points = 4 * SPH_CHEBYSHEV_MOST;
+  double sum = 0;
+  for (int n = 0; n < points; n++) {
+    const double angle = 2 * M_PI * n / points;
+    sum += exp(Z / 2 * (cos(angle) - 1)) * cos(k * angle);
+  }
+  return (k ? 2 : 1) * sum / points;
 }
 
-struct sph_chebyshev sph_chebyshev_of(int s) {
-  struct sph_chebyshev c = {.stages = s};
-  double T[SPH_CHEBYSHEV_MOST + 1], d[SPH_CHEBYSHEV_MOST + 1],
-      dd[SPH_CHEBYSHEV_MOST + 1]; /* T_j(w0), T_j', T_j'' */
-  double a[SPH_CHEBYSHEV_MOST + 1], b[SPH_CHEBYSHEV_MOST + 1] = {0};
-  const double w0 = 1 + 2. / 13 / (s * s);
-  T[0] = 1, d[0] = 0, dd[0] = 0;
-  T[1] = w0, d[1] = 1, dd[1] = 0;
-  for (int j = 2; j <= s; j++) {
-    T[j] = 2 * w0 * T[j - 1] - T[j - 2];
-    d[j] = 2 * T[j - 1] + 2 * w0 * d[j - 1] - d[j - 2];
-    dd[j] = 4 * d[j - 1] + 2 * w0 * dd[j - 1] - dd[j - 2];
+struct sph_chebyshev sph_chebyshev_of(double Z) {
+  struct sph_chebyshev p = {.Z = fmax(Z, 1e-6)};
+  double sum = coefficient(0, p.Z), slope = 0; /* of the terms so far, at z = 0 */
+  while ((p.degree < 2 || 1 - sum > tolerance) && p.degree < SPH_CHEBYSHEV_MOST) {
+    const int k = ++p.degree;
+    p.c[k] = coefficient(k, p.Z);
+    sum += p.c[k];
+    slope += 2 / p.Z * k * k * p.c[k];
   }
-  const double w1 = d[s] / dd[s];
-  for (int j = 2; j <= s; j++) b[j] = dd[j] / (d[j] * d[j]);
-  b[0] = b[1] = b[2];
-  for (int j = 0; j <= s; j++) a[j] = 1 - b[j] * T[j];
-  c.mu1[1] = b[1] * w1;
-  for (int j = 2; j <= s; j++) {
-    c.mu[j] = 2 * b[j] * w0 / b[j - 1];
-    c.nu[j] = -b[j] / b[j - 2];
-    c.mu1[j] = 2 * b[j] * w1 / b[j - 1];
-    c.gamma1[j] = -a[j - 1] * c.mu1[j];
-  }
-  return c;
+  if (1 - sum > tolerance) p.degree = SPH_CHEBYSHEV_MOST + 1;
+  for (int k = 1; k <= p.degree && k <= SPH_CHEBYSHEV_MOST; k++) p.c[k] /= slope;
+  return p;
 }

@@ -1,21 +1,22 @@
-/* The Runge-Kutta-Chebyshev method of order 2 for dy/dt = f(y) with decaying y (Sommeijer, Shampine
- * & Verwer, J. Comput. Appl. Math. 88, 1998, section 2): stable for -z <= 0.65 (stages^2 - 1) or
- * so, where z is dt times an eigenvalue, for the price of one f a stage.
+/* dy/dt = f(y), f linear and decaying, over a step: the exponential of the operator by Chebyshev
+ * polynomials (Tal-Ezer & Kosloff, J. Chem. Phys. 81, 1984, for decay: Tal-Ezer, SIAM J. Numer.
+ * Anal. 23, 1986), for the price of one f a degree. Where no mode decays faster than at Z/dt,
  *
- *   y_1 = y_0 + mu1_1 dt f_0
- *   y_j = (1 - mu - nu) y_0 + mu y_(j-1) + nu y_(j-2) + dt (mu1 f_(j-1) + gamma1 f_0) */
+ *   exp(z) = sum_k c_k T_k(1 + 2 z/Z),  c_k = (2 - [k = 0]) exp(-Z/2) I_k(Z/2),  -Z <= z <= 0
+ *
+ * whose terms fall faster than any power beyond k = sqrt(Z). So every mode decays about as it
+ * should, the fastest ones too, which methods of Runge and Kutta with as many stages hold up. */
 #pragma once
 
-enum { SPH_CHEBYSHEV_MOST = 32 }; /* stages */
+enum { SPH_CHEBYSHEV_MOST = 64 }; /* degree */
 
 struct sph_chebyshev {
-  int stages;
-  double mu[SPH_CHEBYSHEV_MOST + 1], nu[SPH_CHEBYSHEV_MOST + 1];
-  double mu1[SPH_CHEBYSHEV_MOST + 1], gamma1[SPH_CHEBYSHEV_MOST + 1];
+  int degree;
+  double Z;
+  double c[SPH_CHEBYSHEV_MOST + 1]; /* from c[1]; c_0 is what makes the sum one */
 };
 
-/* How many are stable where no mode decays faster than z/dt; at least 2. */
-int sph_chebyshev_stages(double z);
-
-/* The method with 2 to SPH_CHEBYSHEV_MOST stages. */
-struct sph_chebyshev sph_chebyshev_of(int stages);
+/* As many terms as leave out less than 0.2 % in sum; those that stay are scaled so that slow modes
+ * decay exactly at their rate, as polynomials of the degree can. Whatever is constant stays to
+ * rounding. For Z beyond what the largest degree serves, degree is SPH_CHEBYSHEV_MOST + 1. */
+struct sph_chebyshev sph_chebyshev_of(double Z);

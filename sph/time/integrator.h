@@ -29,7 +29,7 @@ struct sph_integrator {
   X(rk4_frozen, "rk4-frozen",                                                                      \
     "classic Runge-Kutta, diffusion evaluated once a step (paper, eq. 25)")                        \
   X(rk4_split, "rk4-split",                                                                        \
-    "classic Runge-Kutta, then diffusion by stabilised stages: no bound from it")                  \
+    "classic Runge-Kutta, then diffusion by its exponential: no bound from it")                    \
   X(tvd_rk3, "tvd-rk3", "total-variation diminishing Runge-Kutta of order 3 (Gottlieb & Shu 1998)")
 
 enum {

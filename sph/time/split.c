@@ -22,23 +22,26 @@
 #include "sph/time/chebyshev.h"
 #include "sph/time/rk.h"
 
-/* The densities of a stage, from those and the rates of the stages before; all [n]. */
-struct stage {
-  double *y0, *before, *now; /* y_0, y_(j-2), y_(j-1) */
-  const double *f0, *f;      /* rates of y_0 and y_(j-1) */
+/* Densities less those at the start, by the Chebyshev recurrence; all [n]. */
+struct terms {
+  double *before, *now; /* of T_(k-1), T_k */
+  double *sum;          /* of c T so far */
+  double *rate;         /* of the density that T_k is */
 };
 
-static void advance(size_t n, const struct sph_chebyshev *c, int j, double dt,
-                    const struct stage *a) {
-  const double mu = c->mu[j], nu = c->nu[j], mu1 = dt * c->mu1[j], gamma1 = dt * c->gamma1[j];
+static void advance(size_t n, double twice, double c, const struct terms *a) {
 #pragma omp parallel for simd schedule(static)
   for (size_t i = 0; i < n; i++) {
-    const double y0 = a->y0[i], now = a->now[i]; /* differences from y_0: less rounding */
-    const double next =
-        mu * (now - y0) + nu * (a->before[i] - y0) + mu1 * a->f[i] + gamma1 * a->f0[i];
-    a->before[i] = now;
-    a->now[i] = y0 + next;
+    const double next = 2 * a->now[i] - a->before[i] + twice * a->rate[i];
+    a->before[i] = a->now[i];
+    a->now[i] = next;
+    a->sum[i] += c * next;
   }
+}
+
+static void set_density(struct sph *s, const double *from, const double *more) {
+#pragma omp parallel for simd schedule(static)
+  for (size_t i = 0; i < s->f.n; i++) s->f.w.rho[i] = from[i] + more[i];
 }
 
 /* Elastic energy that the water has lost from the densities before, J/m: m p/rho^2 in the middle
@@ -64,25 +67,31 @@ static double energy_lost(struct sph *s, const double *before) {
 
 static enum status diffuse(struct sph *s, double dt, double *lost) {
   struct sph_particles *f = &s->f;
-  const struct stage a = {f->k[0].rho, f->k[3].rho, f->w.rho, f->k[1].rho, f->k[2].rho};
+  double *start = f->w0.rho; /* of this step no more use */
+  const struct terms a = {f->k[0].rho, f->k[1].rho, f->k[2].rho, f->k[3].rho};
   sph_pack_water(s);
-  const int stages = sph_chebyshev_stages(dt * sph_diffuse(s, f->k[1].rho));
-  CHECK(stages <= SPH_CHEBYSHEV_MOST, ERR_DIVERGED,
-        "diffusion would need %d stages in a step of %g s at t = %g s: lower delta", stages, dt,
-        s->t);
-  const struct sph_chebyshev c = sph_chebyshev_of(stages);
+  const double Z = dt * sph_diffuse(s, a.rate);
+  const struct sph_chebyshev p = sph_chebyshev_of(Z);
+  CHECK(p.degree <= SPH_CHEBYSHEV_MOST, ERR_DIVERGED,
+        "diffusion would change the density %.3g-fold in a step of %g s at t = %g s: lower delta",
+        Z, dt, s->t);
+  const double step = 2 * dt / p.Z;
 #pragma omp parallel for simd schedule(static)
   for (size_t i = 0; i < f->n; i++) {
-    a.y0[i] = a.before[i] = a.now[i];
-    a.now[i] += c.mu1[1] * dt * a.f0[i];
+    start[i] = f->w.rho[i];
+    a.before[i] = 0;
+    a.now[i] = step * a.rate[i];
+    a.sum[i] = p.c[1] * a.now[i];
   }
-  for (int j = 2; j <= c.stages; j++) {
+  for (int k = 2; k <= p.degree; k++) {
+    set_density(s, start, a.now);
     sph_pack_pressure(s);
-    sph_diffuse(s, f->k[2].rho);
-    advance(f->n, &c, j, dt, &a);
+    sph_diffuse(s, a.rate);
+    advance(f->n, 2 * step, p.c[k], &a);
   }
+  set_density(s, start, a.sum);
   sph_particles_pad(f);
-  *lost = energy_lost(s, a.y0);
+  *lost = energy_lost(s, start);
   return OK;
 }
 
