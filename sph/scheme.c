@@ -27,7 +27,7 @@ FAMILY(diffusion, SPH_DIFFUSIONS)
 static const char *const precision_names[] = {"single", "double", NULL};
 static const char *const precision_helps[] = {
     "differences of doubles, rounded: costs 1e-7 of a pair's contribution",
-    "two to three times slower; conserves to 1e-13"};
+    "takes up to twice the time; conserves to 1e-13"};
 
 #define AT(member) offsetof(struct sph_scheme, member)
 const struct param sph_params[SPH_N_PARAMS] = {
