@@ -9,10 +9,11 @@
 #include "sph/time/timestep.h"
 
 /* Measured on dam breaks of H/dx = 50 to 800, all diffusions alike: 28 MB and 650 bytes a particle
- * at rest, up to 1000 when it moves (lists and pages of output grow). An evaluation takes a
- * particle 0.28 (docs/accuracy.md, Speed) to 1.1 microseconds (a busy machine). */
+ * at rest, up to 1000 when it moves (lists and pages of output grow). Of a whole run an
+ * evaluation takes a particle 0.19 to 0.33 microseconds of one processor, more on a busy machine;
+ * twice that in double precision. */
 static const double BYTES_ALONE = 40e6, BYTES_OF_PARTICLE = 1000, BYTES_OF_CELL = 4;
-static const double SECONDS_OF_EVALUATION = 500e-9;
+static const double SECONDS_OF_EVALUATION = 300e-9;
 
 static double length_of(const struct geo_lines *l) {
   double length = 0;
@@ -40,4 +41,5 @@ void sph_estimate(const struct case_file *c, const struct case_run *r, struct so
   e->unit = "particles";
   e->bytes = BYTES_ALONE + BYTES_OF_PARTICLE * (e->points + wall) + BYTES_OF_CELL * cells;
   e->seconds = evaluations * e->points * SECONDS_OF_EVALUATION / omp_get_max_threads();
+  if (o->precision == SPH_PRECISION_double) e->seconds *= 2;
 }

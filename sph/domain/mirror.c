@@ -11,7 +11,7 @@
  * Upright walls do no work, whatever the noise. Particle i meets the image j' exactly when j meets
  * i', and the way from j to i' is the way from i to j' mirrored and turned round: with R the
  * reflection of vectors, in a corner the half turn, grad_j W_ji' = -R grad_i W_ij'. The power that
- * the two take out (rates.h),
+ * the two take out (rates.c),
  *
  *   V_i V_j ((p_j u_i + p_i R u_j) . grad_i W_ij' + (p_i u_j + p_j R u_i) . grad_j W_ji') = 0,
  *

@@ -1,6 +1,6 @@
 /* dy/dt = f(y), f linear and decaying, over a step: the exponential of the operator by Chebyshev
- * polynomials (Tal-Ezer & Kosloff, J. Chem. Phys. 81, 1984, for decay: Tal-Ezer, SIAM J. Numer.
- * Anal. 23, 1986), for the price of one f a degree. Where no mode decays faster than at Z/dt,
+ * polynomials (Tal-Ezer & Kosloff 1984; of decay: Tal-Ezer 1989), for the price of one f a degree.
+ * Where no mode decays faster than at Z/dt,
  *
  *   exp(z) = sum_k c_k T_k(1 + 2 z/Z),  c_k = (2 - [k = 0]) exp(-Z/2) I_k(Z/2),  -Z <= z <= 0
  *

@@ -1,13 +1,13 @@
-/* Sound by classic Runge-Kutta, then diffusion by a stabilised method: no bound on the time step
- * from diffusion.
+/* Sound by classic Runge-Kutta, then diffusion by its exponential: no bound on the time step from
+ * diffusion.
  *
  * Stability. Let q be the vector of sqrt(m) u and sqrt(V) c0 (rho - rho0)/rho0, whose square is
  * twice the energy of sound. About a state of rest the pair of momentum `plus` and continuity
- * `divergence` is dq/dt = S q with S antisymmetric (rates.h), so that the classic method does not
+ * `divergence` is dq/dt = S q with S antisymmetric (rates.c), so that the classic method does not
  * increase |q| within its bound on the imaginary axis, the acoustic one. Diffusion with positions
  * and volumes as they are is dq/dt = -A q with A symmetric and, since its weights are positive, not
- * negative: the Chebyshev method does not increase |q| with enough stages. So their product does
- * not either, whatever the diffusion's strength.
+ * negative: its exponential, and the polynomial that stands for it (chebyshev.h), do not increase
+ * |q|. So their product does not either, whatever the diffusion's strength.
  *
  * Accuracy. exp(dt S) exp(-dt A) is exp(-dt A/2) exp(dt S) exp(-dt A/2), which is of second order
  * (Strang), in other coordinates: the density at the end of a step differs from its by half a step
@@ -73,8 +73,9 @@ static enum status diffuse(struct sph *s, double dt, double *lost) {
   const double Z = dt * sph_diffuse(s, a.rate);
   const struct sph_chebyshev p = sph_chebyshev_of(Z);
   CHECK(p.degree <= SPH_CHEBYSHEV_MOST, ERR_DIVERGED,
-        "diffusion would change the density %.3g-fold in a step of %g s at t = %g s: lower delta",
-        Z, dt, s->t);
+        "a step of %g s at t = %g s is %.3g times as long as the fastest decay by diffusion, more "
+        "than can be followed: lower delta",
+        dt, s->t, Z);
   const double step = 2 * dt / p.Z;
 #pragma omp parallel for simd schedule(static)
   for (size_t i = 0; i < f->n; i++) {
