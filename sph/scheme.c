@@ -23,6 +23,9 @@ FAMILY(momentum, SPH_MOMENTUMS)
 FAMILY(continuity, SPH_CONTINUITIES)
 FAMILY(viscosity, SPH_VISCOSITIES)
 FAMILY(diffusion, SPH_DIFFUSIONS)
+#define CHOICE(key, LIST, first, help) FAMILY(key, LIST)
+SPH_TREATMENT_CHOICES(CHOICE)
+#undef CHOICE
 
 static const char *const precision_names[] = {"single", "double", NULL};
 static const char *const precision_helps[] = {
@@ -63,9 +66,14 @@ const struct param sph_params[SPH_N_PARAMS] = {
   {#name, PARAM_INT, QTY_NUMBER, AT(every[SPH_TREATMENT_##name]), 0, 1e9, "0", NULL, help, NULL},
     SPH_TREATMENTS(ROW)
 #undef ROW
-        {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,
-         "factor of the bound from sound and convection (paper, eq. 29); of rk4, scaled for others",
-         NULL},
+#define ROW(key, LIST, first, help)                                                                \
+  {#key, PARAM_CHOICE, QTY_NUMBER, AT(key), 0, 0, first, key##_names, help, key##_helps},
+        SPH_TREATMENT_CHOICES(ROW)
+#undef ROW
+            {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,
+             "factor of the bound from sound and convection (paper, eq. 29); of rk4, scaled for "
+             "others",
+             NULL},
     {"cfl_diffusive", PARAM_REAL, QTY_NUMBER, AT(cfl_diffusive), 1e-3, 10, "0.44", NULL,
      "factor of the bound from diffusion (paper, eq. 27); of rk4, scaled for others; molteni and "
      "ferrari take 0.72 of it in rk4-frozen",

@@ -8,6 +8,9 @@ struct sph_scheme {
   int integrator, walls;                                       /* indices into their lists */
   int precision;                                               /* of the sums over pairs */
   int every[SPH_TREATMENT_COUNT];                              /* steps; 0: never */
+#define X(key, LIST, first, help) int key;                     /* of treatments: enumerations */
+  SPH_TREATMENT_CHOICES(X)
+#undef X
   double h_over_dx;
   double delta; /* negative: the usual one of the diffusion */
   double alpha;
@@ -17,7 +20,7 @@ struct sph_scheme {
 
 enum { SPH_PRECISION_single, SPH_PRECISION_double };
 
-enum { SPH_N_PARAMS = 17 + SPH_TREATMENT_COUNT };
+enum { SPH_N_PARAMS = 17 + SPH_TREATMENT_PARAMS };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* delta, or the default of the diffusion when it is negative. */

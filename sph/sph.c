@@ -10,6 +10,7 @@
 #include "sph/pair/kernel.h"
 #include "sph/start/initial.h"
 #include "sph/time/integrator.h"
+#include "sph/treat/treat.h"
 
 /* In particle spacings. Wider lists last longer but hold more pairs: from 0.25 to 0.6 for the
  * water, and 0.6 to 1.5 for the walls, the dam break at H/dx = 50 takes the same within the 10 %
@@ -163,6 +164,7 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   ATTEMPT(sph_drift_create(&s->drift, &s->grid, s->support));
   ATTEMPT(sph_wall_create(s, &c->walls));
   ATTEMPT(sort_and_list(s, NULL, 0, 0));
+  ATTEMPT(sph_treat_create(s));
 done:
   if (status != OK) {
     sph_destroy(s);
@@ -174,6 +176,7 @@ done:
 
 void sph_destroy(struct sph *s) {
   if (!s) return;
+  sph_treat_destroy(s);
   sph_wall_destroy(s);
   sph_particles_destroy(&s->f);
   free(s->pack);

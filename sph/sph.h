@@ -71,6 +71,8 @@ struct sph {
   struct sph_pack *pack;             /* [f.room], owned */
   struct sph_totals *cluster_totals; /* [f.room / SPH_LANES], owned */
 
+  void *treated[SPH_TREATMENT_COUNT]; /* what treatments keep (treat.h), owned */
+
   bool split; /* the diffusive term has steps of its own (time/split.c) */
 
   const struct sph_wall *wall;

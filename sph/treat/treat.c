@@ -4,11 +4,23 @@
 #include "sph/fluid/energy.h"
 #include "sph/pair/rates.h"
 
-static void (*const treatments[])(struct sph *) = {
-#define X(name, help) sph_treat_##name,
+static const struct sph_treatment *const treatments[] = {
+#define X(name, help) &sph_treatment_##name,
     SPH_TREATMENTS(X)
 #undef X
 };
+
+enum status sph_treat_create(struct sph *s) {
+  for (int k = 0; k < SPH_TREATMENT_COUNT; k++)
+    if (s->scheme.every[k] > 0 && treatments[k]->create)
+      TRY(treatments[k]->create(s, &s->treated[k]));
+  return OK;
+}
+
+void sph_treat_destroy(struct sph *s) {
+  for (int k = 0; k < SPH_TREATMENT_COUNT; k++)
+    if (treatments[k]->destroy) treatments[k]->destroy(s->treated[k]);
+}
 
 static bool is_due(const struct sph *s, int treatment) {
   const int every = s->scheme.every[treatment];
@@ -20,7 +32,7 @@ static enum status apply(struct sph *s, int treatment) {
   sph_pack_water(s);
   s->wall->fill(s);
   const double before = sph_energy(s).total;
-  treatments[treatment](s);
+  treatments[treatment]->apply(s);
   sph_particles_pad(&s->f);
   s->budget.diffusion += before - sph_energy(s).total;
   return OK;

@@ -1,14 +1,24 @@
-/* The phase of a step in which the water is treated: after the neighbour lists were brought up to
- * date, before the rates. */
+/* The phase of a step in which the water is treated: before the rates. */
 #pragma once
 #include "sph/sph.h"
-#include "sph/treat/list.h"
 
-/* Each changes the evolving fields of the packed water (sph_pack_water, wall particles filled);
- * positions by less than the lists allow. */
-#define X(name, help) void sph_treat_##name(struct sph *s);
+/* A treatment, whose name, help and keys are in list.h. */
+struct sph_treatment {
+  /* What it keeps from step to step, into s->treated[the treatment]; or NULL. */
+  enum status (*create)(struct sph *s, void **own);
+  void (*destroy)(void *own); /* both or neither; of NULL, too */
+  /* Changes the evolving fields; positions by less than the lists allow. The water is packed
+   * (sph_pack_water) and wall particles are filled, and what is in either pack may be overwritten:
+   * both are filled anew before they are read again. */
+  void (*apply)(struct sph *s);
+};
+
+#define X(name, help) extern const struct sph_treatment sph_treatment_##name;
 SPH_TREATMENTS(X)
 #undef X
+
+enum status sph_treat_create(struct sph *s);
+void sph_treat_destroy(struct sph *s);
 
 /* Applies those that are due after s->steps steps, in the order of the list. What they take out of
  * the energy is booked with that of the diffusion, whose part they play. */

@@ -1,49 +1,176 @@
 /* Treatments of the water between steps. */
 #include "tests/test.h"
 
+#include <omp.h>
+
 #include "sph/fluid/energy.h"
 #include "sph/treat/treat.h"
 #include "tests/sph/pool.h"
 
-/* A wave of pressure on a lattice, far from its edges: the mean weighted by a Gaussian is
- * exp(-(kh)^2/4) of it, and what a square lattice with h/dx = 4/3 and the cut at 3h leave is below
- * 1e-3. */
-static void test_shepard_mean_damps_a_wave_by_its_transform(void) {
-  struct case_file *c = pool_case(POOL_DROP, "resolution: 40, shepard: 1, precision: double");
-  struct sph *s = pool_create(c);
-  const double k = 2 * M_PI / 0.4, p0 = 1e3;
-  for (size_t i = 0; i < s->f.n; i++)
-    s->f.w.rho[i] = s->rho0 + p0 / (s->c0 * s->c0) * sin(k * s->f.w.x[i]);
-  sph_particles_pad(&s->f);
-  s->steps = 1;
-  const double before = sph_energy(s).total;
-  EXPECT_OK(sph_treat(s));
-  double worst = 0;
-  for (size_t i = 0; i < s->f.n; i++) {
-    double x = s->f.w.x[i], y = s->f.w.y[i];
-    if (fmin(fmin(x - 1, 2 - x), fmin(y - 1, 2 - y)) < 3.1 * s->h) continue;
-    double p = (s->f.w.rho[i] - s->rho0) * s->c0 * s->c0;
-    worst = fmax(worst, fabs(p / p0 - exp(-k * k * s->h * s->h / 4) * sin(k * x)));
-  }
-  EXPECT_NEAR(worst, 0, 1e-3);
-  EXPECT(s->budget.diffusion > 0);
-  EXPECT_NEAR(sph_energy(s).total + s->budget.diffusion, before, 1e-12 * before);
+static struct sph *open_water(struct case_file **c, const char *head, const char *run) {
+  *c = pool_case(head, run);
+  return pool_create(*c);
+}
+
+static void close_water(struct case_file *c, struct sph *s) {
   sph_destroy(s);
   case_destroy(c);
 }
 
-/* A uniform pressure stays, to the rounding of densities near 1000; at the surface too. */
-static void test_shepard_mean_of_a_constant_is_it(void) {
-  struct case_file *c = pool_case(POOL_DROP, "resolution: 20, shepard: 1");
-  struct sph *s = pool_create(c);
-  pool_shake(s, 0.3, 1, 0);
-  for (size_t i = 0; i < s->f.n; i++) s->f.w.rho[i] = s->rho0 * 1.01;
-  sph_particles_pad(&s->f);
+/* Applies what is due after a step; checks that what it takes out of the energy is booked. */
+static void treat(struct sph *s) {
   s->steps = 1;
+  sph_particles_pad(&s->f);
+  const double before = sph_energy(s).total;
   EXPECT_OK(sph_treat(s));
-  for (size_t i = 0; i < s->f.n; i++) EXPECT_NEAR(s->f.w.rho[i] / s->rho0, 1.01, 1e-14);
-  sph_destroy(s);
-  case_destroy(c);
+  EXPECT(s->budget.diffusion != 0);
+  EXPECT_NEAR(sph_energy(s).total + s->budget.diffusion, before, 1e-12 * fabs(before));
+}
+
+/* Whether the support of a particle of the drop is full. */
+static bool is_inside(const struct sph *s, size_t i) {
+  const double x = s->f.w.x[i], y = s->f.w.y[i];
+  return fmin(fmin(x - 1, 2 - x), fmin(y - 1, 2 - y)) > s->support + 0.1 * s->dx;
+}
+
+/* What the mean over a square lattice leaves of a wave along it. */
+static double gaussian_symbol(double dx, double k) {
+  double sum = 0, weight = 0;
+  for (int a = -8; a <= 8; a++)
+    for (int b = -8; b <= 8; b++) {
+      const double q2 = (a * a + b * b) * dx * dx;
+      if (q2 > 9 * (1 - 1e-9)) continue;
+      const double w = exp(-q2) - exp(-9);
+      weight += w;
+      sum += w * cos(k * a * dx);
+    }
+  return sum / weight;
+}
+
+/* Of velocities (m/s) and densities: a wave of each keeps as much as the symbol says, to the
+ * rounding of densities near 1000 and the kernel's exponential, 1e-14 each. */
+static void expect_symbol(const char *treatment, bool of_velocity) {
+  char run[100];
+  snprintf(run, sizeof run, "resolution: 40, %s: 1, precision: double", treatment);
+  for (int waves = 2; waves <= 20; waves *= 2) {
+    struct case_file *c;
+    struct sph *s = open_water(&c, POOL_DROP, run);
+    const double k = 2 * M_PI * waves, h = s->h, dx = s->dx;
+    const double S = gaussian_symbol(dx / h, k * h);
+    for (size_t i = 0; i < s->f.n; i++) {
+      const double wave = cos(k * (s->f.w.x[i] - dx / 2));
+      s->f.w.rho[i] = s->rho0 * (1 + 1e-3 * wave);
+      s->f.m[i] = s->f.w.rho[i] * dx * dx; /* equal volumes, for the symbol */
+      s->f.w.u[i] = 3 * wave;
+      s->f.w.v[i] = 1 + wave;
+    }
+    treat(s);
+    double worst = 0;
+    for (size_t i = 0; i < s->f.n; i++) {
+      if (!is_inside(s, i)) continue;
+      const double wave = cos(k * (s->f.w.x[i] - dx / 2)), left = of_velocity ? S * wave : wave;
+      worst = fmax(worst, fabs((s->f.w.rho[i] / s->rho0 - 1) * 1e3 - S * wave));
+      worst = fmax(worst, fabs(s->f.w.u[i] - 3 * left));
+      worst = fmax(worst, fabs(s->f.w.v[i] - 1 - left));
+    }
+    EXPECT_NEAR(worst, 0, 1e-10);
+    close_water(c, s);
+  }
+  /* S = 1 - (kh)^2/4 for long waves of a whole Gaussian; of one cut at 3h, as if in the plane */
+  const double C0 = exp(-9), moment = 0.25 * (1 - 40.5 * C0 / (1 - 10 * C0));
+  EXPECT_NEAR((1 - gaussian_symbol(0.75, 0.01)) / 1e-4, moment, 1e-3 * moment);
+}
+
+static void test_means_damp_waves_by_their_symbol(void) {
+  expect_symbol("shepard", false);
+  expect_symbol("smoothing", true);
+  expect_symbol("mls_volume", false); /* on a lattice the plane's value is the mean */
+}
+
+/* Whatever is uniform stays, to the rounding of densities near 1000; at the surface too. */
+static void test_treatments_keep_a_constant(void) {
+  for (int k = 0; k < SPH_TREATMENT_COUNT; k++) {
+    static const char *const names[] = {
+#define X(name, help) #name,
+        SPH_TREATMENTS(X)
+#undef X
+    };
+    char run[100];
+    snprintf(run, sizeof run, "resolution: 20, %s: 1", names[k]);
+    struct case_file *c;
+    struct sph *s = open_water(&c, POOL_DROP, run);
+    pool_shake(s, 0.3, 0, 0);
+    for (size_t i = 0; i < s->f.n; i++) {
+      s->f.w.u[i] = 2;
+      s->f.w.v[i] = -3;
+    }
+    s->steps = 1;
+    sph_particles_pad(&s->f);
+    EXPECT_OK(sph_treat(s));
+    for (size_t i = 0; i < s->f.n; i++) {
+      EXPECT_NEAR(s->f.w.rho[i] / s->rho0, 1, 1e-14);
+      EXPECT_NEAR(s->f.w.u[i], 2, 1e-14);
+      EXPECT_NEAR(s->f.w.v[i], -3, 1e-14);
+    }
+    close_water(c, s);
+  }
+}
+
+/* With any neighbours, at the surface too; to the rounding of densities, a few of whose units the
+ * inverse of the moments multiplies. */
+static void test_mls_by_volumes_keeps_a_linear_density(void) {
+  struct case_file *c;
+  struct sph *s = open_water(&c, POOL_DROP, "resolution: 20, mls_volume: 1, precision: double");
+  pool_shake(s, 0.2, 1, 0);
+  double linear[4096];
+  for (size_t i = 0; i < s->f.n; i++)
+    linear[s->f.id[i]] = s->f.w.rho[i] = s->rho0 * (1 + 0.01 * s->f.w.x[i] - 0.02 * s->f.w.y[i]);
+  s->steps = 1;
+  sph_particles_pad(&s->f);
+  EXPECT_OK(sph_treat(s));
+  for (size_t i = 0; i < s->f.n; i++) EXPECT_NEAR(s->f.w.rho[i] / linear[s->f.id[i]], 1, 1e-13);
+  close_water(c, s);
+}
+
+/* Still water whose densities went astray has its hydrostatic ones again. */
+static void test_mls_by_masses_gives_the_first_density(void) {
+  struct case_file *c;
+  struct sph *s = open_water(&c, POOL_STILL, "resolution: 20, mls_mass: 1, precision: double");
+  double first[4096];
+  for (size_t i = 0; i < s->f.n; i++) first[s->f.id[i]] = s->f.w.rho[i];
+  pool_shake(s, 0, 1, 1e4);
+  treat(s);
+  for (size_t i = 0; i < s->f.n; i++) EXPECT_NEAR(s->f.w.rho[i] / first[s->f.id[i]], 1, 1e-13);
+  close_water(c, s);
+}
+
+/* In still water means of the density lift the pressure of the top row, by the mean depth of a
+ * lattice's lower half under the kernel; those of its excess over the
+ * hydrostatic density, which is constant, leave it to rounding. */
+static void test_smoothing_the_excess_keeps_the_top_row(void) {
+  for (int excess = 0; excess < 2; excess++) {
+    struct case_file *c;
+    struct sph *s = open_water(
+        &c, POOL_STILL,
+        excess
+            ? "resolution: 20, walls: mirror, precision: double, smoothing: 1, smoothing_of: excess"
+            : "resolution: 20, walls: mirror, precision: double, smoothing: 1");
+    double first[4096], least = INFINITY, most = -INFINITY;
+    for (size_t i = 0; i < s->f.n; i++) first[s->f.id[i]] = pool_p(s, i);
+    treat(s);
+    for (size_t i = 0; i < s->f.n; i++) {
+      if (s->f.w.y[i] < 1 - s->dx) continue;
+      const double lifted = (pool_p(s, i) - first[s->f.id[i]]) / (s->rho0 * s->g * s->dx);
+      least = fmin(lifted, least);
+      most = fmax(lifted, most);
+    }
+    printf("     the top row is lifted by %.5f to %.5f rho g dx\n", least, most);
+    if (excess)
+      EXPECT_NEAR(fmax(most, -least), 0, 1e-9);
+    else
+      EXPECT_NEAR(most, 0.47472, 2e-3); /* volumes differ by g H/c0^2 = 2.5e-3 */
+    close_water(c, s);
+  }
 }
 
 /* After as many steps as the key says, and the budget of a run stays closed. */
@@ -65,9 +192,49 @@ static void test_treatments_come_after_so_many_steps(void) {
   case_destroy(c);
 }
 
+/* Densities and speeds after eight steps with a treatment after each third. */
+static void run_with(const char *treatment, int threads, double sum[4096]) {
+  char run[100];
+  struct case_file *c;
+  snprintf(run, sizeof run, "resolution: 20, %s: 3", treatment);
+  struct sph *s = open_water(&c, POOL_DAM, run);
+  omp_set_num_threads(threads);
+  for (int k = 0; k < 8; k++) {
+    EXPECT_OK(sph_treat(s));
+    EXPECT_OK(sph_rates(s, 0, true, true));
+    EXPECT_OK(sph_step(s, sph_timestep(s, 1)));
+  }
+  for (size_t i = 0; i < s->f.n; i++) sum[s->f.id[i]] = s->f.w.rho[i] + s->f.w.u[i] * s->f.w.v[i];
+  sum[s->f.n] = s->budget.diffusion;
+  close_water(c, s);
+}
+
+static void test_treatments_are_the_same_bits_for_any_number_of_threads(void) {
+  static const char *const names[] = {
+#define X(name, help) #name,
+      SPH_TREATMENTS(X)
+#undef X
+  };
+  const int most = omp_get_max_threads();
+  for (int k = 0; k < SPH_TREATMENT_COUNT; k++) {
+    double one[4096] = {0};
+    run_with(names[k], 1, one);
+    for (int threads = 2; threads <= 3; threads++) {
+      double more[4096] = {0};
+      run_with(names[k], threads, more);
+      EXPECT(!memcmp(one, more, sizeof one));
+    }
+  }
+  omp_set_num_threads(most);
+}
+
 int main(void) {
-  RUN(test_shepard_mean_damps_a_wave_by_its_transform);
-  RUN(test_shepard_mean_of_a_constant_is_it);
+  RUN(test_means_damp_waves_by_their_symbol);
+  RUN(test_treatments_keep_a_constant);
+  RUN(test_mls_by_volumes_keeps_a_linear_density);
+  RUN(test_mls_by_masses_gives_the_first_density);
+  RUN(test_smoothing_the_excess_keeps_the_top_row);
   RUN(test_treatments_come_after_so_many_steps);
+  RUN(test_treatments_are_the_same_bits_for_any_number_of_threads);
   return TEST_RESULT;
 }
