@@ -4,9 +4,9 @@
  *
  *   bench_sph [largest H/dx, default 200]
  *
- * Processors of one kind differ by half, and busy ones by more, so that times are given a second time
- * as counts of a reference: one fused multiply-add of a register of floats, as wide as the processor
- * has them, in a loop of twelve independent ones that runs before each repeat.
+ * Processors of one kind differ by half, and busy ones by more, so that times are given a second
+ * time as counts of a reference: one fused multiply-add of a register of floats, as wide as the
+ * processor has them, in a loop of twelve independent ones that runs before each repeat.
  *
  * Medians of repeats. On one thread the processor's time is taken, which a busy machine does not
  * lengthen; on more, the time of the clock on the wall. */
@@ -135,17 +135,23 @@ static size_t pairs_listed(const struct sph_lists *l) {
   return sum;
 }
 
-static void bench(const struct case_file *c, const struct case_run *r) {
+/* Some way into the run: the lattice has bent, and caches are as in a run. */
+static struct sph *begun(const struct case_file *c, const struct case_run *r) {
   struct sph *s;
   if (sph_create(c, r->resolution, r->options, &s) != OK) {
     fprintf(stderr, "%s\n", status_message());
     exit(1);
   }
-  double resolution = r->resolution;
   omp_set_num_threads(omp_get_num_procs());
-  int warm = (int)fmin(400, 4 * resolution); /* the lattice has bent, and caches are as in a run */
+  const int warm = 200;
   for (int k = 0; k < warm; k++)
     if (sph_rates(s, 0, true, true) != OK || sph_step(s, sph_timestep(s, 1)) != OK) exit(1);
+  return s;
+}
+
+static void bench(const struct case_file *c, const struct case_run *r) {
+  struct sph *s = begun(c, r);
+  double resolution = r->resolution;
   int most = omp_get_num_procs();
   for (int threads = 1; threads <= most; threads *= 2) {
     omp_set_num_threads(threads);
@@ -162,6 +168,31 @@ static void bench(const struct case_file *c, const struct case_run *r) {
   sph_destroy(s);
 }
 
+/* Nanoseconds per particle of as many steps as take a few milliseconds. */
+static double time_of_steps(struct sph *s) {
+  const int n = (int)(1 + 1e5 / (double)s->f.n);
+  const double start = bench_seconds();
+  for (int k = 0; k < n; k++)
+    if (step(s) != OK) exit(1);
+  return (bench_seconds() - start) / n / (double)s->f.n * 1e9;
+}
+
+/* How the time of a step grows with the number of particles, as its power: two runs take turns,
+ * since the machine's own speed comes and goes. */
+static void growth(const struct case_file *small, const struct case_file *large, size_t run) {
+  struct sph *s = begun(small, &small->runs[run]), *l = begun(large, &large->runs[run]);
+  double power[REPEATS];
+  omp_set_num_threads(1);
+  for (int r = 0; r < REPEATS; r++) {
+    const double before = time_of_steps(s), t = time_of_steps(l), after = time_of_steps(s);
+    power[r] = 1 + log(2 * t / (before + after)) / log((double)l->f.n / (double)s->f.n);
+  }
+  printf("%s, %zu to %zu particles: one thread's time grows as n^%.3f\n", small->runs[run].name,
+         s->f.n, l->f.n, median(power));
+  sph_destroy(s);
+  sph_destroy(l);
+}
+
 int main(int argc, char **argv) {
   double largest = argc > 1 ? atof(argv[1]) : 200;
   printf("ns per particle of water, and (fma) how many times a fused multiply-add of %d floats; "
@@ -169,10 +200,17 @@ int main(int argc, char **argv) {
          " H/dx       n  diffusion threads  evaluate    fma      step    fma    pack   walls  "
          "gradient   lists   listed\n",
          SPH_REALS, SPH_LANES);
+  struct case_file *first = NULL, *c = NULL;
   for (double resolution = 50; resolution <= largest; resolution *= 2) {
-    struct case_file *c = dam_break(resolution);
+    if (c && c != first) case_destroy(c);
+    c = dam_break(resolution);
+    if (!first) first = c;
     for (size_t r = 0; r < c->n_runs; r++) bench(c, &c->runs[r]);
+  }
+  if (c != first) {
+    for (size_t r = 0; r < c->n_runs; r++) growth(first, c, r);
     case_destroy(c);
   }
+  if (first) case_destroy(first);
   return 0;
 }

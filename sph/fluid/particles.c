@@ -3,12 +3,17 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include "sph/family.h"
 
 void *sph_memory(size_t n, size_t size) {
-  size_t bytes = n && size ? (n * size + 63) / 64 * 64 : 64;
-  void *memory = aligned_alloc(64, bytes);
+  /* Large arrays are read in many streams at once: more pages than the processor remembers, unless
+   * they are large, too. */
+  const size_t page = (size_t)1 << 21, unit = n * size >= 2 * page ? page : 64;
+  size_t bytes = n && size ? (n * size + unit - 1) / unit * unit : 64;
+  void *memory = aligned_alloc(unit, bytes);
+  if (memory && unit == page) madvise(memory, bytes, MADV_HUGEPAGE);
   if (memory)
     memset(memory, 0, bytes);
   else

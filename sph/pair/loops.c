@@ -36,6 +36,7 @@ static struct frame frame_of(const struct sph *s, double x, double y, double u, 
 enum { BLOCK = 64 };
 
 SPECIALISE void convert(const struct frame *f, const struct sph_near *near, size_t k, real *out) {
+  if (k < near->n_ahead) __builtin_prefetch(&near->pack[near->ahead[k]]);
   const piece *a = (const piece *)&near->pack[near->list[k]];
   const piece *origin = (const piece *)f->origin, *unit = (const piece *)f->unit;
   for (int q = 0; q < PACKED / IN_PIECE; q++)
@@ -400,8 +401,8 @@ SPECIALISE void sum_fit(enum sph_kernel kernel, const struct sph *s, const struc
     SUM(w)
     SUM(x)
     SUM(y)
-    SUM(xx) SUM(xy) SUM(yy) SUM(p) SUM(px) SUM(py) SUM(u) SUM(ux) SUM(uy) SUM(v) SUM(vx) SUM(vy)
-        SUM(speed2)
+    SUM(xx)
+    SUM(xy) SUM(yy) SUM(p) SUM(px) SUM(py) SUM(u) SUM(ux) SUM(uy) SUM(v) SUM(vx) SUM(vy) SUM(speed2)
 #undef SUM
   }
 }

@@ -20,8 +20,9 @@ struct sph_targets {
 
 /* The sources of one kind. */
 struct sph_near {
-  size_t n;
+  size_t n, n_ahead;
   const uint32_t *list;
+  const uint32_t *ahead; /* the next cluster's: asked of the memory while this one's are summed */
   const struct sph_pack *pack;
   const struct sph_lip *lip; /* what hides some of them, or NULL */
 };
@@ -80,10 +81,15 @@ static inline const struct sph_loops *sph_loops_of(const struct sph_scheme *o) {
   return (o->precision == SPH_PRECISION_double ? sph_loops_double : sph_loops_single) + o->kernel;
 }
 
+/* Clusters whose sources stay in the caches, so that asking for them ahead only costs. */
+enum { SPH_CACHED_CLUSTERS = 4000 };
+
 static inline struct sph_near sph_near_of(const struct sph_lists *lists, size_t cluster,
                                           const struct sph_pack *pack) {
   struct sph_near a = {.pack = pack};
   a.list = sph_lists_of(lists, cluster, &a.n);
+  if (lists->n_clusters > SPH_CACHED_CLUSTERS && cluster + 1 < lists->n_clusters)
+    a.ahead = sph_lists_of(lists, cluster + 1, &a.n_ahead);
   return a;
 }
 
