@@ -1,8 +1,8 @@
-/* The forms of the continuity equation: what a pair adds to sum_j (...) V_j slope, in
+/* The forms of the continuity equation: what a pair adds to sum_j continuity_flux, in
  *
- *   D rho_i/Dt = -rho_i sum_j continuity_flux V_j slope_ij + diffusion
+ *   D rho_i/Dt = -rho_i sum_j continuity_flux + diffusion
  *
- * where `approach` is (u_j - u_i) . (r_j - r_i). */
+ * where `flow` is (u_j - u_i) . grad_i W_ij V_j. */
 #pragma once
 #include "sph/family.h"
 #include "sph/pair/vec.h"
@@ -10,10 +10,10 @@
 #define SPH_CONTINUITIES(X, ...) X(divergence, "divergence of u_j - u_i (P eq. (1))", ##__VA_ARGS__)
 SPH_FAMILY(sph_continuity, SPH_CONTINUITY, SPH_CONTINUITIES);
 
-SPECIALISE vec continuity_flux(enum sph_continuity c, vec approach) {
+SPECIALISE vec continuity_flux(enum sph_continuity c, vec flow) {
   switch (c) {
   case SPH_CONTINUITY_divergence:
-    return approach;
+    return flow;
   }
   __builtin_unreachable();
 }

@@ -111,31 +111,74 @@ SPECIALISE void set_places(struct targets *i, const struct sph_targets *of, cons
   i->y = spread(of->y, part, f->origin[Y], f->unit[Y]);
 }
 
-/* q^2, or beyond the support where a target does not see the wall particle. */
-SPECIALISE vec hide(const struct targets *i, vec x, vec y, vec q2, vec cutoff2) {
+/* What tells whether a pair is in reach (kernel.h), or beyond the support where a target does not
+ * see the wall particle. */
+SPECIALISE vec hide(const struct targets *i, vec x, vec y, vec reach2, vec cutoff2) {
   const vec zero = {0};
   vec behind = vec_max(i->outwards * (x - i->wall), zero);
   vec below = vec_max(i->top - y, zero);
   vec seen = below * i->inside - i->rise * behind;
-  return q2 + vec_where_less(cutoff2, seen, zero);
+  return reach2 + vec_where_less(cutoff2, seen, zero);
 }
 
 struct pair {
   vec x, y, q2; /* (r_j - r_i)/h; its square */
+  vec reach2;   /* kernel_reach2 */
 };
 
-SPECIALISE struct pair pair_with(const struct turn *j, const struct targets *i, vec cutoff2) {
+SPECIALISE struct pair pair_with(enum sph_kernel kernel, const struct turn *j,
+                                 const struct targets *i, vec cutoff2) {
   const vec xj = vec_sources(j->x), yj = vec_sources(j->y);
   struct pair p = {.x = xj - i->x, .y = yj - i->y};
   p.q2 = p.x * p.x + p.y * p.y;
-  if (i->lip) p.q2 = hide(i, xj, yj, p.q2, cutoff2);
+  p.reach2 = kernel_reach2(kernel, p.x, p.y, p.q2);
+  if (i->lip) p.reach2 = hide(i, xj, yj, p.reach2, cutoff2);
   return p;
 }
 
-/* slope V_j, 0 beyond the support. */
+/* The three that follow are 0 beyond the support. value V_j: */
+SPECIALISE vec value_of(enum sph_kernel kernel, const struct pair *p, const struct turn *j,
+                        vec cutoff2) {
+  const vec w = kernel_value(kernel, p->x, p->y, p->q2);
+  return vec_where_less(w * vec_sources(j->V), p->reach2, cutoff2);
+}
+
+/* slope V_j: */
 SPECIALISE vec slope_of(enum sph_kernel kernel, const struct pair *p, const struct turn *j,
                         vec cutoff2) {
-  return vec_where_less(kernel_slope(kernel, p->q2) * vec_sources(j->V), p->q2, cutoff2);
+  const vec e = kernel_slope(kernel, p->x, p->y, p->q2);
+  return vec_where_less(e * vec_sources(j->V), p->reach2, cutoff2);
+}
+
+/* Either is along the pair and the slope is enough, or x and y are the gradient times V_j. */
+struct gradient_of_pair {
+  vec e, x, y;
+};
+
+SPECIALISE struct gradient_of_pair gradient_of(enum sph_kernel kernel, const struct pair *p,
+                                               const struct turn *j, vec cutoff2) {
+  struct gradient_of_pair g = {.e = slope_of(kernel, p, j, cutoff2)};
+  if (kernel_is_radial(kernel)) return g;
+  const vec volume = vec_where_less(vec_sources(j->V), p->reach2, cutoff2);
+  kernel_gradient(kernel, p->x, p->y, &g.x, &g.y);
+  g.x *= volume;
+  g.y *= volume;
+  return g;
+}
+
+/* Adds factor times the gradient to (ax, ay). */
+SPECIALISE void add_along(enum sph_kernel kernel, const struct pair *p,
+                          const struct gradient_of_pair *g, vec factor, vec *ax, vec *ay) {
+  const bool radial = kernel_is_radial(kernel);
+  if (radial) factor *= g->e;
+  *ax += factor * (radial ? p->x : g->x);
+  *ay += factor * (radial ? p->y : g->y);
+}
+
+/* (u, v) times the gradient; `approach` is (u, v) . (x, y). */
+SPECIALISE vec flow_along(enum sph_kernel kernel, const struct gradient_of_pair *g, vec u, vec v,
+                          vec approach) {
+  return kernel_is_radial(kernel) ? approach * g->e : u * g->x + v * g->y;
 }
 
 /* The rates ---------------------------------------------------------------------------------- */
@@ -162,20 +205,20 @@ SPECIALISE void add_rates(const struct rates_choice o, const struct targets *i,
   struct rates a = *sums;
   const vec cutoff2 = vec_of(kernel_cutoff2(o.kernel)), zero = {0};
   for (const struct turn *j = block; j < block + n; j++) {
-    const struct pair q = pair_with(j, i, cutoff2);
-    const vec e = slope_of(o.kernel, &q, j, cutoff2), pj = vec_sources(j->p);
-    const vec approach = (vec_sources(j->u) - i->u) * q.x + (vec_sources(j->v) - i->v) * q.y;
-    const vec pressure = momentum_pressure(o.momentum, i->p, pj) * e;
-    a.px += pressure * q.x;
-    a.py += pressure * q.y;
-    a.div += continuity_flux(o.continuity, approach) * e;
+    const struct pair q = pair_with(o.kernel, j, i, cutoff2);
+    const struct gradient_of_pair g = gradient_of(o.kernel, &q, j, cutoff2);
+    const vec e = g.e, pj = vec_sources(j->p);
+    const vec u = vec_sources(j->u) - i->u, v = vec_sources(j->v) - i->v;
+    const vec approach = u * q.x + v * q.y;
+    add_along(o.kernel, &q, &g, momentum_pressure(o.momentum, i->p, pj), &a.px, &a.py);
+    a.div += continuity_flux(o.continuity, flow_along(o.kernel, &g, u, v, approach));
     if (o.viscous) {
       const vec drag = viscosity_drag(o.viscosity, approach / (q.q2 + tiny2)) * e;
       a.vx += drag * q.x;
       a.vy += drag * q.y;
     }
     if (o.bounds) { /* what has no volume is not there */
-      vec pi = vec_where_less(vec_abs(approach) / (q.q2 + o.soft2), q.q2, cutoff2);
+      vec pi = vec_where_less(vec_abs(approach) / (q.q2 + o.soft2), q.reach2, cutoff2);
       a.pi_most = vec_max(a.pi_most, vec_where_less(pi, zero, vec_sources(j->V)));
     }
     if (o.diffusion != SPH_DIFFUSION_none)
@@ -256,7 +299,7 @@ SPECIALISE void add_gradient(enum sph_kernel kernel, const struct targets *i,
   struct gradient a = *sums;
   const vec cutoff2 = vec_of(kernel_cutoff2(kernel));
   for (const struct turn *j = block; j < block + n; j++) {
-    const struct pair q = pair_with(j, i, cutoff2);
+    const struct pair q = pair_with(kernel, j, i, cutoff2);
     const vec e = slope_of(kernel, &q, j, cutoff2);
     const vec ex = e * q.x, ey = e * q.y, dp = vec_sources(j->p) - i->p;
     a.xx += ex * q.x;
@@ -304,7 +347,7 @@ SPECIALISE void add_diffusion(enum sph_kernel kernel, enum sph_diffusion d, cons
   struct diffusion a = *sums;
   const vec cutoff2 = vec_of(kernel_cutoff2(kernel)), zero = {0}, one = vec_of(1);
   for (const struct turn *j = block; j < block + n; j++) {
-    const struct pair q = pair_with(j, i, cutoff2);
+    const struct pair q = pair_with(kernel, j, i, cutoff2);
     const vec e = slope_of(kernel, &q, j, cutoff2), dp = vec_sources(j->p) - i->p;
     a.D += diffusion_psi(d, dp, q.x, q.y, q.q2, zero, zero) * e;
     a.weight += diffusion_psi(d, one, q.x, q.y, q.q2, zero, zero) * e;
@@ -357,8 +400,8 @@ SPECIALISE void add_fit(enum sph_kernel kernel, const struct targets *i, const s
   struct fit a = *sums;
   const vec cutoff2 = vec_of(kernel_cutoff2(kernel));
   for (const struct turn *j = block; j < block + n; j++) {
-    const struct pair q = pair_with(j, i, cutoff2);
-    const vec w = vec_where_less(kernel_value(kernel, q.q2) * vec_sources(j->V), q.q2, cutoff2);
+    const struct pair q = pair_with(kernel, j, i, cutoff2);
+    const vec w = value_of(kernel, &q, j, cutoff2);
     const vec wx = w * q.x, wy = w * q.y;
     const vec p = vec_sources(j->p), u = vec_sources(j->u), v = vec_sources(j->v);
     a.w += w;

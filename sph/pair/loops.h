@@ -37,7 +37,7 @@ struct sph_rates_how {
 /* With e = slope V_j (kernel.h), units h, c0, rho0. */
 struct sph_rates_sums {
   double px[SPH_LANES], py[SPH_LANES]; /* sum momentum_pressure x e */
-  double div[SPH_LANES];               /* sum continuity_flux e */
+  double div[SPH_LANES];               /* sum continuity_flux */
   double vx[SPH_LANES], vy[SPH_LANES]; /* sum viscosity_drag x e */
   double D[SPH_LANES];                 /* sum psi e */
   double pi_most[SPH_LANES];           /* max |pi_ij| */

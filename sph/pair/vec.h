@@ -125,6 +125,12 @@ SPECIALISE vec vec_abs(vec a) {
   return (vec)((vec_bits)a & ~sign);
 }
 
+/* |a| with the sign of b. */
+SPECIALISE vec vec_with_sign(vec a, vec b) {
+  const vec_bits sign = (vec_bits)-vec_of(0);
+  return (vec)(((vec_bits)a & ~sign) | ((vec_bits)b & sign));
+}
+
 SPECIALISE vec vec_sqrt(vec a) {
 #if defined __AVX512F__ && defined SPH_SINGLE
   return (vec)_mm512_sqrt_ps((__m512)a);

@@ -7,47 +7,101 @@
 /* Lengths in h. A number of either precision carries half of this. */
 static const double eps = sizeof(real) == sizeof(double) ? 2.2e-16 : 1.2e-7;
 
-static double value(enum sph_kernel k, double q) {
-  return kernel_value_scale(k) * kernel_value(k, vec_of((real)(q * q)))[0];
+/* At (x, y), in units of h. */
+static double value_at(enum sph_kernel k, double x, double y) {
+  const vec X = vec_of((real)x), Y = vec_of((real)y);
+  return kernel_value_scale(k) * kernel_value(k, X, Y, X * X + Y * Y)[0];
 }
 
-static double slope(enum sph_kernel k, double q) {
-  return kernel_slope_scale(k) * kernel_slope(k, vec_of((real)(q * q)))[SPH_REALS - 1];
+static double slope_at(enum sph_kernel k, double x, double y) {
+  const vec X = vec_of((real)x), Y = vec_of((real)y);
+  return kernel_slope_scale(k) * kernel_slope(k, X, Y, X * X + Y * Y)[SPH_REALS - 1];
 }
 
-/* Simpson's rule: the integrand is smooth, 2000 intervals leave an error below 1e-12; the rounding
- * of values that are positive cannot add up to more than their own, a few units. */
+/* Along x. */
+static double fall_at(enum sph_kernel k, double x, double y) {
+  vec gx, gy;
+  if (kernel_is_radial(k)) return slope_at(k, x, y) * x;
+  kernel_gradient(k, vec_of((real)x), vec_of((real)y), &gx, &gy);
+  return kernel_slope_scale(k) * gx[0];
+}
+
+static bool is_in_reach(enum sph_kernel k, double x, double y) {
+  const vec X = vec_of((real)x), Y = vec_of((real)y);
+  return kernel_reach2(k, X, Y, X * X + Y * Y)[0] < kernel_cutoff2(k);
+}
+
+/* How far from the axis the support reaches along it. */
+static double half_width(enum sph_kernel k) {
+  return kernel_is_radial(k) ? kernel_support(k) : kernel_support(k) / M_SQRT2;
+}
+
+static double simpson(int i, int n) {
+  return i == 0 || i == n ? 1. / 3 : i % 2 ? 4. / 3 : 2. / 3;
+}
+
+/* Simpson's rule. Kernels are polynomials or smooth between the circles or lines q = 0, 1, 2, 3, on
+ * which intervals end, and their second derivative is continuous: along a line that crosses such a
+ * circle within an interval the error is d^3 = 2e-5 of a jump, and their signs vary from line to
+ * line. The rounding of values that are positive cannot add up to more than their own, a few units.
+ */
 static void test_kernel_integrates_to_one_over_the_plane(void) {
   for (int k = 0; k < SPH_KERNEL_COUNT; k++) {
-    const int n = 2000;
-    double dq = kernel_support((enum sph_kernel)k) / n, sum = 0;
+    const enum sph_kernel kernel = (enum sph_kernel)k;
+    const int n = 1200;
+    const double d = 3. / n;
+    double along = 0, round = 0;
     for (int i = 0; i <= n; i++) {
-      double q = i * dq, weight = i == 0 || i == n ? 1 : i % 2 ? 4 : 2;
-      sum += weight * 2 * M_PI * q * value((enum sph_kernel)k, q);
+      for (int j = 0; j <= n && !kernel_is_radial(kernel); j++)
+        if (is_in_reach(kernel, i * d, j * d))
+          round += 4 * simpson(i, n) * simpson(j, n) * value_at(kernel, i * d, j * d) * d * d;
+      if (kernel_is_radial(kernel) && is_in_reach(kernel, i * d, 0))
+        along += simpson(i, n) * 2 * M_PI * i * d * value_at(kernel, i * d, 0) * d;
     }
-    EXPECT_NEAR(sum * dq / 3, 1, 1e-12 + 4 * eps);
+    EXPECT_NEAR(along + round, 1, 1e-10 + 4 * eps);
   }
 }
 
-/* grad_i W = slope r_ji, hence slope = -W'(q)/q. Central difference of fourth order: error
- * dq^4/30 of the fifth derivative, which is 10.4 at most for the Gaussian, and the rounding of
- * values of 0.3 at most over dq; the steps balance the two. */
-static void test_kernel_slope_is_the_derivative_of_its_value(void) {
+/* What W falls by from a point to another is the integral of its gradient between them, here by
+ * Simpson's rule on steps of 0.0731/64: where the integrand has a kink, the error is 1e-10 of it.
+ */
+static void test_kernel_falls_as_its_gradient_says(void) {
   for (int k = 0; k < SPH_KERNEL_COUNT; k++)
-    for (double q = 0.05; q < 0.98 * kernel_support((enum sph_kernel)k); q += 0.0731) {
-      const double dq = sizeof(real) == sizeof(double) ? 2e-3 : 0.04;
-      const double near = value((enum sph_kernel)k, q + dq) - value((enum sph_kernel)k, q - dq);
-      const double far =
-          value((enum sph_kernel)k, q + 2 * dq) - value((enum sph_kernel)k, q - 2 * dq);
-      const double dW = (8 * near - far) / (12 * dq);
-      EXPECT_NEAR(slope((enum sph_kernel)k, q) * q, -dW, dq * dq * dq * dq / 2 + eps / dq);
-      EXPECT(slope((enum sph_kernel)k, q) > 0);
-    }
+    for (double y = 0; y < 1.5; y += 0.37)
+      for (double x = -1.2; x < 1.2; x += 0.0731) {
+        const enum sph_kernel kernel = (enum sph_kernel)k;
+        const int n = 64;
+        const double d = 0.0731 / n;
+        double fall = 0;
+        for (int i = 0; i <= n; i++) fall += simpson(i, n) * d * fall_at(kernel, x + i * d, y);
+        EXPECT_NEAR(value_at(kernel, x, y) - value_at(kernel, x + n * d, y), fall, 1e-9 + 8 * eps);
+      }
+}
+
+/* slope = (x, y) . grad_i W / q^2 > 0, also where the two meet: there it is -W'' of the smooth
+ * kernel, by a difference whose error is 1e-3 of the third derivative, below 30 here. */
+static void test_kernel_slope_is_along_the_pair(void) {
+  for (int k = 0; k < SPH_KERNEL_COUNT; k++) {
+    const enum sph_kernel kernel = (enum sph_kernel)k;
+    for (double x = -1.3; x < 1.31; x += 0.1)
+      for (double y = -1.35; y < 1.36; y += 0.1) {
+        double along = fall_at(kernel, x, y) * x + fall_at(kernel, y, x) * y;
+        EXPECT_NEAR(slope_at(kernel, x, y) * (x * x + y * y), along, 16 * eps);
+        EXPECT(slope_at(kernel, x, y) > 0);
+      }
+    EXPECT_NEAR(slope_at(kernel, 0, 0), fall_at(kernel, 1e-3, 0) / 1e-3, 0.03);
+  }
 }
 
 static void test_kernel_vanishes_at_the_edge_of_its_support(void) {
-  for (int k = 0; k < SPH_KERNEL_COUNT; k++)
-    EXPECT_NEAR(value((enum sph_kernel)k, kernel_support((enum sph_kernel)k)), 0, eps);
+  for (int k = 0; k < SPH_KERNEL_COUNT; k++) {
+    const enum sph_kernel kernel = (enum sph_kernel)k;
+    const double edge = half_width(kernel);
+    EXPECT_NEAR(value_at(kernel, edge, 0), 0, 8 * eps);
+    EXPECT(is_in_reach(kernel, 0.999 * edge, 0) && !is_in_reach(kernel, 1.001 * edge, 0));
+    EXPECT(is_in_reach(kernel, edge * 0.7, edge * 0.7));
+    EXPECT(!is_in_reach(kernel, 0, 1.0001 * kernel_support(kernel)));
+  }
 }
 
 /* What vec.h states: the polynomial's error, s times the rounding of s/ln 2, and the last
@@ -67,7 +121,8 @@ static void test_kernel_does_not_overflow_far_away(void) {
   feclearexcept(FE_ALL_EXCEPT);
   for (int k = 0; k < SPH_KERNEL_COUNT; k++)
     for (double q = 1; q < 1e4; q *= 2)
-      EXPECT(isfinite(slope((enum sph_kernel)k, q)) && isfinite(value((enum sph_kernel)k, q)));
+      EXPECT(isfinite(slope_at((enum sph_kernel)k, q, q)) &&
+             isfinite(value_at((enum sph_kernel)k, q, q)));
   EXPECT(!fetestexcept(FE_OVERFLOW | FE_INVALID));
 }
 #endif
@@ -77,7 +132,8 @@ int main(void) {
   RUN(test_kernel_does_not_overflow_far_away);
 #endif
   RUN(test_kernel_integrates_to_one_over_the_plane);
-  RUN(test_kernel_slope_is_the_derivative_of_its_value);
+  RUN(test_kernel_falls_as_its_gradient_says);
+  RUN(test_kernel_slope_is_along_the_pair);
   RUN(test_kernel_vanishes_at_the_edge_of_its_support);
   RUN(test_exponential_is_as_accurate_as_its_numbers);
   return TEST_RESULT;
