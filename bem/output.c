@@ -121,7 +121,7 @@ static struct result_energy energy_of(struct bem_output *o, double seconds,
   struct result_energy e = {.time = seconds,
                             .kinetic = joule * t->kinetic,
                             .potential = joule * t->potential + lift * t->volume,
-                            .viscosity = joule * damped,
+                            .term = {joule * damped},
                             .removed = joule * o->removed_energy + lift * o->removed_volume};
   e.total = e.kinetic + e.potential;
   return e;

@@ -182,12 +182,17 @@ static enum status run(const struct case_file *c, const struct case_run *cr, str
   return status;
 }
 
+static const struct solver_term terms[] = {
+    {"filter", "energy taken out so far by filter and smoothing, heights from the level at rest"}};
+
 const struct solver bem_solver = {
     .name = "bem",
     .help = "fully nonlinear potential flow by boundary elements, to the touchdown of the breaker",
     .params = params,
     .n_params = sizeof params / sizeof *params,
     .options_size = sizeof(struct bem_options),
+    .terms = terms,
+    .n_terms = sizeof terms / sizeof *terms,
     .check = bem_start_check,
     .estimate = bem_estimate,
     .run = run,

@@ -21,11 +21,18 @@ struct solver_estimate {
   double seconds;   /* of the clock, with as many threads as OpenMP will use */
 };
 
+/* What a solver's water has lost or gained, as one column of /series/energy (J/m). */
+struct solver_term {
+  const char *name, *help;
+};
+
 struct solver {
   const char *name, *help;
   const struct param *params; /* the keys a run of this solver may have, [n_params] */
   size_t n_params;
-  size_t options_size; /* bytes of the struct that the table fills (zeroed first) */
+  size_t options_size;             /* bytes of the struct that the table fills (zeroed first) */
+  const struct solver_term *terms; /* of the budget of energy (result.h), [n_terms] */
+  size_t n_terms;                  /* at most RESULT_TERMS */
 
   /* Adds to `problems` whatever this solver cannot do with a case that is valid as such
    * (tank not rectangular, resolution too coarse for the tank ...). May be NULL. */

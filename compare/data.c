@@ -81,36 +81,39 @@ const struct cmp_series *cmp_series_find(const struct cmp_series *s, size_t n, c
 
 /* ---- the parts of a file ---- */
 
-static double budget(const struct result_energy *e) {
-  return e->kinetic + e->potential + e->internal + e->viscosity + e->diffusion + e->walls +
-         e->removed;
-}
-
 static enum status energies(const struct result_file *f, const struct cmp_scales *s,
                             struct cmp_data *d) {
-  struct cmp_series *all[] = {&d->kinetic,   &d->potential, &d->mechanical, &d->internal,
-                              &d->viscosity, &d->diffusion, &d->closure};
-  static const char *const names[] = {"kinetic",   "potential", "mechanical", "internal",
-                                      "viscosity", "diffusion", "closure"};
+  struct cmp_series *all[] = {&d->kinetic, &d->potential, &d->mechanical, &d->internal,
+                              &d->closure};
+  static const char *const names[] = {"kinetic", "potential", "mechanical", "internal", "closure"};
   enum { SERIES = sizeof all / sizeof *all };
   for (size_t k = 0; k < SERIES; k++) TRY(series_room(all[k], names[k], f->n_energy));
   const double rest =
       f->rest_potential; /* its own: a compressible fluid's is not the reference's */
   for (size_t i = 0; i < f->n_energy; i++) {
     const struct result_energy *e = &f->energy[i];
-    double value[SERIES] = {e->kinetic,
-                            e->potential - rest,
-                            e->kinetic + e->potential + e->removed - rest,
-                            e->internal,
-                            e->viscosity,
-                            e->diffusion,
-                            budget(e) - budget(&f->energy[0])};
+    double value[SERIES] = {e->kinetic, e->potential - rest,
+                            e->kinetic + e->potential + e->removed - rest, e->internal,
+                            result_energy_budget(e) - result_energy_budget(&f->energy[0])};
     for (size_t k = 0; k < SERIES; k++) series_add(all[k], e->time / s->T, value[k] / s->E);
   }
   TRY(series_room(&d->volume, "volume", f->n_steps));
   for (size_t i = 0; i < f->n_steps; i++)
     series_add(&d->volume, f->steps[i].time / s->T,
                (f->steps[i].volume + f->steps[i].removed_volume) / (s->H * s->H));
+  return OK;
+}
+
+static enum status terms(const struct result_file *f, const struct cmp_scales *s,
+                         struct cmp_data *d) {
+  d->n_terms = f->n_terms;
+  d->terms = calloc(f->n_terms + 1, sizeof *d->terms);
+  CHECK(d->terms, ERR_MEMORY, "no memory for %zu terms of energy", f->n_terms);
+  for (size_t k = 0; k < f->n_terms; k++) {
+    TRY(series_room(&d->terms[k], f->terms[k].name, f->n_energy));
+    for (size_t i = 0; i < f->n_energy; i++)
+      series_add(&d->terms[k], f->energy[i].time / s->T, f->energy[i].term[k] / s->E);
+  }
   return OK;
 }
 
@@ -220,6 +223,7 @@ enum status cmp_data_create(const struct result_file *f, const struct cmp_scales
   d->bed = geo_lines_box(&d->walls).min[1];
   TRY(surfaces(f, s, depth, window, d));
   TRY(energies(f, s, d));
+  TRY(terms(f, s, d));
   d->n_probes = f->n_probes;
   TRY(series_list(f->probes, f->n_probes, s, s->p, &d->probes));
   d->n_gauges = f->n_gauges;
@@ -236,15 +240,16 @@ void cmp_data_destroy(struct cmp_data *d) {
   free(d->surface);
   free(d->jet);
   geo_lines_destroy(&d->walls);
-  struct cmp_series *single[] = {&d->kinetic,   &d->potential, &d->mechanical, &d->internal,
-                                 &d->viscosity, &d->diffusion, &d->closure,    &d->volume,
-                                 &d->fronts[0], &d->fronts[1]};
+  struct cmp_series *single[] = {&d->kinetic, &d->potential, &d->mechanical, &d->internal,
+                                 &d->closure, &d->volume,    &d->fronts[0],  &d->fronts[1]};
   for (size_t k = 0; k < sizeof single / sizeof *single; k++) series_free(single[k]);
   struct {
     struct cmp_series *s;
     size_t n;
-  } list[] = {
-      {d->probes, d->n_probes}, {d->gauges, d->n_gauges}, {d->experiments, d->n_experiments}};
+  } list[] = {{d->terms, d->n_terms},
+              {d->probes, d->n_probes},
+              {d->gauges, d->n_gauges},
+              {d->experiments, d->n_experiments}};
   for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
     for (size_t i = 0; list[k].s && i < list[k].n; i++) series_free(&list[k].s[i]);
     free(list[k].s);
@@ -329,6 +334,19 @@ enum status cmp_data_average(struct cmp_data *d, const char *probe, double over)
     if (!strcmp(d->file->experiments[k].target, probe))
       TRY(series_average(&d->experiments[k], over));
   return OK;
+}
+
+struct cmp_value cmp_data_energy(const struct cmp_data *d, const struct cmp_series *s, double t) {
+  struct cmp_signal signal = cmp_series_signal(s);
+  double interval = s->n > 1 ? (s->t[s->n - 1] - s->t[0]) / (double)(s->n - 1) : 0;
+  if (s->n && t > s->t[s->n - 1] && t <= s->t[s->n - 1] + 2 * interval + 1e-6) t = s->t[s->n - 1];
+  double v = cmp_signal_at(&signal, t);
+  if (isfinite(v)) return cmp_number(v);
+  if (s->n && t >= s->t[0] && t <= s->t[s->n - 1])
+    return cmp_unknown("an energy of %.40s at t* = %.4g is not a number", d->label, t);
+  return s->n ? cmp_unknown("%.40s has no energies at t* = %.4g (its last: %.4g)", d->label, t,
+                            s->t[s->n - 1])
+              : cmp_unknown("%.60s has no energies", d->label);
 }
 
 size_t cmp_data_output(const struct cmp_data *d, double t, double slack) {

@@ -46,7 +46,9 @@ struct cmp_data {
 
   /* Each on the energy series' own times. mechanical = kinetic + potential + removed, relative to
    * rest; closure = sum of the budget minus its first value. */
-  struct cmp_series kinetic, potential, mechanical, internal, viscosity, diffusion, closure;
+  struct cmp_series kinetic, potential, mechanical, internal, closure;
+  size_t n_terms;
+  struct cmp_series *terms; /* what has left by each of the solver's own terms, [n_terms] */
   struct cmp_series volume; /* with what was removed added back, in H^2 */
 
   size_t n_probes, n_gauges, n_experiments;
@@ -84,6 +86,10 @@ enum status cmp_data_average(struct cmp_data *d, const char *probe, double over)
 static inline struct cmp_signal cmp_series_signal(const struct cmp_series *s) {
   return (struct cmp_signal){s->n, s->t, s->value};
 }
+
+/* One of the energies at t: where its last row precedes t by up to a sampling interval and a step,
+ * that row. */
+struct cmp_value cmp_data_energy(const struct cmp_data *d, const struct cmp_series *s, double t);
 
 /* The output nearest to t; SIZE_MAX when none is within `slack`. */
 size_t cmp_data_output(const struct cmp_data *d, double t, double slack);

@@ -283,7 +283,7 @@ static enum status write_front(struct page *p, const struct content *w) {
 static enum status write_energy(struct page *p, const struct content *w) {
   TRY(cmp_html_figures(p, w->figures, CMP_SECTION_ENERGY));
   cmp_html_measures(p, w->c, w->rows, CMP_SECTION_ENERGY);
-  return OK;
+  return cmp_html_ledger(p, w->c);
 }
 
 static enum status write_pressure(struct page *p, const struct content *w) {

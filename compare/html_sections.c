@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "compare/ledger.h"
 #include "compare/outline.h"
 #include "revision.h"
 
@@ -61,6 +62,73 @@ void cmp_html_measures(struct page *p, const struct comparison *c, const struct 
   cmp_html_reasons_list(p, &why);
   cmp_picked_say(c, CMP_NAMED, "are in report.json", left_out, sizeof left_out);
   if (*left_out) cmp_page_element(p, "p", "soft", "%s", left_out);
+}
+
+/* ---- the budget of energy ---- */
+
+/* The value of a row of the ledger, for one run; `name` is that of a term, else NULL. */
+typedef struct cmp_value ledger_value(const struct cmp_data *d, const char *name, double t);
+
+static struct cmp_value lost_value(const struct cmp_data *d, const char *name, double t) {
+  (void)name;
+  return cmp_ledger_lost(d, t);
+}
+
+static struct cmp_value elastic_value(const struct cmp_data *d, const char *name, double t) {
+  (void)name;
+  return cmp_ledger_elastic(d, t);
+}
+
+static struct cmp_value rest_value(const struct cmp_data *d, const char *name, double t) {
+  (void)name;
+  return cmp_ledger_rest(d, t);
+}
+
+static void ledger_row(struct page *p, const struct comparison *c,
+                       const struct cmp_ledger_term *row, ledger_value *value,
+                       struct cmp_html_reasons *why) {
+  cmp_page_open(p, "tr", NULL);
+  cmp_page_open(p, "th", "t");
+  cmp_page_attribute(p, "title", row->help);
+  cmp_page_text(p, "%s", row->name);
+  cmp_page_close(p);
+  for (size_t i = 0; i <= c->n_runs; i++) {
+    size_t r = i == 0 ? SIZE_MAX : i - 1;
+    if (i && !cmp_run_is_picked(c, r, CMP_NAMED)) continue;
+    struct cmp_value v = value(&cmp_run_or_ref(c, r)->data, row->name, c->times[c->n_times - 1]);
+    cmp_html_value(p, &v, why);
+  }
+  cmp_page_close(p);
+}
+
+enum status cmp_html_ledger(struct page *p, const struct comparison *c) {
+  struct cmp_html_reasons why = {0};
+  struct cmp_ledger ledger;
+  if (!c->n_times) return OK;
+  TRY(cmp_ledger_create(c, &ledger));
+  cmp_page_element(p, "h3", NULL, "Where the energy went until t* = %.4g, in E0",
+                   c->times[c->n_times - 1]);
+  cmp_html_table_open(p);
+  cmp_page_open(p, "tr", NULL);
+  cmp_page_element(p, "th", "t", "term");
+  for (size_t i = 0; i <= c->n_runs; i++)
+    if (i == 0 || cmp_run_is_picked(c, i - 1, CMP_NAMED))
+      cmp_html_run(p, c, i == 0 ? SIZE_MAX : i - 1);
+  cmp_page_close(p);
+  ledger_row(p, c, &(struct cmp_ledger_term){"mechanical energy lost", "kinetic + potential"},
+             lost_value, &why);
+  ledger_row(p, c,
+             &(struct cmp_ledger_term){"of that: elastic", "gained by the compressible fluid"},
+             elastic_value, &why);
+  for (size_t k = 0; k < ledger.n; k++) ledger_row(p, c, &ledger.term[k], cmp_ledger_term, &why);
+  ledger_row(p, c,
+             &(struct cmp_ledger_term){"unaccounted",
+                                       "lost less the rows above: the error of the time steps"},
+             rest_value, &why);
+  cmp_html_table_close(p);
+  cmp_html_reasons_list(p, &why);
+  cmp_ledger_destroy(&ledger);
+  return OK;
 }
 
 /* ---- the jet ---- */
@@ -426,8 +494,8 @@ static void energy_say(struct page *p) {
   cmp_page_element(
       p, "li", NULL,
       "Energy: mechanical = kinetic + potential + the energy of water that a solver took "
-      "out of its computation. The budget is kinetic + potential + elastic + viscous and "
-      "diffusive losses + work on walls + removed; its closure is its change since t = 0.");
+      "out of its computation. The budget is kinetic + potential + elastic + removed + what "
+      "each of the solver's own terms has taken; its closure is its change since t = 0.");
 }
 
 static void measures_say(struct page *p) {

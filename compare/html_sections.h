@@ -10,6 +10,8 @@ void cmp_html_measures(struct page *p, const struct comparison *c, const struct 
 void cmp_html_jets(struct page *p, const struct comparison *c);
 /* A row for the reference and for each run: can it be believed, and by which numbers. */
 void cmp_html_health(struct page *p, const struct comparison *c);
+/* Where the energy of the reference and of each run went, up to the last comparison time. */
+enum status cmp_html_ledger(struct page *p, const struct comparison *c);
 /* Signals of one quantity. */
 void cmp_html_signals(struct page *p, const struct comparison *c, enum cmp_quantity quantity);
 void cmp_html_provenance(struct page *p, const struct comparison *c);

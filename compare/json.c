@@ -4,6 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "compare/ledger.h"
 #include "compare/output.h"
 #include "compare/text.h"
 #include "revision.h"
@@ -126,6 +127,16 @@ static json_t *health(struct maker *m, const struct health *h) {
   return object;
 }
 
+/* A number under a name that the file gives. */
+static void set_named(struct maker *m, json_t *object, const char *name, double value) {
+  char *key = cmp_text_copy(name);
+  if (key)
+    set(m, object, key, number(value));
+  else
+    m->ok = false;
+  free(key);
+}
+
 static json_t *provenance(struct maker *m, const struct cmp_data *d) {
   const struct result_file *f = d->file;
   json_t *object = json_object(), *statistics = json_object();
@@ -147,19 +158,33 @@ static json_t *provenance(struct maker *m, const struct cmp_data *d) {
     set(m, object, "evaluations", number(last->evaluations));
     set(m, object, "wall_time_s", number(last->wall_time));
   }
-  for (size_t k = 0; k < f->n_statistics; k++) {
-    char *key = cmp_text_copy(f->statistics[k].name);
-    if (!key)
-      m->ok = false;
-    else
-      set(m, statistics, key, number(f->statistics[k].value));
-    free(key);
-  }
+  for (size_t k = 0; k < f->n_statistics; k++)
+    set_named(m, statistics, f->statistics[k].name, f->statistics[k].value);
   set(m, object, "statistics", statistics);
   set(m, object, "wall_impact", instant(m, &d->impact));
   set(m, object, "overturning", instant(m, &d->overturning));
   set(m, object, "touchdown", instant(m, &d->touchdown));
   return object;
+}
+
+/* Where the energy went, until each comparison time. */
+static json_t *budget(struct maker *m, const struct comparison *c, const struct cmp_data *d) {
+  json_t *array = json_array();
+  for (size_t i = 0; i < c->n_times; i++) {
+    const double t = c->times[i];
+    struct cmp_value lost = cmp_ledger_lost(d, t), elastic = cmp_ledger_elastic(d, t),
+                     rest = cmp_ledger_rest(d, t);
+    json_t *object = json_object(), *terms = json_object();
+    set(m, object, "t_star", number(t));
+    set_value(m, object, "mechanical_lost", &lost);
+    set_value(m, object, "elastic_gained", &elastic);
+    for (size_t k = 0; k < d->n_terms; k++)
+      set_named(m, terms, d->terms[k].name, cmp_ledger_term(d, d->terms[k].name, t).value);
+    set(m, object, "terms", terms);
+    set_value(m, object, "unaccounted", &rest);
+    add(m, array, object);
+  }
+  return array;
 }
 
 static json_t *run_object(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
@@ -193,6 +218,7 @@ static json_t *run_object(struct maker *m, const struct comparison *c, const str
     json_decref(evolution);
     json_decref(jets);
   }
+  set(m, object, "energy_budget", budget(m, c, &run->data));
   set_value(m, object, "budget_closure", &run->closure);
   set_value(m, object, "budget_closure_before_impact", &run->closure_before);
   set_value(m, object, "volume_change", &run->volume);

@@ -9,6 +9,7 @@
 #include "common/case/case.h"
 #include "common/result/result.h"
 #include "sph/estimate.h"
+#include "sph/fluid/energy.h"
 #include "sph/observe/output.h"
 #include "sph/observe/watch.h"
 #include "sph/pair/diffusion.h"
@@ -137,6 +138,8 @@ const struct solver sph_solver = {
     .help = "weakly compressible smoothed particle hydrodynamics with density diffusion",
     .params = sph_params,
     .n_params = SPH_N_PARAMS,
+    .terms = sph_terms,
+    .n_terms = SPH_TERM_COUNT,
     .options_size = sizeof(struct sph_scheme),
     .check = check,
     .estimate = sph_estimate,

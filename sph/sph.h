@@ -14,6 +14,7 @@
 #include "sph/fluid/drift.h"
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"
+#include "sph/fluid/terms.h"
 #include "sph/scheme.h"
 
 struct case_file;
@@ -37,14 +38,19 @@ struct sph_wall_particles {
 /* Energy that has left the water since t = 0, J/m, and water taken out of the computation, m^2: all
  * of it, and what has passed over the top of a wall. */
 struct sph_budget {
-  double viscosity, diffusion, walls, removed;
+#define X(name, help) double name;
+  SPH_TERMS(X)
+#undef X
+  double removed;
   double removed_volume, spilled_volume;
 };
 
 /* What one evaluation leaves besides the rates: powers (W/m) taken out of the water, and the
  * largest values that bound the time step. */
 struct sph_totals {
-  double viscosity, diffusion, walls;
+#define X(name, help) double name;
+  SPH_POWERS(X)
+#undef X
   double acceleration2; /* max |a|^2, m^2 s^-4 */
   double speed;         /* max (|u_i| + h max_j |pi_ij|), m/s */
 };

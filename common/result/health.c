@@ -32,20 +32,16 @@ void health_watch_begin(struct health_watch *w, double rest, double column) {
   w->mach = w->lightest = w->heaviest = w->spilled = w->lost = w->cut = w->steps = w->theory = NAN;
 }
 
-static double budget_of(const struct result_energy *e) {
-  return e->kinetic + e->potential + e->internal + e->viscosity + e->diffusion + e->walls +
-         e->removed;
-}
-
 static double stored(const struct result_energy *e) {
   return e->kinetic + e->potential + e->internal + e->removed;
 }
 
 void health_watch_energy(struct health_watch *w, const struct result_energy *row) {
   if (w->n_energy++ == 0) w->first = *row;
-  if (!isfinite(budget_of(row))) w->numbers = false;
+  if (!isfinite(result_energy_budget(row))) w->numbers = false;
   w->gained = fmax(w->gained, stored(row) - stored(&w->first));
-  w->worst_budget = fmax(w->worst_budget, fabs(budget_of(row) - budget_of(&w->first)));
+  w->worst_budget =
+      fmax(w->worst_budget, fabs(result_energy_budget(row) - result_energy_budget(&w->first)));
   w->elastic = fmax(w->elastic, fabs(row->internal));
 }
 

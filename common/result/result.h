@@ -13,24 +13,28 @@
 
 struct result;
 
-/* What is known of energy at one output, J per metre of width. The budget that must close:
- * kinetic + potential + internal + viscosity + diffusion + walls + removed = their sum at t = 0. */
+/* What is known of energy at one output, J per metre of width: what every solver has, and what has
+ * left the water so far by terms that each solver names for itself (solver.h). */
 #define RESULT_ENERGY(X)                                                                           \
   X(kinetic, "kinetic energy")                                                                     \
   X(potential, "potential energy, y from 0")                                                       \
   X(internal, "elastic energy of the weakly compressible fluid")                                   \
   X(total, "kinetic + potential + internal")                                                       \
-  X(viscosity, "energy taken out so far by artificial viscosity; by filter and smoothing (bem)")   \
-  X(diffusion, "energy taken out so far by density diffusion")                                     \
-  X(walls, "energy given to walls so far (zero for fixed walls in exact arithmetic)")              \
   X(removed, "energy of water taken out of the computation so far")
+
+enum { RESULT_TERMS = 32 }; /* a solver's own, at most */
 
 struct result_energy {
   double time; /* s */
 #define X(name, help) double name;
   RESULT_ENERGY(X)
 #undef X
+  double term[RESULT_TERMS]; /* beyond the last of them 0 */
 };
+
+/* The budget that must close, kinetic + potential + internal + removed + all terms: it keeps its
+ * value at t = 0. */
+double result_energy_budget(const struct result_energy *e);
 
 struct result_step {     /* one row of /series/run */
   double time, dt;       /* s */
@@ -103,6 +107,10 @@ struct result_statistic_read {
   double value;
 };
 
+struct result_term_read { /* of the budget of energy; its values: energy[].term */
+  char *name, *help;
+};
+
 /* Everything but the particles, in memory. A child process reads it: what is added here is also
  * handed over in result_carry.c. */
 struct result_file {
@@ -122,6 +130,8 @@ struct result_file {
 
   size_t n_energy;
   struct result_energy *energy; /* [n_energy] */
+  size_t n_terms;
+  struct result_term_read *terms; /* [n_terms] */
   size_t n_steps;
   struct result_step *steps; /* [n_steps] */
 

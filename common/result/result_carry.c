@@ -73,6 +73,12 @@ static enum status carry_statistic(struct carrier *c, void *element) {
   return carry_bytes(c, &s->value, sizeof s->value);
 }
 
+static enum status carry_term(struct carrier *c, void *element) {
+  struct result_term_read *t = element;
+  TRY(carry_word(c, &t->name));
+  return carry_word(c, &t->help);
+}
+
 static enum status carry_field(struct carrier *c, void *element) {
   return carry_word(c, element);
 }
@@ -92,6 +98,8 @@ static enum status carry_header(struct carrier *c, struct result_file *f) {
 
 static enum status carry_tables(struct carrier *c, struct result_file *f) {
   TRY(carry_array(c, &f->n_energy, &f->energy));
+  TRY(carry_each(c, &f->n_terms, &f->terms, carry_term));
+  CHECK(f->n_terms <= RESULT_TERMS, ERR_INPUT, "%s has %zu terms of energy", f->path, f->n_terms);
   TRY(carry_array(c, &f->n_steps, &f->steps));
   TRY(carry_each(c, &f->n_probes, &f->probes, carry_series));
   TRY(carry_each(c, &f->n_gauges, &f->gauges, carry_series));

@@ -87,6 +87,20 @@ static void say_surfaces(FILE *out, const struct result_file *f, double scale) {
   say_span(out, "surfaces", f->n_surfaces, f->surface_time, 1, scale, text);
 }
 
+/* What has left by each term that took anything, and by what the sum is off. */
+static void say_budget(FILE *out, const struct result_file *f) {
+  char text[1024] = "", one[128];
+  const struct result_energy *first = &f->energy[0], *last = &f->energy[f->n_energy - 1];
+  for (size_t k = 0; k < f->n_terms; k++) {
+    if (last->term[k] == 0) continue;
+    snprintf(one, sizeof one, "%s %.6g", f->terms[k].name, last->term[k]);
+    add_name(text, sizeof text, one);
+  }
+  say_text(out, "lost", *text ? text : "nothing by any term");
+  say(out, "", "unaccounted %.2g (J/m all)",
+      result_energy_budget(first) - result_energy_budget(last));
+}
+
 static void say_series(FILE *out, const char *label, size_t n, const struct result_series *series) {
   char text[512] = "";
   size_t rows = 0;
@@ -157,6 +171,7 @@ enum status result_info(const char *path, FILE *out) {
   if (f->n_energy)
     say(out, "", "total %.6g J/m at first, %.6g J/m at last; at rest %.6g J/m", f->energy[0].total,
         f->energy[f->n_energy - 1].total, f->rest_potential);
+  if (f->n_energy) say_budget(out, f);
   if (f->n_steps) {
     const struct result_step *last = &f->steps[f->n_steps - 1];
     say(out, "work", "%.0f evaluations in %.4g s, dt = %.4g s at last", last->evaluations,

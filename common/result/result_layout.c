@@ -7,6 +7,12 @@ const struct result_column result_energy_columns[RESULT_ENERGY_COLUMNS] = {
 #undef X
 };
 
+double result_energy_budget(const struct result_energy *e) {
+  double sum = e->kinetic + e->potential + e->internal + e->removed;
+  for (int k = 0; k < RESULT_TERMS; k++) sum += e->term[k];
+  return sum;
+}
+
 const struct result_column result_step_columns[RESULT_STEP_COLUMNS] = {
 #define X(name, units, help) {#name, units, help},
     RESULT_STEP(X)

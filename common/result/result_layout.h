@@ -14,9 +14,10 @@
   X(volume, "m^2", "volume of the water per metre of width")                                       \
   X(removed_volume, "m^2", "volume of the water taken out of the computation so far")
 
-/* Both structs are rows of doubles: `time` first, then their columns. */
+/* Both structs are rows of doubles: `time` first, then their columns; of energies the terms last.
+ */
 enum {
-  RESULT_ENERGY_COLUMNS = sizeof(struct result_energy) / sizeof(double),
+  RESULT_ENERGY_COLUMNS = offsetof(struct result_energy, term) / sizeof(double),
   RESULT_STEP_COLUMNS = sizeof(struct result_step) / sizeof(double)
 };
 

@@ -105,9 +105,10 @@ done:
   return status;
 }
 
-/* Columns of one length, gathered into rows. */
+/* Columns of one length, gathered into zeroed rows of `width` numbers. */
 static enum status read_table(hid_t file, const char *name, size_t n_columns,
-                              const struct result_column *columns, size_t *n, void **out) {
+                              const struct result_column *columns, size_t width, size_t *n,
+                              void **out) {
   hid_t group = -1;
   enum status status = OK;
   double *column = NULL, *rows = NULL;
@@ -118,7 +119,7 @@ static enum status read_table(hid_t file, const char *name, size_t n_columns,
     if (k == 0) {
       ATTEMPT(check_times(name, length, column));
       *n = length;
-      *out = rows = malloc((length * n_columns + 1) * sizeof *rows);
+      *out = rows = calloc(length * width + 1, sizeof *rows);
       if (!rows) {
         status = status_raise(ERR_MEMORY, "no memory for %zu rows", length);
         goto done;
@@ -128,12 +129,60 @@ static enum status read_table(hid_t file, const char *name, size_t n_columns,
       status = status_raise(ERR_INPUT, "its series %s has columns of different lengths", name);
       goto done;
     }
-    for (size_t i = 0; i < length; i++) rows[i * n_columns + k] = column[i];
+    for (size_t i = 0; i < length; i++) rows[i * width + k] = column[i];
     free(column);
     column = NULL;
   }
 done:
   free(column);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static bool is_energy_column(const char *name) {
+  for (int k = 0; k < RESULT_ENERGY_COLUMNS; k++)
+    if (!strcmp(result_energy_columns[k].name, name)) return true;
+  return false;
+}
+
+/* A term of the budget is whatever else the group holds. */
+static enum status read_terms(hid_t group, size_t n_links, char *const *links,
+                              struct result_file *f) {
+  f->terms = calloc(n_links + 1, sizeof *f->terms);
+  CHECK(f->terms, ERR_MEMORY, "no memory for %zu terms of the budget of energy", n_links);
+  for (size_t i = 0; i < n_links; i++) {
+    if (is_energy_column(links[i])) continue;
+    CHECK(f->n_terms < RESULT_TERMS, ERR_INPUT,
+          "its group /series/energy has more than %d terms beside the usual columns", RESULT_TERMS);
+    struct result_term_read *term = &f->terms[f->n_terms++];
+    term->name = strdup(links[i]);
+    CHECK(term->name, ERR_MEMORY, "no memory for a name");
+    hid_t set = H5Dopen2(group, links[i], H5P_DEFAULT);
+    if (set < 0) return hdf_raise(ERR_INPUT, "its term of energy %s cannot be read", links[i]);
+    enum status status = hdf_get_string(set, "description", &term->help);
+    H5Dclose(set);
+    TRY(status);
+  }
+  return OK;
+}
+
+static enum status read_energy(hid_t file, struct result_file *f) {
+  struct result_column columns[RESULT_ENERGY_COLUMNS + RESULT_TERMS];
+  hid_t group = -1;
+  size_t n_links = 0;
+  char **links = NULL;
+  enum status status = OK;
+  ATTEMPT(hdf_open_group(file, "series/energy", &group));
+  ATTEMPT(hdf_list(group, &n_links, &links));
+  ATTEMPT(read_terms(group, n_links, links, f));
+  memcpy(columns, result_energy_columns, sizeof result_energy_columns);
+  for (size_t k = 0; k < f->n_terms; k++)
+    columns[RESULT_ENERGY_COLUMNS + k] = (struct result_column){.name = f->terms[k].name};
+  ATTEMPT(array_lend(&f->energy,
+                     read_table(file, "/series/energy", RESULT_ENERGY_COLUMNS + f->n_terms, columns,
+                                sizeof *f->energy / sizeof(double), &f->n_energy, &memory_)));
+done:
+  hdf_list_destroy(n_links, links);
   if (group >= 0) H5Gclose(group);
   return status;
 }
@@ -300,10 +349,10 @@ static enum status read_all(hid_t file, struct result_file *f) {
   TRY(read_header(file, f));
   TRY(read_walls(file, &f->walls));
   TRY(read_surface(file, f));
-  TRY(array_lend(&f->energy, read_table(file, "/series/energy", RESULT_ENERGY_COLUMNS,
-                                        result_energy_columns, &f->n_energy, &memory_)));
-  TRY(array_lend(&f->steps, read_table(file, "/series/run", RESULT_STEP_COLUMNS,
-                                       result_step_columns, &f->n_steps, &memory_)));
+  TRY(read_energy(file, f));
+  TRY(array_lend(&f->steps,
+                 read_table(file, "/series/run", RESULT_STEP_COLUMNS, result_step_columns,
+                            RESULT_STEP_COLUMNS, &f->n_steps, &memory_)));
   TRY(array_lend(&f->probes, read_members(file, "series/probes", sizeof *f->probes, read_probe,
                                           &f->n_probes, &memory_)));
   TRY(array_lend(&f->gauges, read_members(file, "series/gauges", sizeof *f->gauges, read_gauge,
@@ -373,6 +422,11 @@ void result_file_destroy(struct result_file *f) {
   free(f->surface);
   free(f->surface_time);
   free(f->energy);
+  for (size_t i = 0; i < f->n_terms; i++) {
+    free(f->terms[i].name);
+    free(f->terms[i].help);
+  }
+  free(f->terms);
   free(f->steps);
   series_destroy(f->n_probes, f->probes);
   series_destroy(f->n_gauges, f->gauges);

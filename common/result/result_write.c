@@ -1,3 +1,4 @@
+#include <assert.h>
 #include <hdf5.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,9 +21,10 @@ enum { SERIES_ROWS = 1024, SURFACE_ROWS = 4096 }; /* of a chunk */
 /* Columns of equal length. */
 struct series {
   size_t n_columns;
-  struct hdf_column *column[RESULT_ENERGY_COLUMNS];
+  struct hdf_column *column[RESULT_ENERGY_COLUMNS + RESULT_TERMS];
 };
-_Static_assert(RESULT_STEP_COLUMNS <= RESULT_ENERGY_COLUMNS, "a series holds either");
+_Static_assert(RESULT_STEP_COLUMNS <= RESULT_ENERGY_COLUMNS + RESULT_TERMS,
+               "a series holds either");
 
 struct result {
   char *path;
@@ -236,12 +238,24 @@ static enum status create_columns(struct result *w, hid_t parent, const char *na
   return status;
 }
 
-static enum status create_series(struct result *w, const struct case_file *c) {
+/* What all solvers have, then the terms that this one has. */
+static enum status create_energy(struct result *w, hid_t parent, const struct solver *solver) {
+  struct result_column columns[RESULT_ENERGY_COLUMNS + RESULT_TERMS];
+  assert(solver->n_terms <= RESULT_TERMS);
+  memcpy(columns, result_energy_columns, sizeof result_energy_columns);
+  for (size_t k = 0; k < solver->n_terms; k++)
+    columns[RESULT_ENERGY_COLUMNS + k] =
+        (struct result_column){solver->terms[k].name, "J/m", solver->terms[k].help};
+  return create_columns(w, parent, "energy", RESULT_ENERGY_COLUMNS + solver->n_terms, columns,
+                        &w->energy);
+}
+
+static enum status create_series(struct result *w, const struct case_file *c,
+                                 const struct solver *solver) {
   hid_t series = -1, probes = -1, gauges = -1;
   enum status status = OK;
   ATTEMPT(hdf_group_create(w->file, "series", &series));
-  ATTEMPT(create_columns(w, series, "energy", RESULT_ENERGY_COLUMNS, result_energy_columns,
-                         &w->energy));
+  ATTEMPT(create_energy(w, series, solver));
   ATTEMPT(create_columns(w, series, "run", RESULT_STEP_COLUMNS, result_step_columns, &w->steps));
   ATTEMPT(hdf_group_create(series, "probes", &probes));
   for (size_t i = 0; i < w->n_probes; i++)
@@ -293,7 +307,7 @@ static enum status create_content(struct result *w, const struct case_file *c,
   TRY(write_walls(w->file, &c->walls));
   TRY(write_experiments(w->file, c));
   TRY(create_surface(w));
-  TRY(create_series(w, c));
+  TRY(create_series(w, c, r->solver));
   TRY(hdf_group_create(w->file, "events", &w->events));
   return hdf_group_create(w->file, "statistics", &w->statistics);
 }

@@ -4,6 +4,15 @@
 
 #include "sph/pair/eos.h"
 
+const struct solver_term sph_terms[SPH_TERM_COUNT] = {
+#define X(name, help) {#name, help},
+    SPH_POWERS(X)
+#undef X
+#define X(name, help) {#name, "energy taken out so far by the treatment " #name},
+        SPH_TREATMENTS(X)
+#undef X
+};
+
 /* Particles whose energies one thread sums: the same for any number of threads, as are the bits. */
 enum { BLOCK = 512 };
 
@@ -17,10 +26,12 @@ static void add(const struct sph *s, size_t i, struct result_energy *e) {
 
 struct result_energy sph_energy(const struct sph *s) {
   struct result_energy e = {.time = s->t,
-                            .viscosity = s->budget.viscosity,
-                            .diffusion = s->budget.diffusion,
-                            .walls = s->budget.walls,
-                            .removed = s->budget.removed};
+                            .removed = s->budget.removed,
+                            .term = {
+#define X(name, help) [SPH_TERM_##name] = s->budget.name,
+                                SPH_TERMS(X)
+#undef X
+                            }};
   size_t blocks = (s->f.n + BLOCK - 1) / BLOCK;
   double(*part)[3] = (double(*)[3])s->f.scratch; /* [blocks] */
 #pragma omp parallel for schedule(static)

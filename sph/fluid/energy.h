@@ -1,7 +1,17 @@
 /* Energies of the water, J per metre of width; the elastic one is that of eos.h. */
 #pragma once
 #include "common/result/result.h"
+#include "common/solver.h"
 #include "sph/sph.h"
+
+enum {
+#define X(name, help) SPH_TERM_##name,
+  SPH_TERMS(X)
+#undef X
+      SPH_TERM_COUNT
+};
+_Static_assert((int)SPH_TERM_COUNT <= (int)RESULT_TERMS, "a result holds them all");
+extern const struct solver_term sph_terms[SPH_TERM_COUNT];
 
 struct result_energy sph_energy(const struct sph *s);
 double sph_energy_of(const struct sph *s, size_t i); /* total energy of one particle */

@@ -27,10 +27,6 @@ struct sph_output {
   uint32_t *place;                         /* [room] */
 };
 
-static double budget_of(const struct result_energy *e) {
-  return e->total + e->viscosity + e->diffusion + e->walls + e->removed;
-}
-
 /* How far the foremost particle, a disc of diameter dx, is from the wall on one side. */
 static double gap(const struct sph *s, int side) {
   double nearest = INFINITY;
@@ -61,7 +57,7 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   o->room = s->f.n;
   for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) o->dry[side] = gap(s, side) > 1.5 * s->dx;
   struct result_energy e = sph_energy(s);
-  o->budget = o->budget0 = budget_of(&e);
+  o->budget = o->budget0 = result_energy_budget(&e);
   double rest = sph_rest_potential(s);
   o->available = e.kinetic + e.potential - rest;
   ATTEMPT(result_rest(result, rest));
@@ -182,7 +178,7 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
                      .solver = &moment,
                      .pressure = pressure_of,
                      .elevation = elevation_of};
-  o->budget = budget_of(&r.energy);
+  o->budget = result_energy_budget(&r.energy);
   if (o->c->n_probes) sph_pack_water(s);
   if (o->c->n_gauges) {
     const struct sph_cloud cloud = cloud_of(o, s);

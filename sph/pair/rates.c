@@ -160,9 +160,9 @@ static void add_totals(struct sph *s) {
   struct sph_totals t = {0};
   for (size_t c = 0; c < s->water_water.n_clusters; c++) {
     const struct sph_totals *k = &s->cluster_totals[c];
-    t.viscosity += k->viscosity;
-    t.diffusion += k->diffusion;
-    t.walls += k->walls;
+#define X(name, help) t.name += k->name;
+    SPH_POWERS(X)
+#undef X
     t.acceleration2 = larger(k->acceleration2, t.acceleration2);
     t.speed = larger(k->speed, t.speed);
   }

@@ -82,9 +82,9 @@ enum status sph_step(struct sph *s, double dt) {
     TRY(method->step(s, method, dt, &spent, &held));
   }
   s->again = false;
-  s->budget.viscosity += spent.viscosity;
-  s->budget.diffusion += spent.diffusion;
-  s->budget.walls += spent.walls;
+#define X(name, help) s->budget.name += spent.name;
+  SPH_POWERS(X)
+#undef X
   sph_wall_confine(s);
   s->t += dt;
   s->dt = dt;

@@ -52,9 +52,9 @@ static void set_state(struct sph *s, const double *weights, int stages, double d
 }
 
 static void spend(struct sph_totals *spent, double weight, const struct sph_totals *t) {
-  spent->viscosity += weight * t->viscosity;
-  spent->diffusion += weight * t->diffusion;
-  spent->walls += weight * t->walls;
+#define X(name, help) spent->name += weight * t->name;
+  SPH_POWERS(X)
+#undef X
 }
 
 enum status sph_rk_step(struct sph *s, const struct sph_integrator *method, double dt,

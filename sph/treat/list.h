@@ -4,7 +4,7 @@
 #include "sph/family.h"
 
 /* Applied between steps, in this order. X(name, help) makes the key NAME of a run: the number of
- * steps after which it is applied again, 0 for never. */
+ * steps after which it is applied again, 0 for never; and the term NAME of its budget of energy. */
 #define SPH_TREATMENTS(X)                                                                          \
   X(shepard,                                                                                       \
     "steps between re-initialisations rho_i = sum m W / sum V W (thesis, eq. (3.60)); 0: never")   \

@@ -10,6 +10,13 @@ static const struct sph_treatment *const treatments[] = {
 #undef X
 };
 
+/* Where the budget has their terms. */
+static const size_t terms[] = {
+#define X(name, help) offsetof(struct sph_budget, name),
+    SPH_TREATMENTS(X)
+#undef X
+};
+
 enum status sph_treat_create(struct sph *s) {
   for (int k = 0; k < SPH_TREATMENT_COUNT; k++)
     if (s->scheme.every[k] > 0 && treatments[k]->create)
@@ -34,7 +41,7 @@ static enum status apply(struct sph *s, int treatment) {
   const double before = sph_energy(s).total;
   treatments[treatment]->apply(s);
   sph_particles_pad(&s->f);
-  s->budget.diffusion += before - sph_energy(s).total;
+  *(double *)((char *)&s->budget + terms[treatment]) += before - sph_energy(s).total;
   return OK;
 }
 

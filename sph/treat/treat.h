@@ -20,6 +20,6 @@ SPH_TREATMENTS(X)
 enum status sph_treat_create(struct sph *s);
 void sph_treat_destroy(struct sph *s);
 
-/* Applies those that are due after s->steps steps, in the order of the list. What they take out of
- * the energy is booked with that of the diffusion, whose part they play. */
+/* Applies those that are due after s->steps steps, in the order of the list. What each takes out
+ * of the energy is a term of the budget with its name. */
 enum status sph_treat(struct sph *s);

@@ -52,7 +52,7 @@ static struct wave standing(int nodes) {
     double e = f->energy[i].total - 0.5 * f->steps[i].volume + 0.5 * 0.25 * 3;
     if (i == 0) initial = e;
     out.drift = fmax(out.drift, fabs(e / initial - 1));
-    out.budget = fmax(out.budget, fabs((e + f->energy[i].viscosity) / initial - 1));
+    out.budget = fmax(out.budget, fabs((e + f->energy[i].term[0]) / initial - 1));
   }
   printf("  %3d nodes per wavelength: frequency %+.2e, energy %.1e, with the filter's share %.1e, "
          "%.0f CVODE steps, %.0f "

@@ -33,9 +33,7 @@ static struct instants dam_break(int resolution, int member) {
                           .overturn = {o.time, o.x, o.y},
                           .touchdown = {t.time, t.x, t.y}};
   for (size_t i = 0; i < f->n_energy; i++) {
-    double e =
-        (f->energy[i].total + f->energy[i].viscosity + f->energy[i].removed) / f->energy[0].total -
-        1;
+    double e = result_energy_budget(&f->energy[i]) / f->energy[0].total - 1;
     double v = (f->steps[i].volume + f->steps[i].removed_volume) / f->steps[0].volume - 1;
     out.energy = fmax(out.energy, fabs(e));
     out.volume = fmax(out.volume, fabs(v));
@@ -53,8 +51,8 @@ static struct instants dam_break(int resolution, int member) {
   return out;
 }
 
-/* Error bars of docs/accuracy.md: four standard deviations of 23 members at 40 nodes per H, built in
- * four ways, so that none of the five here leaves them by chance more often than once in a few
+/* Error bars of docs/accuracy.md: four standard deviations of 23 members at 40 nodes per H, built
+ * in four ways, so that none of the five here leaves them by chance more often than once in a few
  * thousand runs. */
 static void expect_within_error_bars(const struct instants *i) {
   EXPECT_NEAR(i->impact, 2.3520, 3e-4);

@@ -27,10 +27,14 @@ static const struct param sample_params[] = {
     {"frozen", PARAM_BOOL, QTY_NUMBER, offsetof(struct sample_options, frozen), 0, 0, "true", NULL,
      "a switch", NULL},
 };
+static const struct solver_term sample_terms[] = {{"friction", "what friction takes"},
+                                                  {"other", "what else"}};
 static const struct solver sample_solver = {.name = "sample",
                                             .help = "writes made-up numbers",
                                             .params = sample_params,
                                             .n_params = 4,
+                                            .terms = sample_terms,
+                                            .n_terms = 2,
                                             .options_size = sizeof(struct sample_options)};
 
 static struct sample_options sample_chosen = {0.0123456789012345678, 3, 1, true};
@@ -117,7 +121,7 @@ static inline enum status sample_output(struct result *w, size_t k, size_t scale
   for (int i = 0; i < 10; i++) {
     double ti = t + 0.01 * i;
     ATTEMPT(result_energy(
-        w, &(struct result_energy){ti, 1 / 3.0, -2 / 7.0, 1e-300, ti * ti, 5, 6, 7, -0.0}));
+        w, &(struct result_energy){ti, 1 / 3.0, -2 / 7.0, 1e-300, ti * ti, -0.0, {5, 6}}));
     ATTEMPT(result_step(w, &(struct result_step){ti, 1e-5, 4.0 * (double)k, 0.5, 0.72, 0}));
     ATTEMPT(result_probe(w, 0, ti, ti * 9810));
     ATTEMPT(result_gauge(w, 0, ti, i % 2 ? NAN : 0.6 + ti));

@@ -17,7 +17,7 @@ static void watch_make(struct health_watch *w, size_t k, double value) {
   health_watch_step(w, &s);
   e.time = s.time = 1;
   e.kinetic = of[HEALTH_energy_gained] * E0;
-  e.viscosity = of[HEALTH_budget] * E0 - e.kinetic;
+  e.term[RESULT_TERMS - 1] = of[HEALTH_budget] * E0 - e.kinetic;
   e.potential -= of[HEALTH_budget] > 0 ? 2 * of[HEALTH_budget] * E0 : 0; /* lost, not gained */
   s.removed_volume = (of[HEALTH_spilled] + of[HEALTH_lost] + of[HEALTH_cut_away]) * VOLUME;
   s.volume = VOLUME - s.removed_volume - of[HEALTH_volume_change] * VOLUME;
@@ -133,7 +133,7 @@ static void test_older_file_is_judged_by_what_it_has(void) {
   health_of_file(&f, &h);
   EXPECT_STR(h.missing, "");
   f.n_statistics = 0;
-  e[1].viscosity = 0.2 * E0;
+  e[1].term[0] = 0.2 * E0;
   e[1].internal = 1e-3;
   health_of_file(&f, &h);
   EXPECT(h.verdict == HEALTH_SOUND);

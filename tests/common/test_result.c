@@ -85,10 +85,16 @@ static void test_series_come_back(void) {
     EXPECT_SAME(f->energy[i].time, t);
     EXPECT_SAME(f->energy[i].internal, 1e-300);
     EXPECT_SAME(f->energy[i].removed, -0.0);
+    EXPECT_SAME(f->energy[i].term[0], 5);
+    EXPECT_SAME(f->energy[i].term[1], 6);
+    EXPECT_SAME(f->energy[i].term[2], 0);
     EXPECT_SAME(f->energy[i].total, t * t);
     EXPECT_SAME(f->steps[i].time, t);
     EXPECT_SAME(f->steps[i].volume, 0.72);
   }
+  EXPECT(f->n_terms == 2);
+  EXPECT_STR(f->terms[0].name, "friction");
+  EXPECT_STR(f->terms[1].help, "what else");
   EXPECT(f->n_probes == 2 && f->n_gauges == 1);
   EXPECT_STR(f->probes[0].name, "P/1"); /* in the order of the case, with its exact name */
   EXPECT_STR(f->probes[1].name, "P0");

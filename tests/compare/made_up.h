@@ -81,12 +81,16 @@ static struct result_file *made_up(const char *name, const char *title, struct f
     r->energy[i] = (struct result_energy){.time = t * T,
                                           .kinetic = 0.25 * E * t / end,
                                           .potential = (3 - 0.25 * t / end - lost) * E,
-                                          .viscosity = lost * E};
+                                          .term = {lost * E, 0}};
     r->steps[i] = (struct result_step){.time = t * T, .volume = 2 * H * H * (1 + f.raised)};
     r->probes->t[i] = r->gauges->t[i] = t * T;
     r->probes->value[i] = pulse * p0;
     r->gauges->value[i] = H * (1 + f.raised);
   }
+  r->n_terms = 2;
+  r->terms = calloc(2, sizeof *r->terms);
+  r->terms[0] = (struct result_term_read){text("lost <b>"), text("what was lost")};
+  r->terms[1] = (struct result_term_read){text("nothing"), text("a term that stays zero")};
   r->n_events = 1;
   r->events = calloc(1, sizeof *r->events);
   r->events[0] = (struct result_event_read){text("wall_impact"), 3 * T, 2 * H, 0};

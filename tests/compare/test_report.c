@@ -29,6 +29,17 @@ static void test_identity_passes_every_check(void) {
   result_file_destroy(b);
 }
 
+/* What a term of the only run had taken at its last comparison time; NULL: what none has. */
+static double ledger_of(const char *term) {
+  json_t *run = json_array_get(json_object_get(report, "runs"), 0);
+  json_t *budget = json_object_get(run, "energy_budget");
+  json_t *last = json_array_get(budget, json_array_size(budget) - 1);
+  json_t *value = term ? json_object_get(json_object_get(last, "terms"), term)
+                       : json_object_get(last, "unaccounted");
+  EXPECT_NEAR(json_number_value(json_object_get(last, "t_star")), 4, 1e-9);
+  return value ? json_number_value(value) : NAN;
+}
+
 /* A level raised by d, energy lost at a rate, a late probe: each measure gives what was put in. */
 static void test_known_flaws_are_measured(void) {
   struct case_file c;
@@ -50,7 +61,9 @@ static void test_known_flaws_are_measured(void) {
     EXPECT_NEAR(value_of("kinetic", "b", t), 0, 1e-12);
     EXPECT(isnan(value_of("jet_tip", "b", t)));
   }
-  EXPECT_NEAR(value_of("budget", "b", 0), 0, 1e-12); /* what is lost is in viscosity */
+  EXPECT_NEAR(value_of("budget", "b", 0), 0, 1e-12); /* what is lost is in a term */
+  EXPECT_NEAR(ledger_of("lost <b>"), 4 * decay, 1e-9);
+  EXPECT_NEAR(ledger_of(NULL), 0, 1e-12);
   EXPECT_NEAR(value_of("volume", "b", 0), 0, 1e-12);
   EXPECT_NEAR(value_of("gauge_rms", "b", 0), d, 1e-9);
   EXPECT_NEAR(value_of("probe_peak", "b", 0), 0, 2.1e-3); /* rows h apart miss h^2 p'' / 8 */

@@ -124,7 +124,10 @@ static void test_powers_close_the_energy_budget(void) {
         power += kinetic + m * s->g * rate->y[i] + elastic;
         magnitude += fabs(kinetic) + fabs(elastic);
       }
-      double out = s->totals.viscosity + s->totals.diffusion + s->totals.walls;
+      double out = 0;
+#define X(name, help) out += s->totals.name;
+      SPH_POWERS(X)
+#undef X
       EXPECT_NEAR((power + out) / magnitude, 0, 20 * precisions[k % 2].eps);
       EXPECT(s->totals.viscosity > 0);
       EXPECT(d == SPH_DIFFUSION_none ? s->totals.diffusion == 0 : s->totals.diffusion > 0);

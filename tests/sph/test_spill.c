@@ -161,7 +161,7 @@ struct outcome {
 
 static double budget_of(const struct sph *s) {
   struct result_energy e = sph_energy(s);
-  return e.total + e.viscosity + e.diffusion + e.walls + e.removed;
+  return result_energy_budget(&e);
 }
 
 static struct outcome overflow(const char *walls) {

@@ -1,0 +1,17 @@
+/* The terms of the budget of energy: what has left the water so far, J per metre of width, each a
+ * column of the result file. Kinetic + potential + elastic energy, what was taken out with water
+ * that left (removed) and all terms keep their sum; what they do not keep is the error of the time
+ * integration. */
+#pragma once
+#include "sph/treat/list.h"
+
+/* Those that an evaluation of the rates finds as powers, W/m, and the integrator adds up:
+ * X(name, help). */
+#define SPH_POWERS(X)                                                                              \
+  X(viscosity, "energy taken out so far by viscosity")                                             \
+  X(diffusion, "energy taken out so far by density diffusion")                                     \
+  X(walls, "energy given to walls so far (zero for fixed walls in exact arithmetic)")              \
+  X(pairs, "energy taken out so far by forms of momentum and continuity that are not adjoint")
+
+/* And one for each treatment, which is what the energy fell by while it was applied. */
+#define SPH_TERMS(X) SPH_POWERS(X) SPH_TREATMENTS(X)
