@@ -159,6 +159,7 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   s->tank = tank_of(&c->walls);
   ATTEMPT(sph_initial_fill(s, c));
   ATTEMPT(sph_allocate(s->f.room, sizeof *s->pack, &s->pack));
+  ATTEMPT(sph_allocate(s->f.room, sizeof *s->G, &s->G));
   ATTEMPT(sph_allocate(s->f.room / SPH_LANES, sizeof *s->cluster_totals, &s->cluster_totals));
   ATTEMPT(sph_grid_create(&s->grid, &s->tank.box, s->dx));
   ATTEMPT(sph_drift_create(&s->drift, &s->grid, s->support));
@@ -180,6 +181,7 @@ void sph_destroy(struct sph *s) {
   sph_wall_destroy(s);
   sph_particles_destroy(&s->f);
   free(s->pack);
+  free(s->G);
   free(s->cluster_totals);
   sph_grid_destroy(&s->grid);
   sph_drift_destroy(&s->drift);

@@ -23,14 +23,21 @@ struct sph_wall;
 /* What a pair loop reads of a neighbour: one cache line. */
 struct sph_pack {
   double x, y, u, v, p, V; /* m, m/s, Pa, m^2 */
-  double Gx, Gy;           /* renormalised pressure gradient, Pa/m (Antuono's diffusion only) */
+  double rho;              /* kg m^-3 */
+  double spare;            /* 0: the line is read whole */
 } __attribute__((aligned(64)));
+
+/* Of a particle, for those who need it beside the pack. */
+struct sph_vector {
+  double x, y;
+};
 
 /* Wall particles: however a treatment fills them, the pair loops see only this. */
 struct sph_wall_particles {
   size_t n;
   double *x, *y;         /* m, [n], sorted by grid cell, owned */
   struct sph_pack *pack; /* [n], owned */
+  struct sph_vector *G;  /* [n], as the water's, owned */
   struct sph_grid grid;
   void *data; /* of the treatment */
 };
@@ -73,8 +80,10 @@ struct sph {
   struct sph_totals totals; /* of the last evaluation */
   struct sph_seen seen;
 
-  struct sph_particles f;            /* the water */
-  struct sph_pack *pack;             /* [f.room], owned */
+  struct sph_particles f; /* the water */
+  struct sph_pack *pack;  /* [f.room], owned */
+  struct sph_vector *G;   /* Pa/m, renormalised pressure gradient where the diffusion needs it,
+                             [f.room],   owned */
   struct sph_totals *cluster_totals; /* [f.room / SPH_LANES], owned */
 
   void *treated[SPH_TREATMENT_COUNT]; /* what treatments keep (treat.h), owned */

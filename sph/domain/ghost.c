@@ -90,6 +90,7 @@ static enum status ghosts_create(struct sph *s, const struct geo_lines *walls) {
   ATTEMPT(sph_allocate(n, sizeof(double), &s->w.x));
   ATTEMPT(sph_allocate(n, sizeof(double), &s->w.y));
   ATTEMPT(sph_allocate(n, sizeof *s->w.pack, &s->w.pack));
+  ATTEMPT(sph_allocate(n, sizeof *s->w.G, &s->w.G));
   ATTEMPT(sph_allocate(g->room, sizeof(double), &g->x));
   ATTEMPT(sph_allocate(g->room, sizeof(double), &g->y));
   ATTEMPT(sph_allocate(g->room, sizeof(double), &g->rx));
@@ -144,17 +145,18 @@ static void fill_cluster(struct sph *s, size_t cluster) {
     i.x[l] = g->x[at + l];
     i.y[l] = g->y[at + l];
   }
+  const enum sph_eos eos = (enum sph_eos)s->scheme.eos;
   struct sph_mls f;
   sph_mls_at(s, sph_loops_of(&s->scheme), farthest2, &i, &near, &f);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
     const double rx = g->rx[at + l], ry = g->ry[at + l];
-    const double gravity = -s->g * eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, f.p[l]);
+    const double gravity = -s->g * eos_density(eos, s->rho0, s->c0, f.p[l]);
     struct sph_pack *w = &s->w.pack[at + l];
     w->u = rx * f.u[l];
     w->v = ry * f.v[l];
     w->p = f.p[l] + gravity * (w->y - i.y[l]);
-    w->Gx = rx * f.px[l];
-    w->Gy = gravity + ry * (f.py[l] - gravity);
+    w->rho = eos_density(eos, s->rho0, s->c0, w->p);
+    s->w.G[at + l] = (struct sph_vector){rx * f.px[l], gravity + ry * (f.py[l] - gravity)};
   }
 }
 

@@ -29,6 +29,7 @@
 #include <stdlib.h>
 
 #include "sph/domain/images.h"
+#include "sph/pair/eos.h"
 
 struct image {
   uint32_t of, motion; /* particle of water; sph_images_motion */
@@ -64,9 +65,11 @@ static void free_arrays(struct sph *s) {
   free(s->w.x);
   free(s->w.y);
   free(s->w.pack);
+  free(s->w.G);
   *m = (struct mirror){.images = m->images};
   s->w.x = s->w.y = NULL;
   s->w.pack = NULL;
+  s->w.G = NULL;
 }
 
 static enum status make_room(struct sph *s, size_t n) {
@@ -83,6 +86,7 @@ static enum status make_room(struct sph *s, size_t n) {
   TRY(sph_allocate(n, sizeof *s->w.x, &s->w.x));
   TRY(sph_allocate(n, sizeof *s->w.y, &s->w.y));
   TRY(sph_allocate(n, sizeof *s->w.pack, &s->w.pack));
+  TRY(sph_allocate(n, sizeof *s->w.G, &s->w.G));
   m->room = n;
   return OK;
 }
@@ -133,17 +137,20 @@ static void mirror_fill(struct sph *s) {
     const struct image *a = &m->image[k];
     const struct sph_motion *motion = sph_images_motion(&m->images, a->motion);
     const struct sph_pack *j = &s->pack[a->of];
-    double x, y, u, v, rho = s->f.w.rho[a->of];
+    double x, y, u, v;
     sph_motion_turn(motion, j->x, j->y, &x, &y);
     sph_motion_turn(motion, j->u, j->v, &u, &v);
     x += motion->at[0];
     y += motion->at[1];
-    s->w.pack[k] = (struct sph_pack){.x = x,
-                                     .y = y,
-                                     .u = u,
-                                     .v = v,
-                                     .p = j->p + rho * s->g * (j->y - y),
-                                     .V = has_image(s, &m->images, a) ? j->V : 0};
+    const double p = j->p + j->rho * s->g * (j->y - y);
+    s->w.pack[k] =
+        (struct sph_pack){.x = x,
+                          .y = y,
+                          .u = u,
+                          .v = v,
+                          .p = p,
+                          .V = has_image(s, &m->images, a) ? j->V : 0,
+                          .rho = eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, p)};
   }
 }
 
@@ -152,12 +159,11 @@ static void mirror_fill_gradients(struct sph *s) {
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < s->w.n; k++) {
     const struct image *a = &m->image[k];
-    const struct sph_pack *j = &s->pack[a->of];
-    struct sph_pack *w = &s->w.pack[k];
-    double weight = -s->f.w.rho[a->of] * s->g;
-    sph_motion_turn(sph_images_motion(&m->images, a->motion), j->Gx, j->Gy - weight, &w->Gx,
-                    &w->Gy);
-    w->Gy += weight;
+    const struct sph_vector *G = &s->G[a->of];
+    struct sph_vector *w = &s->w.G[k];
+    const double weight = -s->pack[a->of].rho * s->g;
+    sph_motion_turn(sph_images_motion(&m->images, a->motion), G->x, G->y - weight, &w->x, &w->y);
+    w->y += weight;
   }
 }
 

@@ -96,6 +96,7 @@ void sph_wall_destroy(struct sph *s) {
   free(s->w.x);
   free(s->w.y);
   free(s->w.pack);
+  free(s->w.G);
   sph_grid_destroy(&s->w.grid);
   s->w = (struct sph_wall_particles){0};
 }

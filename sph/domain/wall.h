@@ -10,8 +10,9 @@ struct sph_wall {
   /* Lists what it needs of the water, for as long as none moves farther than s->wall_skin, or half
    * of that where wall particles move; makes what moves with the water. */
   enum status (*list)(struct sph *s);
-  void (*fill)(struct sph *s); /* pressures, velocities and gradients into s->w.pack */
-  /* Gradients, if they need those of the water, which need the rest of s->w.pack; or NULL. */
+  void (*fill)(struct sph *s); /* what else is in s->w.pack */
+  /* s->w.G, where the diffusion needs it: after that of the water, which needs s->w.pack; or NULL,
+   * and then `fill` does it. */
   void (*fill_gradients)(struct sph *s);
   void (*destroy)(struct sph *s);
   double layer; /* width of the meniscus beside it, particle spacings; see gauge.h */

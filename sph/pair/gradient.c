@@ -17,16 +17,11 @@ static void cluster_gradient(struct sph *s, size_t cluster) {
 
   const double F = kernel_slope_scale((enum sph_kernel)s->scheme.kernel);
   const double pressure = F * s->rho0 * s->c0 * s->c0 / s->h;
-  double Gx[SPH_LANES], Gy[SPH_LANES];
+  struct sph_vector *G = s->G + cluster * SPH_LANES;
   for (int l = 0; l < SPH_LANES; l++)
     moments_solve(F * (a.xx[l] + b.xx[l]), F * (a.xy[l] + b.xy[l]), F * (a.yy[l] + b.yy[l]),
                   smallest_eigenvalue, pressure * (a.x[l] + b.x[l]), pressure * (a.y[l] + b.y[l]),
-                  &Gx[l], &Gy[l]);
-  const size_t at = cluster * SPH_LANES;
-  for (size_t l = 0; l < SPH_LANES && at + l < s->f.n; l++) {
-    s->pack[at + l].Gx = Gx[l];
-    s->pack[at + l].Gy = Gy[l];
-  }
+                  &G[l].x, &G[l].y);
 }
 
 void sph_gradient(struct sph *s) {

@@ -9,8 +9,13 @@
 /* As many sources as the loops take at a time, side by side. */
 struct turn {
   real x[SPH_SOURCES], y[SPH_SOURCES], u[SPH_SOURCES], v[SPH_SOURCES];
-  real p[SPH_SOURCES], V[SPH_SOURCES], Gx[SPH_SOURCES], Gy[SPH_SOURCES];
+  real p[SPH_SOURCES], V[SPH_SOURCES], rho[SPH_SOURCES], spare[SPH_SOURCES];
 } __attribute__((aligned(32)));
+
+/* Their gradients. */
+struct turn_gradients {
+  real x[SPH_SOURCES], y[SPH_SOURCES];
+};
 
 /* A struct sph_pack, a register at a time; and the same as real numbers. */
 enum { PIECE = SPH_VEC_BYTES > 32 ? SPH_VEC_BYTES : 32, IN_PIECE = PIECE / (int)sizeof(double) };
@@ -19,8 +24,9 @@ typedef real real_piece __attribute__((vector_size(IN_PIECE * sizeof(real)), may
 enum { PACKED = sizeof(struct sph_pack) / sizeof(double) };
 _Static_assert(sizeof(struct turn) == PACKED * SPH_SOURCES * sizeof(real), "a turn is packs");
 
-/* Where the numbers of a cluster are counted from, and in what: as a struct sph_pack. */
-enum { X, Y, U, V, P, VOLUME, GX, GY };
+/* Where the numbers of a cluster are counted from, and in what: as a struct sph_pack. Densities are
+ * counted from rho0. */
+enum { X, Y, U, V, P, VOLUME, RHO, SPARE };
 struct frame {
   double origin[PACKED], unit[PACKED];
 } __attribute__((aligned(64)));
@@ -28,8 +34,8 @@ struct frame {
 static struct frame frame_of(const struct sph *s, double x, double y, double u, double v,
                              double p) {
   const double h = 1 / s->h, c = 1 / s->c0, pressure = c * c / s->rho0;
-  return (struct frame){{x, y, u, v, p, 0, 0, 0},
-                        {h, h, c, c, pressure, h * h, s->h * pressure, s->h * pressure}};
+  return (struct frame){{x, y, u, v, p, 0, s->rho0, 0},
+                        {h, h, c, c, pressure, h * h, 1 / s->rho0, 0}};
 }
 
 /* Sources that are in flight between memory and registers: some KB, in the nearest cache. */
@@ -61,6 +67,20 @@ SPECIALISE size_t gather(const struct frame *of, const struct sph_near *near, si
   }
   if (n % SPH_SOURCES) block[n / SPH_SOURCES].V[SPH_SOURCES - 1] = 0;
   return (n + SPH_SOURCES - 1) / SPH_SOURCES;
+}
+
+/* The gradients of the same sources. */
+SPECIALISE void gather_gradients(double unit, const struct sph_near *near, size_t from,
+                                 struct turn_gradients block[BLOCK / SPH_SOURCES]) {
+  const size_t n = near->n - from < BLOCK ? near->n - from : BLOCK;
+  for (size_t k = 0; k < n; k++) {
+    if (from + k < near->n_ahead) __builtin_prefetch(&near->G[near->ahead[from + k]]);
+    const struct sph_vector *G = &near->G[near->list[from + k]];
+    block[k / SPH_SOURCES].x[k % SPH_SOURCES] = (real)(G->x * unit);
+    block[k / SPH_SOURCES].y[k % SPH_SOURCES] = (real)(G->y * unit);
+  }
+  if (n % SPH_SOURCES) /* no volume makes nothing of it if it is a number */
+    block[n / SPH_SOURCES].x[SPH_SOURCES - 1] = block[n / SPH_SOURCES].y[SPH_SOURCES - 1] = 0;
 }
 
 /* One part of a cluster's numbers, each for every source of a turn. */
@@ -201,7 +221,8 @@ struct rates_choice {
 static const real tiny2 = (real)1e-24;
 
 SPECIALISE void add_rates(const struct rates_choice o, const struct targets *i,
-                          const struct turn *block, size_t n, struct rates *sums) {
+                          const struct turn *block, const struct turn_gradients *G, size_t n,
+                          struct rates *sums) {
   struct rates a = *sums;
   const vec cutoff2 = vec_of(kernel_cutoff2(o.kernel)), zero = {0};
   for (const struct turn *j = block; j < block + n; j++) {
@@ -221,10 +242,14 @@ SPECIALISE void add_rates(const struct rates_choice o, const struct targets *i,
       vec pi = vec_where_less(vec_abs(approach) / (q.q2 + o.soft2), q.reach2, cutoff2);
       a.pi_most = vec_max(a.pi_most, vec_where_less(pi, zero, vec_sources(j->V)));
     }
-    if (o.diffusion != SPH_DIFFUSION_none)
-      a.D += diffusion_psi(o.diffusion, pj - i->p, q.x, q.y, q.q2, vec_sources(j->Gx) + i->Gx,
-                           vec_sources(j->Gy) + i->Gy) *
-             e;
+    if (o.diffusion != SPH_DIFFUSION_none) {
+      vec Gx = zero, Gy = zero;
+      if (diffusion_needs_gradient(o.diffusion)) {
+        Gx = vec_sources(G[j - block].x) + i->Gx;
+        Gy = vec_sources(G[j - block].y) + i->Gy;
+      }
+      a.D += diffusion_psi(o.diffusion, pj - i->p, q.x, q.y, q.q2, Gx, Gy) * e;
+    }
   }
   *sums = a;
 }
@@ -232,12 +257,13 @@ SPECIALISE void add_rates(const struct rates_choice o, const struct targets *i,
 /* Each diffusion, with and without viscosity and bounds, has a loop of its own: choices inside one
  * loop need more registers than there are. */
 SPECIALISE void choose_rates(struct rates_choice o, const struct targets *i,
-                             const struct turn *block, size_t n, struct rates *sums) {
+                             const struct turn *block, const struct turn_gradients *G, size_t n,
+                             struct rates *sums) {
 #define ONE(is_viscous, has_bounds)                                                                \
   if (o.viscous == is_viscous && o.bounds == has_bounds) {                                         \
     o.viscous = is_viscous;                                                                        \
     o.bounds = has_bounds;                                                                         \
-    add_rates(o, i, block, n, sums);                                                               \
+    add_rates(o, i, block, G, n, sums);                                                            \
     return;                                                                                        \
   }
 #define CASE(name, help)                                                                           \
@@ -261,6 +287,7 @@ SPECIALISE void sum_rates(enum sph_kernel kernel, const struct sph *s,
                                  .viscous = s->scheme.alpha > 0,
                                  .bounds = how->bounds,
                                  .soft2 = (real)how->soft2};
+  const double gradient = s->h * f.unit[P];
   struct targets i[SPH_PARTS] = {0};
   struct rates a[SPH_PARTS] = {0};
   for (int part = 0; part < SPH_PARTS; part++) {
@@ -269,13 +296,15 @@ SPECIALISE void sum_rates(enum sph_kernel kernel, const struct sph *s,
     i[part].u = spread(of->u, part, f.origin[U], f.unit[U]);
     i[part].v = spread(of->v, part, f.origin[V], f.unit[V]);
     i[part].p = spread(of->p, part, f.origin[P], f.unit[P]);
-    i[part].Gx = spread(of->Gx, part, 0, f.unit[GX]);
-    i[part].Gy = spread(of->Gy, part, 0, f.unit[GY]);
+    i[part].Gx = spread(of->Gx, part, 0, gradient);
+    i[part].Gy = spread(of->Gy, part, 0, gradient);
   }
   struct turn block[BLOCK / SPH_SOURCES];
+  struct turn_gradients G[BLOCK / SPH_SOURCES];
   for (size_t from = 0; from < near->n; from += BLOCK) {
     const size_t n = gather(&f, near, from, block);
-    for (int part = 0; part < SPH_PARTS; part++) choose_rates(o, &i[part], block, n, &a[part]);
+    if (diffusion_needs_gradient(o.diffusion)) gather_gradients(gradient, near, from, G);
+    for (int part = 0; part < SPH_PARTS; part++) choose_rates(o, &i[part], block, G, n, &a[part]);
   }
   for (int part = 0; part < SPH_PARTS; part++) {
     collect(sums->px, part, a[part].px);

@@ -15,7 +15,8 @@
 /* The points that sums are made for: particles of water, or nodes of ghosts (x and y alone). */
 struct sph_targets {
   double x[SPH_LANES], y[SPH_LANES], u[SPH_LANES], v[SPH_LANES]; /* m, m/s */
-  double p[SPH_LANES], Gx[SPH_LANES], Gy[SPH_LANES];             /* Pa, Pa/m */
+  double p[SPH_LANES], rho[SPH_LANES];                           /* Pa, kg m^-3 */
+  double Gx[SPH_LANES], Gy[SPH_LANES];                           /* Pa/m */
 };
 
 /* The sources of one kind. */
@@ -24,7 +25,8 @@ struct sph_near {
   const uint32_t *list;
   const uint32_t *ahead; /* the next cluster's: asked of the memory while this one's are summed */
   const struct sph_pack *pack;
-  const struct sph_lip *lip; /* what hides some of them, or NULL */
+  const struct sph_vector *G; /* their gradients, for a loop that needs them */
+  const struct sph_lip *lip;  /* what hides some of them, or NULL */
 };
 
 /* What the loop of the rates is asked for. */

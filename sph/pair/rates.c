@@ -31,6 +31,7 @@ void sph_pack_water(struct sph *s) {
     s->pack[i].v = w->v[i];
     s->f.p[i] = s->pack[i].p = eos_pressure(eos, s->rho0, s->c0, w->rho[i]);
     s->pack[i].V = s->f.m[i] / w->rho[i];
+    s->pack[i].rho = w->rho[i];
   }
   pad_pressure(&s->f);
 }
@@ -53,9 +54,9 @@ struct sph_targets sph_targets_of(const struct sph *s, size_t cluster) {
     i.u[l] = f->w.u[at + l];
     i.v[l] = f->w.v[at + l];
     i.p[l] = f->p[at + l];
-    const struct sph_pack *j = &s->pack[at + l < f->n ? at + l : f->n - 1];
-    i.Gx[l] = j->Gx;
-    i.Gy[l] = j->Gy;
+    i.rho[l] = f->w.rho[at + l];
+    i.Gx[l] = s->G[at + l].x;
+    i.Gy[l] = s->G[at + l].y;
   }
   return i;
 }
@@ -63,6 +64,7 @@ struct sph_targets sph_targets_of(const struct sph *s, size_t cluster) {
 struct sph_near sph_near_walls(const struct sph *s, size_t cluster, struct sph_lip *lip) {
   const size_t at = cluster * SPH_LANES;
   struct sph_near walls = sph_near_of(&s->water_wall, cluster, s->w.pack);
+  walls.G = s->w.G;
   if (walls.n && sph_lip_at(s, s->f.w.x + at, s->f.w.y + at, s->f.over + at, lip)) walls.lip = lip;
   return walls;
 }
@@ -128,7 +130,8 @@ static void cluster_rates(struct sph *s, const struct evaluation *how, size_t cl
       how->diffuse ? (enum sph_diffusion)s->scheme.diffusion : SPH_DIFFUSION_none;
   const size_t at = cluster * SPH_LANES;
   const struct sph_targets i = sph_targets_of(s, cluster);
-  const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
+  struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
+  water.G = s->G;
   struct sph_rates_sums a, b = {0};
   loops->rates(s, &(struct sph_rates_how){d, how->bounds, 1e-24}, &i, &water, &a);
   /* A particle that comes through the wall meets its own image at no distance: nearer than h/100

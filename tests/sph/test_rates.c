@@ -157,7 +157,7 @@ static void test_renormalised_gradient_is_exact_for_linear_pressure(void) {
     sph_gradient(s);
     double worst = 0, D = 0;
     for (size_t i = 0; i < s->f.n; i++) {
-      worst = fmax(worst, hypot(s->pack[i].Gx - 2385, s->pack[i].Gy + 7000));
+      worst = fmax(worst, hypot(s->G[i].x - 2385, s->G[i].y + 7000));
       D = fmax(D, fabs(s->f.D[i]));
     }
     EXPECT_NEAR(worst, 0, 1e-7); /* 1e-11 relative; densities near 1000 carry 1e-13 of rounding */
