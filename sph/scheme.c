@@ -26,6 +26,11 @@ FAMILY(diffusion, SPH_DIFFUSIONS)
 #define CHOICE(key, LIST, first, help) FAMILY(key, LIST)
 SPH_TREATMENT_CHOICES(CHOICE)
 #undef CHOICE
+#define WORDS(name, LIST, help)                                                                    \
+  static const char *const name##_words[] = {LIST(NAME) NULL};                                     \
+  static const char *const name##_word_helps[] = {LIST(HELP) NULL};
+SPH_TREATMENTS(WORDS)
+#undef WORDS
 
 static const char *const precision_names[] = {"single", "double", NULL};
 static const char *const precision_helps[] = {
@@ -62,18 +67,11 @@ const struct param sph_params[SPH_N_PARAMS] = {
      sph_wall_helps},
     {"precision", PARAM_CHOICE, QTY_NUMBER, AT(precision), 0, 0, "single", precision_names,
      "of the sums over neighbours; all else is double", precision_helps},
-#define ROW(name, help)                                                                            \
-  {#name, PARAM_INT, QTY_NUMBER, AT(every[SPH_TREATMENT_##name]), 0, 1e9, "0", NULL, help, NULL},
-    SPH_TREATMENTS(ROW)
-#undef ROW
-#define ROW(key, LIST, first, help)                                                                \
-  {#key, PARAM_CHOICE, QTY_NUMBER, AT(key), 0, 0, first, key##_names, help, key##_helps},
-        SPH_TREATMENT_CHOICES(ROW)
-#undef ROW
-            {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,
-             "factor of the bound from sound and convection (paper, eq. 29); of rk4, scaled for "
-             "others",
-             NULL},
+    {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,
+     "factor of the bound from sound and convection (paper, eq. 29); of rk4, "
+     "scaled for "
+     "others",
+     NULL},
     {"cfl_diffusive", PARAM_REAL, QTY_NUMBER, AT(cfl_diffusive), 1e-3, 10, "0.44", NULL,
      "factor of the bound from diffusion (paper, eq. 27); of rk4, scaled for others; molteni and "
      "ferrari take 0.72 of it in rk4-frozen",
@@ -82,6 +80,24 @@ const struct param sph_params[SPH_N_PARAMS] = {
      "factor of the bound from viscosity (paper, eq. 28)", NULL},
     {"cfl_acceleration", PARAM_REAL, QTY_NUMBER, AT(cfl_acceleration), 1e-3, 10, "0.25", NULL,
      "factor of the bound from acceleration (paper, eq. 28)", NULL},
+#define ROW(name, LIST, help)                                                                      \
+  {#name,        PARAM_INT, QTY_NUMBER,       AT(every[SPH_TREATMENT_##name]), 0, 1e9, "0",        \
+   name##_words, help,      name##_word_helps},
+    SPH_TREATMENTS(ROW)
+#undef ROW
+#define ROW(name, most, help)                                                                      \
+  {#name, PARAM_REAL, QTY_NUMBER, AT(strength[SPH_CORRECTION_##name]), 0, most, "0",               \
+   NULL,  help,       NULL},
+        SPH_CORRECTIONS(ROW)
+#undef ROW
+#define ROW(key, least, most, first, help)                                                         \
+  {#key, PARAM_INT, QTY_NUMBER, AT(key), least, most, first, NULL, help, NULL},
+            SPH_TREATMENT_NUMBERS(ROW)
+#undef ROW
+#define ROW(key, LIST, first, help)                                                                \
+  {#key, PARAM_CHOICE, QTY_NUMBER, AT(key), 0, 0, first, key##_names, help, key##_helps},
+                SPH_TREATMENT_CHOICES(ROW)
+#undef ROW
 };
 
 double sph_scheme_delta(const struct sph_scheme *o) {

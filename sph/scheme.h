@@ -7,10 +7,12 @@ struct sph_scheme {
   int kernel, eos, momentum, continuity, viscosity, diffusion; /* pair/, enumerations */
   int integrator, walls;                                       /* indices into their lists */
   int precision;                                               /* of the sums over pairs */
-  int every[SPH_TREATMENT_COUNT];                              /* steps; 0: never */
-#define X(key, LIST, first, help) int key;                     /* of treatments: enumerations */
+  int every[SPH_TREATMENT_COUNT];                              /* steps; 0: never; < 0: a word */
+#define X(key, ...) int key;                                   /* of treatments */
+  SPH_TREATMENT_NUMBERS(X)
   SPH_TREATMENT_CHOICES(X)
 #undef X
+  double strength[SPH_CORRECTION_COUNT];
   double h_over_dx;
   double delta; /* negative: the usual one of the diffusion */
   double alpha;

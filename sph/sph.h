@@ -45,7 +45,7 @@ struct sph_wall_particles {
 /* Energy that has left the water since t = 0, J/m, and water taken out of the computation, m^2: all
  * of it, and what has passed over the top of a wall. */
 struct sph_budget {
-#define X(name, help) double name;
+#define X(name, ...) double name;
   SPH_TERMS(X)
 #undef X
   double removed;
@@ -55,7 +55,7 @@ struct sph_budget {
 /* What one evaluation leaves besides the rates: powers (W/m) taken out of the water, and the
  * largest values that bound the time step. */
 struct sph_totals {
-#define X(name, help) double name;
+#define X(name, ...) double name;
   SPH_POWERS(X)
 #undef X
   double acceleration2; /* max |a|^2, m^2 s^-4 */

@@ -159,13 +159,21 @@ static bool parse_bool(const char *text, bool *out) {
   return true;
 }
 
+/* Its place among the choices, or -1. */
+static int choice_find(const struct param *p, const char *text) {
+  for (int k = 0; p->choices && p->choices[k]; k++)
+    if (!strcmp(p->choices[k], text)) return k;
+  return -1;
+}
+
 static bool parse_choice(const struct param *p, const char *text, int *out, char todo[160]) {
+  const int found = choice_find(p, text);
+  if (found >= 0) {
+    *out = found;
+    return true;
+  }
   size_t n = 0;
-  for (; p->choices[n]; n++)
-    if (!strcmp(p->choices[n], text)) {
-      *out = (int)n;
-      return true;
-    }
+  while (p->choices[n]) n++;
   const char *near = param_nearest(text, n, p->choices);
   if (near) snprintf(todo, 160, "did you mean '%s'?", near);
   return false;
@@ -193,13 +201,19 @@ bool param_fill(const struct param *p, const char *text, const struct param_scal
   todo[0] = 0;
   switch (p->type) {
   case PARAM_REAL: {
-    double value;
-    if (!parse_real(p, text, scales, &value, todo) || !in_range(p, value)) return false;
+    const int word = choice_find(p, text);
+    double value = -1 - word;
+    if (word < 0 && (!parse_real(p, text, scales, &value, todo) || !in_range(p, value)))
+      return false;
     *(double *)member = value;
     return true;
   }
-  case PARAM_INT:
-    return parse_int(p, text, (int *)member, todo);
+  case PARAM_INT: {
+    const int word = choice_find(p, text);
+    if (word < 0) return parse_int(p, text, (int *)member, todo);
+    *(int *)member = -1 - word;
+    return true;
+  }
   case PARAM_BOOL:
     return parse_bool(text, (bool *)member);
   case PARAM_CHOICE:
@@ -236,6 +250,13 @@ static void range_in_words(const struct param *p, char *out, size_t size) {
   append(out, size, part);
 }
 
+static void words_in_words(const struct param *p, char *out, size_t size) {
+  for (size_t k = 0; p->choices && p->choices[k]; k++) {
+    append(out, size, ", or ");
+    append(out, size, p->choices[k]);
+  }
+}
+
 void param_allowed(const struct param *p, char *out, size_t size) {
   out[0] = 0;
   switch (p->type) {
@@ -248,10 +269,12 @@ void param_allowed(const struct param *p, char *out, size_t size) {
       append(out, size, n++ ? ", " : " in ");
       append(out, size, units[i].name);
     }
+    words_in_words(p, out, size);
     return;
   case PARAM_INT:
     append(out, size, "a whole number");
     range_in_words(p, out, size);
+    words_in_words(p, out, size);
     return;
   case PARAM_BOOL:
     append(out, size, "true or false");
@@ -330,7 +353,7 @@ void params_print(FILE *out, const struct param *params, size_t n) {
     else
       fprintf(out, "optional\n");
     if (p->type != PARAM_NODE) fprintf(out, "    %-*s  %s\n", width, "", p->help);
-    if (p->type == PARAM_CHOICE && p->helps) print_choices(out, p, width + 8);
+    if (p->choices && p->helps) print_choices(out, p, width + 8);
   }
 }
 

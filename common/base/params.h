@@ -31,9 +31,11 @@ struct param {
                       as min: greater than zero; min = max: any finite number */
   const char *value; /* default, written as in a case file; NULL: the key is required; "": optional,
                         the member keeps what it held */
-  const char *const *choices; /* PARAM_CHOICE: NULL-terminated names */
-  const char *help;           /* one sentence: what it is, its source (paper and equation) */
-  const char *const *helps;   /* PARAM_CHOICE: one a choice, or NULL */
+  const char *const
+      *choices;     /* PARAM_CHOICE: NULL-terminated names. PARAM_REAL, PARAM_INT: words that
+                       are allowed besides, for which the member is -1, -2, ...; or NULL */
+  const char *help; /* one sentence: what it is, its source (paper and equation) */
+  const char *const *helps; /* one a choice, or NULL */
 };
 
 /* What "H" and "g" in a unit stand for; NaN while not known. */

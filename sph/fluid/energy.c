@@ -6,10 +6,10 @@
 
 const struct solver_term sph_terms[SPH_TERM_COUNT] = {
 #define X(name, help) {#name, help},
-    SPH_POWERS(X)
+    SPH_PAIR_POWERS(X)
 #undef X
-#define X(name, help) {#name, "energy taken out so far by the treatment " #name},
-        SPH_TREATMENTS(X)
+#define X(name, ...) {#name, "energy taken out so far by the treatment " #name},
+        SPH_CORRECTIONS(X) SPH_TREATMENTS(X)
 #undef X
 };
 
@@ -28,7 +28,7 @@ struct result_energy sph_energy(const struct sph *s) {
   struct result_energy e = {.time = s->t,
                             .removed = s->budget.removed,
                             .term = {
-#define X(name, help) [SPH_TERM_##name] = s->budget.name,
+#define X(name, ...) [SPH_TERM_##name] = s->budget.name,
                                 SPH_TERMS(X)
 #undef X
                             }};

@@ -5,7 +5,7 @@
 #include "sph/sph.h"
 
 enum {
-#define X(name, help) SPH_TERM_##name,
+#define X(name, ...) SPH_TERM_##name,
   SPH_TERMS(X)
 #undef X
       SPH_TERM_COUNT

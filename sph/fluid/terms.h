@@ -5,13 +5,16 @@
 #pragma once
 #include "sph/treat/list.h"
 
-/* Those that an evaluation of the rates finds as powers, W/m, and the integrator adds up:
- * X(name, help). */
-#define SPH_POWERS(X)                                                                              \
+/* Those of the pairs' forces and fluxes: X(name, help). */
+#define SPH_PAIR_POWERS(X)                                                                         \
   X(viscosity, "energy taken out so far by viscosity")                                             \
   X(diffusion, "energy taken out so far by density diffusion")                                     \
   X(walls, "energy given to walls so far (zero for fixed walls in exact arithmetic)")              \
   X(pairs, "energy taken out so far by forms of momentum and continuity that are not adjoint")
 
-/* And one for each treatment, which is what the energy fell by while it was applied. */
+/* All that an evaluation of the rates finds as powers, W/m, and the integrator adds up. */
+#define SPH_POWERS(X) SPH_PAIR_POWERS(X) SPH_CORRECTIONS(X)
+
+/* And one for each treatment between steps, which is what the energy fell by while it was applied.
+ */
 #define SPH_TERMS(X) SPH_POWERS(X) SPH_TREATMENTS(X)

@@ -15,6 +15,7 @@
 #include "sph/pair/eos.h"
 #include "sph/pair/gradient.h"
 #include "sph/pair/loops.h"
+#include "sph/treat/treat.h"
 
 static void pad_pressure(struct sph_particles *f) {
   for (size_t i = f->n; i % SPH_LANES; i++) f->p[i] = f->p[f->n - 1];
@@ -156,6 +157,7 @@ static void cluster_rates(struct sph *s, const struct evaluation *how, size_t cl
     k->rho[at + l] = e.D[l] - s->f.w.rho[at + l] * e.div[l];
   }
   s->cluster_totals[cluster] = totals_of(s, at, &e, &a, &b);
+  sph_treat_rates(s, how->stage, cluster, &s->cluster_totals[cluster]);
 }
 
 /* In the order of the clusters, for the same bits with any number of threads. */
@@ -163,7 +165,7 @@ static void add_totals(struct sph *s) {
   struct sph_totals t = {0};
   for (size_t c = 0; c < s->water_water.n_clusters; c++) {
     const struct sph_totals *k = &s->cluster_totals[c];
-#define X(name, help) t.name += k->name;
+#define X(name, ...) t.name += k->name;
     SPH_POWERS(X)
 #undef X
     t.acceleration2 = larger(k->acceleration2, t.acceleration2);

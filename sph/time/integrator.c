@@ -82,7 +82,7 @@ enum status sph_step(struct sph *s, double dt) {
     TRY(method->step(s, method, dt, &spent, &held));
   }
   s->again = false;
-#define X(name, help) s->budget.name += spent.name;
+#define X(name, ...) s->budget.name += spent.name;
   SPH_POWERS(X)
 #undef X
   sph_wall_confine(s);

@@ -52,7 +52,7 @@ static void set_state(struct sph *s, const double *weights, int stages, double d
 }
 
 static void spend(struct sph_totals *spent, double weight, const struct sph_totals *t) {
-#define X(name, help) spent->name += weight * t->name;
+#define X(name, ...) spent->name += weight * t->name;
   SPH_POWERS(X)
 #undef X
 }

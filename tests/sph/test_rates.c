@@ -125,7 +125,7 @@ static void test_powers_close_the_energy_budget(void) {
         magnitude += fabs(kinetic) + fabs(elastic);
       }
       double out = 0;
-#define X(name, help) out += s->totals.name;
+#define X(name, ...) out += s->totals.name;
       SPH_POWERS(X)
 #undef X
       EXPECT_NEAR((power + out) / magnitude, 0, 20 * precisions[k % 2].eps);
