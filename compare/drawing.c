@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <omp.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +15,7 @@
 #include "common/base/progress.h"
 #include "compare/output.h"
 
-enum { WORKERS = 2, NOT_THERE = 127 }; /* gnuplots at a time; the exit code without one */
+enum { MOST_WORKERS = 8, NOT_THERE = 127 }; /* gnuplots at a time; the exit code without one */
 
 struct worker {
   pid_t pid; /* 0: idle; also its process group */
@@ -25,9 +26,11 @@ struct worker {
 struct drawing {
   struct cmp_figures *figures;
   struct cmp_drawing_limits limits;
+  bool small;          /* the heavy figures have been given out, the others are next */
   size_t next, failed; /* of the figures */
   double used;         /* s, counted as limits.all is */
-  struct worker worker[WORKERS];
+  size_t workers;
+  struct worker worker[MOST_WORKERS];
 };
 
 /* ---- one gnuplot ---- */
@@ -146,27 +149,35 @@ static bool worker_tend(struct drawing *d, struct worker *w) {
   return !w->pid;
 }
 
+/* The next figure to draw, or NULL. The heavy ones come first, so that no worker is left with one
+ * at the end while the others have nothing to do. */
+static struct cmp_figure *figure_take(struct drawing *d) {
+  for (;; d->small = true, d->next = 0) {
+    while (d->next < d->figures->n) {
+      struct cmp_figure *fig = &d->figures->figure[d->next++];
+      if (fig->raster != d->small) return fig;
+    }
+    if (d->small) return NULL;
+  }
+}
+
 static void rest_leave_out(struct drawing *d) {
-  for (; d->next < d->figures->n; d->next++) {
-    struct cmp_figure *fig = &d->figures->figure[d->next];
+  for (struct cmp_figure *fig; (fig = figure_take(d));)
     snprintf(fig->missing, sizeof fig->missing,
              "left out, for all figures together took more than %g s of processor time",
              d->limits.all);
-  }
 }
 
 static enum status figures_draw(struct drawing *d) {
   for (bool busy = true; busy;) {
     CHECK(!progress_stop_requested(), INTERRUPTED, "stopped while drawing figures");
     busy = false;
-    for (size_t k = 0; k < WORKERS; k++) {
+    for (size_t k = 0; k < d->workers; k++) {
       struct worker *w = &d->worker[k];
       bool idle = worker_tend(d, w);
       if (d->used > d->limits.all) rest_leave_out(d);
-      if (idle && d->next < d->figures->n) {
-        TRY(worker_start(d, w, &d->figures->figure[d->next]));
-        d->next++;
-      }
+      struct cmp_figure *fig = idle ? figure_take(d) : NULL;
+      if (fig) TRY(worker_start(d, w, fig));
       busy = busy || w->pid;
     }
     if (busy) nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL); /* a signal ends it */
@@ -184,8 +195,10 @@ static enum status failures_raise(const struct cmp_figures *f, size_t failed) {
 
 enum status cmp_figures_draw(struct cmp_figures *f, struct cmp_drawing_limits limits) {
   struct drawing d = {.figures = f, .limits = limits};
+  const int processors = omp_get_num_procs();
+  d.workers = (size_t)(processors < MOST_WORKERS ? processors : MOST_WORKERS);
   enum status status = figures_draw(&d);
-  for (size_t k = 0; k < WORKERS; k++) worker_kill(&d.worker[k]);
+  for (size_t k = 0; k < d.workers; k++) worker_kill(&d.worker[k]);
   if (status != OK) {
     for (size_t i = 0; i < f->n; i++)
       snprintf(f->figure[i].missing, sizeof f->figure[i].missing, "%.250s", status_message());

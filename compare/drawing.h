@@ -11,8 +11,8 @@ struct cmp_drawing_limits {
 /* A figure takes a second or two; on a busy machine many times that, which `all` does not count. */
 #define CMP_DRAWING_LIMITS ((struct cmp_drawing_limits){120, 120})
 
-/* Draws everything (two at a time) and puts it in place. A figure that cannot be drawn says why in
- * `missing` and does not take the others with it: ERR_IO with the first such reason. One that there
- * was no time left for says so, and is no error. INTERRUPTED, with gnuplot ended, when the user
- * asks to stop. */
+/* Draws everything (as many at a time as there are processors, eight at most) and puts it in place.
+ * A figure that cannot be drawn says why in `missing` and does not take the others with it: ERR_IO
+ * with the first such reason. One that there was no time left for says so, and is no error.
+ * INTERRUPTED, with gnuplot ended, when the user asks to stop. */
 enum status cmp_figures_draw(struct cmp_figures *f, struct cmp_drawing_limits limits);
