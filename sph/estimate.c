@@ -21,22 +21,14 @@ static double length_of(const struct geo_lines *l) {
   return length;
 }
 
-/* The largest step that still water allows, s. */
-static double step_of(const struct sph_scheme *o, double h) {
-  struct sph s = {.scheme = *o, .h = h, .c0 = o->c0};
-  s.scheme.delta = sph_scheme_delta(o);
-  s.scheme.integrator = sph_integrator_chosen(o);
-  struct sph_bounds b = sph_timestep_bounds(&s);
-  return fmin(fmin(b.diffusive, b.viscous), fmin(b.acceleration, b.acoustic));
-}
-
 void sph_estimate(const struct case_file *c, const struct case_run *r, struct solver_estimate *e) {
   const struct sph_scheme *o = r->options;
   double dx = c->H / r->resolution, h = o->h_over_dx * dx;
   double wall = length_of(&c->walls) * kernel_support((enum sph_kernel)o->kernel) * h / (dx * dx);
   double cells = (c->tank.max[0] - c->tank.min[0]) * (c->tank.max[1] - c->tank.min[1]) / (dx * dx);
-  double evaluations =
-      c->end / step_of(o, h) * sph_integrators[sph_integrator_chosen(o)]->evaluations;
+  struct sph_bounds bounds;
+  double steps = c->end / (sph_courant_at_rest(o, &bounds) * h / o->c0);
+  double evaluations = steps * sph_integrators[sph_integrator_chosen(o)]->evaluations;
   e->points = case_water_area(c) / (dx * dx);
   e->unit = "particles";
   e->bytes = BYTES_ALONE + BYTES_OF_PARTICLE * (e->points + wall) + BYTES_OF_CELL * cells;

@@ -1,6 +1,7 @@
 #include "sph/scheme.h"
 
 #include <stddef.h>
+#include <string.h>
 
 #include "sph/domain/wall.h"
 #include "sph/pair/continuity.h"
@@ -9,6 +10,7 @@
 #include "sph/pair/kernel.h"
 #include "sph/pair/momentum.h"
 #include "sph/pair/viscosity.h"
+#include "sph/theory/scale.h"
 #include "sph/time/integrator.h"
 
 /* What a case may name, and the help, of each family. */
@@ -32,6 +34,12 @@ SPH_TREATMENT_CHOICES(CHOICE)
 SPH_TREATMENTS(WORDS)
 #undef WORDS
 
+static const char *const delta_words[] = {"auto", NULL};
+static const char *const delta_word_helps[] = {
+    "antuono 0.2, molteni 0.5, ferrari 1 (paper), times (D/w)(gaussian, h/dx = 4/3)/(D/w), with D "
+    "the largest decay rate by the diffusion and w the largest frequency of sound on a lattice",
+    NULL};
+
 static const char *const precision_names[] = {"single", "double", NULL};
 static const char *const precision_helps[] = {
     "differences of doubles, rounded: costs 1e-7 of a pair's contribution",
@@ -53,8 +61,8 @@ const struct param sph_params[SPH_N_PARAMS] = {
      "form of the viscous force, whose strength is alpha", viscosity_helps},
     {"diffusion", PARAM_CHOICE, QTY_NUMBER, AT(diffusion), 0, 0, "antuono", diffusion_names,
      "density diffusion in the continuity equation (paper, eqs. 7, 9, 10)", diffusion_helps},
-    {"delta", PARAM_REAL, QTY_NUMBER, AT(delta), -1, 10, "-1", NULL,
-     "strength of the diffusion; -1 takes the paper's: antuono 0.2, molteni 0.5, ferrari 1", NULL},
+    {"delta", PARAM_REAL, QTY_NUMBER, AT(delta), 0, 10, "auto", delta_words,
+     "strength of the diffusion", delta_word_helps},
     {"alpha", PARAM_REAL, QTY_NUMBER, AT(alpha), 0, 1, "0.01", NULL,
      "strength of the artificial viscosity (paper, eqs. 1 and 2)", NULL},
     {"c0", PARAM_REAL, QTY_VELOCITY, AT(c0), 1e-6, 1e6, "20 sqrt(gH)", NULL,
@@ -68,13 +76,14 @@ const struct param sph_params[SPH_N_PARAMS] = {
     {"precision", PARAM_CHOICE, QTY_NUMBER, AT(precision), 0, 0, "single", precision_names,
      "of the sums over neighbours; all else is double", precision_helps},
     {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,
-     "factor of the bound from sound and convection (paper, eq. 29); of rk4, "
-     "scaled for "
-     "others",
+     "factor of the bound from sound and convection (paper, eq. 29): of rk4 with the gaussian "
+     "kernel and h/dx = 4/3, scaled for others as sound on a lattice is",
      NULL},
     {"cfl_diffusive", PARAM_REAL, QTY_NUMBER, AT(cfl_diffusive), 1e-3, 10, "0.44", NULL,
-     "factor of the bound from diffusion (paper, eq. 27); of rk4, scaled for others; molteni and "
-     "ferrari take 0.72 of it in rk4-frozen",
+     "factor of the bound from diffusion (paper, eq. 27): of rk4 with the gaussian kernel and h/dx "
+     "= "
+     "4/3, scaled for others as decay on a lattice is; molteni and ferrari take 0.72 of it in "
+     "rk4-frozen",
      NULL},
     {"cfl_viscous", PARAM_REAL, QTY_NUMBER, AT(cfl_viscous), 1e-3, 10, "0.125", NULL,
      "factor of the bound from viscosity (paper, eq. 28)", NULL},
@@ -101,5 +110,14 @@ const struct param sph_params[SPH_N_PARAMS] = {
 };
 
 double sph_scheme_delta(const struct sph_scheme *o) {
-  return o->delta < 0 ? diffusion_delta((enum sph_diffusion)o->diffusion) : o->delta;
+  if (o->delta >= 0) return o->delta;
+  const struct sph_scale scale = sph_scale_of(o);
+  return diffusion_delta((enum sph_diffusion)o->diffusion) * (scale.diffusive / scale.acoustic);
+}
+
+const char *sph_scheme_name(const struct sph_scheme *o, const char *key) {
+  for (const struct param *p = sph_params; p < sph_params + SPH_N_PARAMS; p++)
+    if (p->type == PARAM_CHOICE && !strcmp(p->key, key))
+      return p->choices[*(const int *)((const char *)o + p->offset)];
+  return "";
 }

@@ -25,5 +25,10 @@ enum { SPH_PRECISION_single, SPH_PRECISION_double };
 enum { SPH_N_PARAMS = 17 + SPH_TREATMENT_PARAMS };
 extern const struct param sph_params[SPH_N_PARAMS];
 
-/* delta, or the default of the diffusion when it is negative. */
+/* delta; or, when it is negative, the usual one of the diffusion with P's kernel (diffusion.h),
+ * carried over to this one (theory/scale.h) so that the waves that decay fastest do so as fast
+ * against the fastest sound: the bounds (27) and (29) stay in the ratio that P has them in. */
 double sph_scheme_delta(const struct sph_scheme *o);
+
+/* What a case calls the variant that row `key` of the table has chosen. */
+const char *sph_scheme_name(const struct sph_scheme *o, const char *key);

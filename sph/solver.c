@@ -16,6 +16,7 @@
 #include "sph/pair/kernel.h"
 #include "sph/pair/rates.h"
 #include "sph/sph.h"
+#include "sph/theory/stability.h"
 #include "sph/time/integrator.h"
 #include "sph/time/timestep.h"
 #include "sph/treat/treat.h"
@@ -101,16 +102,36 @@ static void check_thickness(const struct case_file *c, const struct case_run *r,
                  ceil(2 * c->H / thickness * (1 - 1e-6)));
 }
 
+/* Steps of water at rest against what its waves stand on a lattice, for the time of the run. */
+static void check_step(const struct case_file *c, const struct case_run *r,
+                       struct problems *problems) {
+  const struct sph_scheme *o = r->options;
+  struct sph_bounds b;
+  const double courant = sph_courant_at_rest(o, &b), h = o->h_over_dx * c->H / r->resolution;
+  double stable;
+  if (sph_stable_courant(o, h / (o->c0 * c->end), &stable) != OK) {
+    problems->out_of_memory = true;
+    return;
+  }
+  if (courant <= stable) return;
+  const bool viscous = b.viscous <= courant, acoustic = b.acoustic <= courant;
+  const char *key = acoustic ? "cfl_acoustic" : viscous ? "cfl_viscous" : "cfl_diffusive";
+  const double factor = acoustic ? o->cfl_acoustic : viscous ? o->cfl_viscous : o->cfl_diffusive;
+  problems_add(
+      problems, case_run_line(r, key),
+      "runs.%s.%s: found '%g', with which steps in water at rest are %.3g h/c0, where waves "
+      "on a lattice grow beyond %.3g (kernel %s, h/dx = %.4g, %s, diffusion %s with delta = "
+      "%.3g, alpha = %g); allowed: at most %.3g; lower it",
+      r->name, key, factor, courant, stable, sph_scheme_name(o, "kernel"), o->h_over_dx,
+      sph_integrator_names[sph_integrator_chosen(o)], sph_scheme_name(o, "diffusion"),
+      sph_scheme_delta(o), o->alpha, 0.999 * factor * stable / courant);
+}
+
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
   const struct sph_scheme *o = r->options;
   double dx = c->H / r->resolution;
   double support = kernel_support((enum sph_kernel)o->kernel) * o->h_over_dx * dx;
   double width = c->tank.max[0] - c->tank.min[0], height = c->tank.max[1] - c->tank.min[1];
-  if (o->delta < 0 && o->delta != -1)
-    problems_add(problems, case_run_line(r, "delta"),
-                 "runs.%s.delta: found '%g'; allowed: 0 to 10, or -1 for the usual one of the "
-                 "diffusion; correct it",
-                 r->name, o->delta);
   if (sph_integrators[sph_integrator_chosen(o)]->split &&
       diffusion_needs_gradient((enum sph_diffusion)o->diffusion))
     problems_add(problems, case_run_line(r, "integrator"),
@@ -131,6 +152,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  r->name, r->resolution, 2 * support, width, height,
                  ceil(r->resolution * 2 * support / fmin(width, height)));
   if (c->water.pieces > 0) check_thickness(c, r, problems);
+  check_step(c, r, problems);
 }
 
 const struct solver sph_solver = {

@@ -11,14 +11,15 @@
 #include "common/base/geometry.h"
 #include "common/base/status.h"
 #include "common/tank/tank.h"
-#include "sph/domain/period.h"
 #include "sph/fluid/drift.h"
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"
 #include "sph/fluid/terms.h"
 #include "sph/scheme.h"
+#include "sph/theory/scale.h"
 
 struct case_file;
+struct sph;
 struct sph_wall;
 
 /* What a pair loop reads of a neighbour: one cache line. */
@@ -69,8 +70,17 @@ struct sph_seen {
   size_t cut;
 };
 
+/* What stands for the sums over pairs where the state is no water but the numbers of a linear
+ * problem (theory/stability.c): rates of u, v and rho and the diffusion, as sph_rates and
+ * sph_diffuse have them. */
+struct sph_stand_in {
+  void (*rates)(struct sph *s, int stage, bool diffuse);
+  double (*diffuse)(struct sph *s, double *D);
+};
+
 struct sph {
   struct sph_scheme scheme;
+  struct sph_scale scale;    /* of its kernel */
   double rho0, c0, g, dx, h; /* kg m^-3, m/s, m s^-2, m, m */
   double support;            /* m, radius of the kernel */
   struct tank tank;
@@ -82,18 +92,16 @@ struct sph {
   struct sph_seen seen;
 
   struct sph_particles f; /* the water */
-  struct sph_pack *pack;  /* of the water; from f.room on of its images (period.h);
-                             [pack_room], owned */
-  struct sph_vector *G;   /* Pa/m, renormalised pressure gradient where the diffusion needs it, of
-                             the same, [pack_room], owned */
-  size_t pack_room;
+  struct sph_pack *pack;  /* [f.room], owned */
+  struct sph_vector *G;   /* Pa/m, renormalised pressure gradient where the diffusion needs it,
+                             [f.room],   owned */
   struct sph_totals *cluster_totals; /* [f.room / SPH_LANES], owned */
 
   void *treated[SPH_TREATMENT_COUNT]; /* what treatments keep (treat.h), owned */
 
-  bool split; /* the diffusive term has steps of its own (time/split.c) */
+  bool split;                          /* the diffusive term has steps of its own (time/split.c) */
+  const struct sph_stand_in *stand_in; /* NULL for water */
 
-  struct sph_period period;
   const struct sph_wall *wall;
   struct sph_wall_particles w;
 
@@ -114,9 +122,6 @@ void sph_destroy(struct sph *s); /* NULL is fine */
 /* Between steps: builds the neighbour lists anew that may not hold for another step like the last.
  * When those of the water are, the particles are sorted, so that their places change. */
 enum status sph_neighbours_update(struct sph *s);
-
-/* The water, as lists of sources have it, near whatever: its packs are then s->pack. */
-struct sph_sources sph_sources_of_water(const struct sph *s);
 
 /* Within a step, `elapsed` (s) after the state s->f.w0: whether the lists still hold. */
 bool sph_lists_hold(const struct sph *s, double elapsed);

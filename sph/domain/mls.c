@@ -4,7 +4,7 @@
 
 #include "sph/pair/moments.h"
 
-static const double smallest_spread = 0.05; /* h^2 */
+static const double smallest_spread = 0.05; /* h^2, with P's kernel */
 
 /* A quantity's sums over the neighbours become its mean and covariance with their places. */
 static void centre(double per_w, double x, double y, double *q, double *qx, double *qy) {
@@ -14,11 +14,12 @@ static void centre(double per_w, double x, double y, double *q, double *qx, doub
 }
 
 /* At one point, in units of h, c0 and rho0, less the velocity and pressure of the first source. */
-static void fit_plane(struct sph_fit_sums *a, int l, double farthest2, struct sph_mls *fit) {
+static void fit_plane(struct sph_fit_sums *a, int l, double spread, double farthest2,
+                      struct sph_mls *fit) {
   const double per_w = 1 / larger(a->w[l], 1e-30);
   const double x = a->x[l] * per_w, y = a->y[l] * per_w;
   const double xx = a->xx[l] * per_w - x * x, xy = a->xy[l] * per_w - x * y;
-  const double yy = a->yy[l] * per_w - y * y, spread = smallest_spread;
+  const double yy = a->yy[l] * per_w - y * y;
   centre(per_w, x, y, &a->u[l], &a->ux[l], &a->uy[l]);
   centre(per_w, x, y, &a->v[l], &a->vx[l], &a->vy[l]);
   centre(per_w, x, y, &a->p[l], &a->px[l], &a->py[l]);
@@ -48,7 +49,7 @@ void sph_mls_at(const struct sph *s, const struct sph_loops *loops, double farth
   *fit = (struct sph_mls){0};
   for (int l = 0; l < SPH_LANES; l++) {
     if (!(a.w[l] > 0)) continue;
-    fit_plane(&a, l, farthest2, fit);
+    fit_plane(&a, l, smallest_spread * s->scale.spread, farthest2, fit);
     fit->u[l] = first->u + s->c0 * fit->u[l];
     fit->v[l] = first->v + s->c0 * fit->v[l];
     fit->p[l] = first->p + pressure * fit->p[l];

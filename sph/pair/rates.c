@@ -22,6 +22,7 @@ static void pad_pressure(struct sph_particles *f) {
 }
 
 void sph_pack_water(struct sph *s) {
+  if (s->stand_in) return;
   const struct sph_state *w = &s->f.w;
   const enum sph_eos eos = s->scheme.eos;
 #pragma omp parallel for schedule(static)
@@ -34,16 +35,15 @@ void sph_pack_water(struct sph *s) {
     s->pack[i].V = s->f.m[i] / w->rho[i];
     s->pack[i].rho = w->rho[i];
   }
-  sph_period_fill(s);
   pad_pressure(&s->f);
 }
 
 void sph_pack_pressure(struct sph *s) {
+  if (s->stand_in) return;
   const enum sph_eos eos = (enum sph_eos)s->scheme.eos;
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < s->f.n; i++)
     s->f.p[i] = s->pack[i].p = eos_pressure(eos, s->rho0, s->c0, s->f.w.rho[i]);
-  sph_period_fill(s);
   pad_pressure(&s->f);
 }
 
@@ -178,6 +178,10 @@ static void add_totals(struct sph *s) {
 
 enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
   const struct evaluation how = {stage, diffuse && !s->split, bounds};
+  if (s->stand_in) {
+    s->stand_in->rates(s, stage, how.diffuse);
+    return OK;
+  }
   if (stage == 0) TRY(sph_neighbours_update(s));
   sph_pack_water(s);
   s->wall->fill(s);

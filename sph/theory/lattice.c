@@ -1,9 +1,7 @@
 #include "sph/theory/lattice.h"
 
+#include <assert.h>
 #include <math.h>
-#include <stdlib.h>
-
-#include "common/base/array.h"
 
 /* A kernel at one point; the loops' vectors hold it in each element. */
 static bool kernel_at(enum sph_kernel k, double x, double y, struct sph_neighbour *out) {
@@ -19,14 +17,13 @@ static bool kernel_at(enum sph_kernel k, double x, double y, struct sph_neighbou
   return kernel_reach2(k, X, Y, q2)[0] < kernel_cutoff2(k);
 }
 
-enum status sph_lattice_create(enum sph_kernel k, double h_over_dx, struct sph_lattice *l) {
-  const int rows = (int)ceil(kernel_support(k) * h_over_dx);
+void sph_lattice_of(enum sph_kernel k, double h_over_dx, struct sph_lattice *l) {
+  const int rows = (int)ceil(kernel_support(k) * h_over_dx * (1 - 1e-9));
   const double dx = 1 / h_over_dx, V = dx * dx;
-  *l = (struct sph_lattice){.kernel = k, .h_over_dx = h_over_dx};
-  CHECK(rows <= SPH_LATTICE_REACH, ERR_INPUT,
-        "a support of %d particle spacings is wider than the %d that are summed", rows,
-        SPH_LATTICE_REACH);
-  TRY(array_create(&l->near, (size_t)((2 * rows + 1) * (2 * rows + 1)), "neighbours"));
+  assert(rows <= SPH_LATTICE_REACH);
+  l->kernel = k;
+  l->h_over_dx = h_over_dx;
+  l->n = 0;
   for (int i = -rows; i <= rows; i++)
     for (int j = -rows; j <= rows; j++) {
       struct sph_neighbour *a = &l->near[l->n];
@@ -39,12 +36,6 @@ enum status sph_lattice_create(enum sph_kernel k, double h_over_dx, struct sph_l
       a->gy *= V;
       l->n++;
     }
-  return OK;
-}
-
-void sph_lattice_destroy(struct sph_lattice *l) {
-  free(l->near);
-  *l = (struct sph_lattice){0};
 }
 
 /* ---- moments ---- */
@@ -74,6 +65,19 @@ double sph_lattice_slope_moment(const struct sph_lattice *l, int m, int n, int a
   for (const struct sph_neighbour *a = l->near; a < l->near + l->n; a++)
     if (a->j <= above) sum += power(a->x, m) * power(a->y, n) * a->e;
   return sum;
+}
+
+double sph_lattice_edge(enum sph_kernel k, double h_over_dx, double height) {
+  const int rows = (int)ceil(kernel_support(k) * h_over_dx);
+  double sum[3] = {0}; /* W y^n */
+  for (int j = -rows; j <= 0; j++)
+    for (int i = -rows; i <= rows; i++) {
+      struct sph_neighbour a;
+      if (!kernel_at(k, i / h_over_dx, (j - height) / h_over_dx, &a)) continue;
+      for (int n = 0; n < 3; n++) sum[n] += power(a.y, n) * a.W;
+    }
+  const double mean = sum[1] / sum[0];
+  return mean * mean / (sum[2] / sum[0] - mean * mean);
 }
 
 /* ---- plane waves ---- */

@@ -14,7 +14,6 @@
 #pragma once
 #include <stddef.h>
 
-#include "common/base/status.h"
 #include "sph/pair/diffusion.h"
 #include "sph/pair/kernel.h"
 
@@ -30,19 +29,22 @@ struct sph_neighbour {
 struct sph_lattice {
   enum sph_kernel kernel;
   double h_over_dx;
-  size_t n;
-  struct sph_neighbour *near; /* [n], the particle itself included, owned */
+  size_t n; /* of neighbours, the particle itself included */
+  struct sph_neighbour near[(2 * SPH_LATTICE_REACH + 1) * (2 * SPH_LATTICE_REACH + 1)];
 };
 
-/* For support h_over_dx of SPH_LATTICE_REACH at most. ERR_MEMORY. */
-enum status sph_lattice_create(enum sph_kernel k, double h_over_dx, struct sph_lattice *l);
-void sph_lattice_destroy(struct sph_lattice *l);
+/* For kernel_support times h_over_dx of SPH_LATTICE_REACH at most: a case asks for 9. */
+void sph_lattice_of(enum sph_kernel k, double h_over_dx, struct sph_lattice *l);
 
 /* sum x^m y^n W V, sum x^m y^n gx, sum x^m y^n e over the neighbours that are at most `above` rows
  * higher: SPH_LATTICE_REACH is all of them, n the particle n rows below a surface. */
 double sph_lattice_moment(const struct sph_lattice *l, int m, int n, int above);
 double sph_lattice_gradient_moment(const struct sph_lattice *l, int m, int n, int above);
 double sph_lattice_slope_moment(const struct sph_lattice *l, int m, int n, int above);
+
+/* How far a point `height` spacings above the top row of a half-filled lattice is from the centre
+ * of its neighbours, squared, over their variance that way. */
+double sph_lattice_edge(enum sph_kernel k, double h_over_dx, double height);
 
 struct sph_symbols {
   double W, Gx, Gy, D;

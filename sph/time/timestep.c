@@ -15,12 +15,13 @@ struct sph_bounds sph_timestep_bounds(const struct sph *s) {
   const enum sph_diffusion d = (enum sph_diffusion)o->diffusion;
   double nu = o->alpha * s->h * s->c0 / 8; /* alpha h c0 / (2n + 4), n = 2 */
   return (struct sph_bounds){
-      .diffusive = over(o->cfl_diffusive * method->diffusive *
+      .diffusive = over(o->cfl_diffusive * s->scale.diffusive * method->diffusive *
                             (method->frozen ? diffusion_frozen(d) : 1) * s->h,
                         o->delta * diffusion_strength(d) * s->c0),
       .viscous = over(o->cfl_viscous * s->h * s->h, nu),
       .acceleration = o->cfl_acceleration * sqrt(over(s->h, sqrt(s->totals.acceleration2))),
-      .acoustic = o->cfl_acoustic * method->acoustic * s->h / (s->c0 + s->totals.speed),
+      .acoustic =
+          o->cfl_acoustic * s->scale.acoustic * method->acoustic * s->h / (s->c0 + s->totals.speed),
   };
 }
 
@@ -35,4 +36,12 @@ double sph_timestep(const struct sph *s, double next) {
   double dt = fmin(fmin(b.diffusive, b.viscous), fmin(b.acceleration, b.acoustic));
   double left = next - s->t;
   return left / fmax(1, ceil(left / dt * (1 - 1e-12)));
+}
+
+double sph_courant_at_rest(const struct sph_scheme *o, struct sph_bounds *bounds) {
+  struct sph s = {.scheme = *o, .scale = sph_scale_of(o), .h = 1, .c0 = 1};
+  s.scheme.delta = sph_scheme_delta(o);
+  s.scheme.integrator = sph_integrator_chosen(o);
+  *bounds = sph_timestep_bounds(&s);
+  return fmin(fmin(bounds->diffusive, bounds->viscous), bounds->acoustic);
 }

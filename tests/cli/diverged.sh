@@ -7,7 +7,7 @@ dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 export OMP_NUM_THREADS=1
 cat >"$dir/case.yaml" <<'YAML'
-title: a time step three times the stability limit of RK4
+title: water thirty times as fast as its sound
 scales: {H: 0.6}
 tank:
   walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]
@@ -16,7 +16,7 @@ water:
   pressure: released
 time: {end: 4 sqrt(H/g), every: 0.05 sqrt(H/g)}
 runs:
-  - {name: none, solver: sph, resolution: 10, diffusion: none, alpha: 0, cfl_acoustic: 10, cfl_acceleration: 10}
+  - {name: none, solver: sph, resolution: 10, diffusion: none, alpha: 0, cfl_acceleration: 10, c0: 0.03 sqrt(gH)}
 YAML
 fail=0
 "$plunge" run "$dir/case.yaml" --out "$dir" --quiet >"$dir/out" 2>"$dir/err"

@@ -48,11 +48,9 @@ static bool is_inside(const struct sph *s, size_t i) {
 static double symbol(enum sph_kernel kernel, double k) {
   struct sph_lattice l;
   struct sph_symbols sums;
-  EXPECT_OK(sph_lattice_create(kernel, 4. / 3, &l));
+  sph_lattice_of(kernel, 4. / 3, &l);
   sph_lattice_symbols(&l, SPH_DIFFUSION_none, k, 0, &sums);
-  const double S = sums.W / sph_lattice_moment(&l, 0, 0, SPH_LATTICE_REACH);
-  sph_lattice_destroy(&l);
-  return S;
+  return sums.W / sph_lattice_moment(&l, 0, 0, SPH_LATTICE_REACH);
 }
 
 static const char *const kernels[] = {
