@@ -17,6 +17,10 @@ int command_list(int argc, char **argv) {
     printf("solver %s: %s\n", s->name, s->help);
     params_print(stdout, s->params, s->n_params);
     putchar('\n');
+    if (!s->n_presets) continue;
+    printf("schemes of solver %s, and what each sets unless a run says otherwise:\n", s->name);
+    param_presets_print(stdout, s->presets, s->n_presets);
+    putchar('\n');
   }
   puts("measures (compare.tolerances):");
   for (size_t i = 0; i < registry.n_measures; i++) {

@@ -30,6 +30,8 @@ struct solver {
   const char *name, *help;
   const struct param *params; /* the keys a run of this solver may have, [n_params] */
   size_t n_params;
+  const struct param_preset *presets; /* that the key `scheme` may name, [n_presets] */
+  size_t n_presets;
   size_t options_size;             /* bytes of the struct that the table fills (zeroed first) */
   const struct solver_term *terms; /* of the budget of energy (result.h), [n_terms] */
   size_t n_terms;                  /* at most RESULT_TERMS */

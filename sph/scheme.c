@@ -10,6 +10,7 @@
 #include "sph/pair/kernel.h"
 #include "sph/pair/momentum.h"
 #include "sph/pair/viscosity.h"
+#include "sph/presets.h"
 #include "sph/theory/scale.h"
 #include "sph/time/integrator.h"
 
@@ -47,6 +48,9 @@ static const char *const precision_helps[] = {
 
 #define AT(member) offsetof(struct sph_scheme, member)
 const struct param sph_params[SPH_N_PARAMS] = {
+    {"scheme", PARAM_CHOICE, QTY_NUMBER, AT(preset), 0, 0, "delta-sph", sph_preset_names,
+     "named scheme: sets the keys below, as far as the run does not (see the list of schemes)",
+     NULL},
     {"kernel", PARAM_CHOICE, QTY_NUMBER, AT(kernel), 0, 0, "gaussian", kernel_names,
      "smoothing kernel", kernel_helps},
     {"h_over_dx", PARAM_REAL, QTY_NUMBER, AT(h_over_dx), 0.8, 3, "1.3333333333333333", NULL,

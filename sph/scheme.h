@@ -4,6 +4,7 @@
 #include "sph/treat/list.h"
 
 struct sph_scheme {
+  int preset; /* which one the others come from (presets.h) */
   int kernel, eos, momentum, continuity, viscosity, diffusion; /* pair/, enumerations */
   int integrator, walls;                                       /* indices into their lists */
   int precision;                                               /* of the sums over pairs */
@@ -22,7 +23,7 @@ struct sph_scheme {
 
 enum { SPH_PRECISION_single, SPH_PRECISION_double };
 
-enum { SPH_N_PARAMS = 17 + SPH_TREATMENT_PARAMS };
+enum { SPH_N_PARAMS = 18 + SPH_TREATMENT_PARAMS };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* delta; or, when it is negative, the usual one of the diffusion with P's kernel (diffusion.h),

@@ -15,6 +15,7 @@
 #include "sph/pair/diffusion.h"
 #include "sph/pair/kernel.h"
 #include "sph/pair/rates.h"
+#include "sph/presets.h"
 #include "sph/sph.h"
 #include "sph/theory/stability.h"
 #include "sph/time/integrator.h"
@@ -160,6 +161,8 @@ const struct solver sph_solver = {
     .help = "weakly compressible smoothed particle hydrodynamics with density diffusion",
     .params = sph_params,
     .n_params = SPH_N_PARAMS,
+    .presets = sph_presets,
+    .n_presets = SPH_N_PRESETS,
     .terms = sph_terms,
     .n_terms = SPH_TERM_COUNT,
     .options_size = sizeof(struct sph_scheme),

@@ -357,6 +357,25 @@ void params_print(FILE *out, const struct param *params, size_t n) {
   }
 }
 
+const char *param_preset_value(const struct param_preset *preset, const char *key) {
+  for (const struct param_value *v = preset ? preset->values : NULL; v && v->key; v++)
+    if (!strcmp(v->key, key)) return v->value;
+  return NULL;
+}
+
+void param_presets_print(FILE *out, const struct param_preset *presets, size_t n) {
+  int width = 0;
+  for (size_t i = 0; i < n; i++)
+    if ((int)strlen(presets[i].name) > width) width = (int)strlen(presets[i].name);
+  for (size_t i = 0; i < n; i++) {
+    fprintf(out, "    %-*s  %s\n", width, presets[i].name, presets[i].help);
+    fprintf(out, "    %-*s ", width, "");
+    for (const struct param_value *v = presets[i].values; v->key; v++)
+      fprintf(out, " %s: %s%s", v->key, v->value, v[1].key ? "," : "");
+    fputs(presets[i].values->key ? "\n" : " every default\n", out);
+  }
+}
+
 void params_release(const struct param *params, size_t n, void *from) {
   for (size_t i = 0; from && i < n; i++)
     if (params[i].type == PARAM_TEXT) {

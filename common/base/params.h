@@ -43,6 +43,18 @@ struct param_scales {
   double H, g; /* m, m s^-2 */
 };
 
+/* Values that stand in place of the defaults of some rows, under one name: what the choice of that
+ * name in one row sets, as long as a case does not say otherwise. */
+struct param_preset {
+  const char *name, *help;
+  const struct param_value {
+    const char *key, *value; /* as in a case file */
+  } * values;                /* a key of NULL ends them */
+};
+
+/* What the preset has for `key`, or NULL; a preset of NULL has nothing. */
+const char *param_preset_value(const struct param_preset *preset, const char *key);
+
 /* Fills the member of `into` that row `p` describes from `text`. False when that is not allowed:
  * nothing is filled and `todo` says what to do about it ("" when param_allowed says it all). */
 bool param_fill(const struct param *p, const char *text, const struct param_scales *scales,
@@ -62,6 +74,9 @@ void params_write(FILE *out, const struct param *params, size_t n, const void *f
 /* One readable paragraph a key: name, what is allowed, default, help, and a line for each choice.
  */
 void params_print(FILE *out, const struct param *params, size_t n);
+
+/* A line a preset: its name and help, and one below with what it sets. */
+void param_presets_print(FILE *out, const struct param_preset *presets, size_t n);
 
 /* Frees what PARAM_TEXT rows own in `from`. */
 void params_release(const struct param *params, size_t n, void *from);

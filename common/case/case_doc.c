@@ -355,16 +355,17 @@ static void fill_defaults(struct case_doc *d, int node, const char *path, int li
     char full[CASE_PATH], allowed[640], todo[160];
     if (case_doc_member(d, node, p->key)) continue;
     join(full, path, p->key);
-    if (!p->value) {
+    const char *preset = param_preset_value(block->preset, p->key);
+    const char *value = preset ? preset : p->value;
+    if (!value) {
       param_allowed(p, allowed, sizeof allowed);
       case_doc_problem(d, line, full, "nothing", allowed, "add this key");
-    } else if (*p->value && !param_fill(p, p->value, &d->scales, block->into, todo)) {
+    } else if (*value && !param_fill(p, value, &d->scales, block->into, todo)) {
       d->faults++;
       if (d->H_missed) continue;
       d->H_missed = isnan(d->scales.H);
       param_allowed(p, allowed, sizeof allowed);
-      snprintf(todo, sizeof todo, "its default is %s: give scales.H in metres or this key",
-               p->value);
+      snprintf(todo, sizeof todo, "its default is %s: give scales.H in metres or this key", value);
       case_doc_problem(d, line, full, "nothing", allowed, todo);
     }
   }

@@ -54,6 +54,7 @@ struct case_block { /* one struct and the table that describes it */
   const struct param *params;
   size_t n;
   void *into;
+  const struct param_preset *preset; /* its values are the defaults; or NULL */
 };
 
 /* Reads the mapping `node` (0: absent, everything has its default) called `path` ("" for the top

@@ -57,6 +57,15 @@ int case_run_line(const struct case_run *r, const char *key) {
   return r->line;
 }
 
+/* The preset that the run's key `scheme` names; the table reports a name that is none. */
+static const struct param_preset *find_preset(struct case_draft *d, int run,
+                                              const struct solver *solver) {
+  const char *text = case_doc_text(&d->doc, case_doc_member(&d->doc, run, "scheme"));
+  for (size_t i = 0; solver && text && i < solver->n_presets; i++)
+    if (!strcmp(solver->presets[i].name, text)) return &solver->presets[i];
+  return NULL;
+}
+
 static enum status read_run(struct case_draft *d, int node, size_t i, struct case_run *run) {
   char path[CASE_PATH];
   case_doc_item_path(&d->doc, "runs", node, i, path);
@@ -72,8 +81,9 @@ static enum status read_run(struct case_draft *d, int node, size_t i, struct cas
   if (solver) run->options = array_memory(NULL, 1, solver->options_size, "options of a run");
   if (solver && !run->options) return ERR_MEMORY;
   struct case_block blocks[] = {
-      {run_rows, ROWS(run_rows), &section},
-      {solver ? solver->params : NULL, solver ? solver->n_params : 0, run->options},
+      {run_rows, ROWS(run_rows), &section, NULL},
+      {solver ? solver->params : NULL, solver ? solver->n_params : 0, run->options,
+       find_preset(d, node, solver)},
   };
   case_doc_read(&d->doc, node, path, 0, 2, blocks);
   run->name = section.name;

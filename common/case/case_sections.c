@@ -149,7 +149,7 @@ static const struct param gauge_rows[] = {
 
 bool case_read_section(struct case_draft *d, int node, const char *path, const struct param *rows,
                        size_t n, void *into) {
-  struct case_block block = {rows, n, into};
+  struct case_block block = {rows, n, into, NULL};
   int line = case_doc_line(&d->doc, case_doc_root(&d->doc));
   return case_doc_read(&d->doc, node, path, line, 1, &block);
 }
@@ -183,8 +183,8 @@ static enum status read_wave(struct case_draft *d, int wave) {
   c->flow = flow;
   c->form = array_memory(NULL, 1, flow->params_size, "parameters of a flow");
   if (!c->form) return ERR_MEMORY;
-  struct case_block blocks[] = {{wave_rows, ROWS(wave_rows), &s},
-                                {flow->params, flow->n_params, c->form}};
+  struct case_block blocks[] = {{wave_rows, ROWS(wave_rows), &s, NULL},
+                                {flow->params, flow->n_params, c->form, NULL}};
   case_doc_read(&d->doc, wave, "water.wave", case_doc_line(&d->doc, wave), ROWS(blocks), blocks);
   return OK;
 }
@@ -326,7 +326,8 @@ enum status case_read_sections(struct case_draft *d) {
   struct case_doc *doc = &d->doc;
   int root = case_doc_root(doc);
   c->flow = flow_regions.flow[0];
-  struct case_block top[] = {{top_rows, ROWS(top_rows), c}, {section_rows, ROWS(section_rows), d}};
+  struct case_block top[] = {{top_rows, ROWS(top_rows), c, NULL},
+                             {section_rows, ROWS(section_rows), d, NULL}};
   case_doc_read(doc, root, "", case_doc_line(doc, root), 2, top);
   if (!case_doc_is_mapping(doc, root)) return OK; /* said just now; the rest would only repeat it */
 

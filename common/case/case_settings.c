@@ -80,7 +80,7 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
        .value = NULL,
        .help = "a mapping with times, window, tolerances, averages"},
   };
-  struct case_block block = {rows, ROWS(rows), d};
+  struct case_block block = {rows, ROWS(rows), d, NULL};
   int root = case_doc_root(&d->doc);
   if (is_bare_section(d, root)) return OK;
   case_doc_read(&d->doc, root, "", case_doc_line(&d->doc, root), 1, &block);
