@@ -137,7 +137,7 @@ static enum status conclude(struct bem_run *r, enum status status) {
 
 /* Heights of the tops of the walls above the bed, H. */
 static void find_tops(const struct case_file *c, double top[2]) {
-  struct tank tank = tank_of(&c->walls);
+  struct tank tank = tank_of(&c->walls, c->periodic);
   for (int side = 0; side < 2; side++) top[side] = (tank.top[side] - c->tank.min[1]) / c->H;
 }
 

@@ -78,6 +78,12 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
         "open at the top, down the left side, along a flat bed, up the right side; take another "
         "solver",
         r->name);
+  if (c->periodic[0])
+    problems_add(
+        problems, case_run_line(r, "solver"),
+        "runs.%s.solver: found 'bem' in a tank with periodic sides; allowed: walls at both "
+        "ends, where the surface is mirrored; change tank.sides or take another solver",
+        r->name);
   if (!flow_is_wave(c->flow)) {
     check_regions(c, r, problems);
     return;

@@ -26,7 +26,7 @@ static enum status measure(int k) {
   ATTEMPT(geo_lines_begin(&walls, false));
   for (int i = 0; i < 4; i++) ATTEMPT(geo_lines_add(&walls, i < 2 ? 0 : 5.366, i % 3 ? 0 : 3));
   ATTEMPT(sph_surface_create(&s));
-  const struct sph_cloud cloud = {n, x, y, NULL, dx};
+  const struct sph_cloud cloud = {n, x, y, NULL, dx, NULL};
   const double strip[2] = {1 - 6 * dx, 1 + 6 * dx};
   for (int run = 0; run < 10; run++) {
     double start = bench_seconds();

@@ -27,6 +27,16 @@ static double wall_reserve(const struct sph *s) {
   return s->wall->moving ? s->wall_skin / 2 : s->wall_skin;
 }
 
+struct sph_sources sph_sources_of_water(const struct sph *s) {
+  const struct sph_period *p = &s->period;
+  const double drift = sph_drift_since_sorted(s);
+  return (struct sph_sources){
+      p->copies.n ? 2 : 1,
+      {{&s->grid, s->f.w.x, s->f.w.y, drift, 0},
+       {&p->grid, p->copies.x, p->copies.y, drift, (uint32_t)s->f.room}},
+  };
+}
+
 static enum status list_walls(struct sph *s, double least) {
   struct sph_particles *f = &s->f;
 #pragma omp parallel for simd schedule(static)
@@ -41,9 +51,10 @@ static enum status list_walls(struct sph *s, double least) {
     s->wall_skin = fmin(wanted, widest_skin * s->dx);
     s->drift.walls = sph_drift_at_walls(s, s->drift.ahead); /* wider lists concern more water */
   }
+  sph_period_move(s);
   TRY(s->wall->list(s));
-  TRY(sph_lists_build(&s->water_wall, f->n, f->w.x, f->w.y, &s->w.grid, s->w.x, s->w.y, 0,
-                      s->support + s->wall_skin));
+  const struct sph_sources walls = {1, {{&s->w.grid, s->w.x, s->w.y, 0, 0}}};
+  TRY(sph_lists_build(&s->water_wall, f->n, f->w.x, f->w.y, &walls, s->support + s->wall_skin));
   s->wall_rebuilds++;
   return OK;
 }
@@ -52,6 +63,7 @@ static enum status list_walls(struct sph *s, double least) {
 static enum status sort_and_list(struct sph *s, const unsigned char *drop, double least,
                                  double least_wall) {
   struct sph_particles *f = &s->f;
+  sph_period_wrap(s);
   size_t n = sph_grid_sort(&s->grid, f->n, f->w.x, f->w.y, drop, f->key, f->order);
   sph_particles_permute(f, n);
 #pragma omp parallel for simd schedule(static)
@@ -62,15 +74,16 @@ static enum status sort_and_list(struct sph *s, const unsigned char *drop, doubl
   sph_drift_measure(s, longer_step * s->dt);
   s->skin =
       fmin(fmax(fmax(usual_skin * s->dx, least), 1.1 * s->drift.touching), widest_skin * s->dx);
-  TRY(sph_lists_build(&s->water_water, n, f->w.x, f->w.y, &s->grid, f->w.x, f->w.y, 0,
-                      s->support + s->skin));
+  TRY(sph_period_list(s, least));
+  const struct sph_sources water = sph_sources_of_water(s);
+  TRY(sph_lists_build(&s->water_water, n, f->w.x, f->w.y, &water, s->support + s->skin));
   s->rebuilds++;
   return list_walls(s, least_wall);
 }
 
 /* A particle that leaves the straight way by this much, m, may still be listed. */
 static double slack(const struct sph *s) {
-  return fmin(sph_drift_left(s) / 2, wall_reserve(s) - s->drift.walls);
+  return fmin(sph_period_left(s), fmin(sph_drift_left(s) / 2, wall_reserve(s) - s->drift.walls));
 }
 
 bool sph_lists_hold(const struct sph *s, double elapsed) {
@@ -93,7 +106,7 @@ enum status sph_neighbours_update(struct sph *s) {
   sph_drift_measure(s, longer_step * s->dt);
   const double left = sph_drift_left(s);
   const bool wide = s->skin > 2 * usual_skin * s->dx && left > s->skin / 2 && !s->again;
-  if (left < 0 || wide) return sort_and_list(s, NULL, 0, 0);
+  if (left < 0 || wide || sph_period_left(s) < 0) return sort_and_list(s, NULL, 0, 0);
   s->drift.walls = sph_drift_at_walls(s, s->drift.ahead);
   if (s->drift.walls > wall_reserve(s)) return list_walls(s, 0);
   return OK;
@@ -109,9 +122,9 @@ enum status sph_neighbours_widen(struct sph *s) {
  * reach of what is inside. */
 static bool is_gone(const struct sph *s, size_t i) {
   const double far = s->support, x = s->f.w.x[i], y = s->f.w.y[i];
-  const struct geo_box *t = &s->tank.box;
-  if (x < t->min[0] - far || x > t->max[0] + far || y < t->min[1] - far) return true;
-  return s->f.over[i] != 0 && y < s->tank.top[x > t->max[0]];
+  const struct geo_box t = tank_walled(&s->tank);
+  if (x < t.min[0] - far || x > t.max[0] + far || y < t.min[1] - far) return true;
+  return s->f.over[i] != 0 && y < s->tank.top[x > t.max[0]];
 }
 
 static void book_removal(struct sph *s, size_t i) {
@@ -158,13 +171,15 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   s->support = kernel_support((enum sph_kernel)o->kernel) * s->h;
   s->skin = usual_skin * s->dx;
   s->wall_skin = usual_wall_skin * s->dx;
-  s->tank = tank_of(&c->walls);
+  s->tank = tank_of(&c->walls, c->periodic);
   ATTEMPT(sph_initial_fill(s, c));
-  ATTEMPT(sph_allocate(s->f.room, sizeof *s->pack, &s->pack));
-  ATTEMPT(sph_allocate(s->f.room, sizeof *s->G, &s->G));
+  s->pack_room = s->f.room;
+  ATTEMPT(sph_allocate(s->pack_room, sizeof *s->pack, &s->pack));
+  ATTEMPT(sph_allocate(s->pack_room, sizeof *s->G, &s->G));
   ATTEMPT(sph_allocate(s->f.room / SPH_LANES, sizeof *s->cluster_totals, &s->cluster_totals));
   ATTEMPT(sph_grid_create(&s->grid, &s->tank.box, s->dx));
   ATTEMPT(sph_drift_create(&s->drift, &s->grid, s->support));
+  ATTEMPT(sph_period_create(s));
   ATTEMPT(sph_wall_create(s, &c->walls));
   ATTEMPT(sort_and_list(s, NULL, 0, 0));
   ATTEMPT(sph_treat_create(s));
@@ -181,6 +196,7 @@ void sph_destroy(struct sph *s) {
   if (!s) return;
   sph_treat_destroy(s);
   sph_wall_destroy(s);
+  sph_period_destroy(s);
   sph_particles_destroy(&s->f);
   free(s->pack);
   free(s->G);

@@ -11,6 +11,7 @@
 #include "common/base/geometry.h"
 #include "common/base/status.h"
 #include "common/tank/tank.h"
+#include "sph/domain/period.h"
 #include "sph/fluid/drift.h"
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"
@@ -92,9 +93,11 @@ struct sph {
   struct sph_seen seen;
 
   struct sph_particles f; /* the water */
-  struct sph_pack *pack;  /* [f.room], owned */
-  struct sph_vector *G;   /* Pa/m, renormalised pressure gradient where the diffusion needs it,
-                             [f.room],   owned */
+  struct sph_pack *pack;  /* of the water; from f.room on of its images (period.h);
+                             [pack_room], owned */
+  struct sph_vector *G;   /* Pa/m, renormalised pressure gradient where the diffusion needs it, of
+                             the same, [pack_room], owned */
+  size_t pack_room;
   struct sph_totals *cluster_totals; /* [f.room / SPH_LANES], owned */
 
   void *treated[SPH_TREATMENT_COUNT]; /* what treatments keep (treat.h), owned */
@@ -102,6 +105,7 @@ struct sph {
   bool split;                          /* the diffusive term has steps of its own (time/split.c) */
   const struct sph_stand_in *stand_in; /* NULL for water */
 
+  struct sph_period period;
   const struct sph_wall *wall;
   struct sph_wall_particles w;
 
@@ -122,6 +126,9 @@ void sph_destroy(struct sph *s); /* NULL is fine */
 /* Between steps: builds the neighbour lists anew that may not hold for another step like the last.
  * When those of the water are, the particles are sorted, so that their places change. */
 enum status sph_neighbours_update(struct sph *s);
+
+/* The water, as lists of sources have it, near whatever: its packs are then s->pack. */
+struct sph_sources sph_sources_of_water(const struct sph *s);
 
 /* Within a step, `elapsed` (s) after the state s->f.w0: whether the lists still hold. */
 bool sph_lists_hold(const struct sph *s, double elapsed);

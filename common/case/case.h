@@ -63,6 +63,7 @@ struct case_file {
                              bed, up the right side) */
   struct geo_box tank;    /* box of the walls */
   bool rectangular;       /* one open piece: left wall, flat bed, right wall */
+  bool periodic[2];       /* along x: the sides are no walls; along y: nor is the bed */
 
   const struct flow *flow; /* the water at t = 0 (common/flow/flow.h) */
   void *form;              /* what the case says of it, in a struct of its own; owned */

@@ -218,6 +218,12 @@ void case_check_geometry(struct case_draft *d) {
   size_t faults = d->doc.faults;
   if (d->good.tank) check_walls(d);
   if (d->good.tank) c->rectangular = tank_is_rectangular(&c->walls, case_near(c));
+  if (d->good.tank && c->periodic[0] && !c->rectangular)
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.tank, "sides"), "tank.sides",
+                     "'periodic' in a tank that is not rectangular",
+                     "periodic sides of one wall: down the left side, along a flat bed, up the "
+                     "right side",
+                     "change tank.walls or write walls");
   if (d->good.water && flow_is_wave(c->flow))
     check_wave(d);
   else if (d->good.water)

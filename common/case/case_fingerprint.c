@@ -20,6 +20,7 @@ static void write_inputs(FILE *out, const struct case_file *c, const struct case
   fprintf(out, "plunge %s %s\n", PLUNGE_VERSION, PLUNGE_REVISION);
   fprintf(out, "fluid %.17g %.17g\nH %.17g\n", c->density, c->gravity, c->H);
   write_lines(out, "wall", &c->walls);
+  fprintf(out, "periodic %d %d\n", c->periodic[0], c->periodic[1]);
   write_lines(out, "water", &c->water);
   fprintf(out, "velocity %.17g %.17g\nflow %s\n", c->velocity[0], c->velocity[1],
           flow_name(c->flow));
@@ -73,6 +74,7 @@ static void write_water(FILE *out, const struct case_file *c) {
   const double scales[] = {c->density, c->gravity, c->H};
   write_rounded(out, "scales", 3, scales);
   write_rounded_lines(out, "wall", &c->walls);
+  if (c->periodic[0]) fputs("periodic sides\n", out);
   if (flow_is_wave(c->flow)) {
     fprintf(out, "wave %zu\n", 1 + flow_place(c->flow));
     write_form(out, c->flow, c->form);

@@ -86,10 +86,22 @@ static const struct param scales_rows[] = {
 };
 
 struct tank_section {
-  int walls;
+  int walls, sides;
 };
+enum { SIDES_WALLS, SIDES_PERIODIC };
+static const char *const sides_names[] = {"walls", "periodic", NULL};
+static const char *const sides_helps[] = {
+    "water ends there",
+    "what leaves through one comes in through the other: only the bed is a wall"};
 static const struct param tank_rows[] = {
     NODE(struct tank_section, walls, NULL, "a list of walls, each a list of points [x, y]"),
+    {.key = "sides",
+     .type = PARAM_CHOICE,
+     .offset = offsetof(struct tank_section, sides),
+     .choices = sides_names,
+     .value = "walls",
+     .help = "what the upright sides of a rectangular tank are",
+     .helps = sides_helps},
 };
 
 struct water_section {
@@ -161,6 +173,7 @@ static enum status read_tank(struct case_draft *d) {
   size_t faults = d->doc.faults;
   if (d->at.tank && case_read_section(d, d->at.tank, "tank", tank_rows, ROWS(tank_rows), &s))
     TRY(read_lines(&d->doc, s.walls, "tank.walls", 2, false, &d->c->walls));
+  d->c->periodic[0] = s.sides == SIDES_PERIODIC;
   d->good.tank = d->at.tank && d->doc.faults == faults;
   d->c->tank = geo_lines_box(&d->c->walls);
   return OK;
@@ -313,7 +326,7 @@ enum status case_read_sections(struct case_draft *d) {
   static const struct param section_rows[] = {
       SECTION(fluid, "", "a mapping with density, gravity"),
       SECTION(scales, "", "a mapping with H"),
-      SECTION(tank, NULL, "a mapping with walls"),
+      SECTION(tank, NULL, "a mapping with walls, sides"),
       SECTION(water, NULL, "a mapping with regions or wave"),
       SECTION(time, NULL, "a mapping with end, every, sample"),
       SECTION(probes, "", "a list of probes"),

@@ -18,11 +18,14 @@ static void check(const struct case_file *c, struct case_draft *d) {
   if (!c->rectangular)
     case_flow_problem(d, "pressure", "'released' in another tank",
                       "released for regions of water in a rectangular tank", "write hydrostatic");
+  else if (c->periodic[0])
+    case_flow_problem(d, "pressure", "'released' with periodic sides",
+                      "released for regions of water between walls", "write hydrostatic");
 }
 
 static enum status create(struct flow_water *w) {
   const struct case_file *c = w->c;
-  const struct tank tank = tank_of(&c->walls);
+  const struct tank tank = tank_of(&c->walls, c->periodic);
   struct pressure *p = w->own = calloc(1, sizeof *p);
   CHECK(p, ERR_MEMORY, "no memory for the released pressure");
   p->alone = flow_find_column(c, &p->column) && p->column.left != p->column.right;

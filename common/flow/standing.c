@@ -41,8 +41,10 @@ static void check(const struct case_file *c, struct case_draft *d) {
     case_flow_problem(d, "amplitude", found, allowed, "a steeper standing wave breaks at once");
   }
   if (!c->rectangular) return;
-  if (fabs(halves - round(halves)) > 1e-6 * halves || halves < 0.5) {
-    snprintf(found, sizeof found, "%.6g half wavelengths between the walls", halves);
+  double least = c->periodic[0] ? 2 : 1, parts = halves / least;
+  if (fabs(parts - round(parts)) > 1e-6 * parts || parts < 0.5) {
+    snprintf(found, sizeof found, "%.6g %swavelengths between the %s", parts,
+             c->periodic[0] ? "" : "half ", c->periodic[0] ? "periodic sides" : "walls");
     case_flow_problem(d, "wavelength", found, "a whole number of them",
                       "change the wavelength or the tank's length");
   }

@@ -1,5 +1,50 @@
 #include "common/tank/tank.h"
 
+struct tank tank_of(const struct geo_lines *walls, const bool periodic[2]) {
+  struct tank t = {.box = geo_lines_box(walls), .periodic = {periodic[0], periodic[1]}};
+  t.top[TANK_LEFT] = t.periodic[0] ? INFINITY : walls->p[0][1];
+  t.top[TANK_RIGHT] = t.periodic[0] ? INFINITY : walls->p[walls->points - 1][1];
+  t.lowest_top = fmin(t.top[0], t.top[1]);
+  return t;
+}
+
+struct geo_box tank_around(const struct tank *t, double reach) {
+  return (struct geo_box){{t->box.min[0] - reach, t->box.min[1] - reach},
+                          {t->box.max[0] + reach, t->box.max[1] + (t->periodic[1] ? reach : 0)}};
+}
+
+struct geo_box tank_walled(const struct tank *t) {
+  struct geo_box walled = t->box;
+  for (int axis = 0; axis < 2; axis++)
+    if (t->periodic[axis]) {
+      walled.min[axis] = -INFINITY;
+      walled.max[axis] = INFINITY;
+    }
+  return walled;
+}
+
+enum status tank_walls(const struct tank *t, const struct geo_lines *walls, double beyond,
+                       struct geo_lines *out) {
+  geo_lines_clear(out);
+  if (!tank_is_periodic(t)) return geo_lines_copy(out, walls);
+  if (t->periodic[1]) return OK;
+  TRY(geo_lines_begin(out, false));
+  TRY(geo_lines_add(out, t->box.min[0] - beyond, t->box.min[1]));
+  return geo_lines_add(out, t->box.max[0] + beyond, t->box.min[1]);
+}
+
+enum status tank_outline(const struct tank *t, const struct geo_lines *walls,
+                         struct geo_lines *out) {
+  const struct geo_box *b = &t->box;
+  if (!t->periodic[1]) return geo_lines_copy(out, walls);
+  geo_lines_clear(out);
+  TRY(geo_lines_begin(out, true));
+  TRY(geo_lines_add(out, b->min[0], b->min[1]));
+  TRY(geo_lines_add(out, b->max[0], b->min[1]));
+  TRY(geo_lines_add(out, b->max[0], b->max[1]));
+  return geo_lines_add(out, b->min[0], b->max[1]);
+}
+
 bool tank_is_rectangular(const struct geo_lines *walls, double near) {
   const struct geo_box box = geo_lines_box(walls);
   enum { LEFT, BED, RIGHT } part = LEFT;

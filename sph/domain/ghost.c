@@ -50,15 +50,13 @@ struct strip {
 
 /* Left, right, bed, and the two corners under them. Along a wall the spacing is stretched so that
  * it divides the wall evenly. */
-static size_t tank_strips(const struct sph *s, const struct geo_lines *walls,
-                          struct strip strips[5]) {
-  const double(*p)[2] = (const double(*)[2])walls->p;
-  size_t last = walls->points - 1;
-  double dx = s->dx, x0 = s->tank.box.min[0], x1 = s->tank.box.max[0], y0 = s->tank.box.min[1];
+static size_t tank_strips(const struct sph *s, struct strip strips[5]) {
+  const struct tank *t = &s->tank;
+  double dx = s->dx, x0 = t->box.min[0], x1 = t->box.max[0], y0 = t->box.min[1];
   size_t layers = (size_t)ceil(s->support / dx - 1e-9);
-  size_t nl = geo_intervals(p[0][1] - y0, dx), nr = geo_intervals(p[last][1] - y0, dx);
+  size_t nl = geo_intervals(t->top[0] - y0, dx), nr = geo_intervals(t->top[1] - y0, dx);
   size_t nb = geo_intervals(x1 - x0, dx);
-  double dl = (p[0][1] - y0) / (double)nl, dr = (p[last][1] - y0) / (double)nr;
+  double dl = (t->top[0] - y0) / (double)nl, dr = (t->top[1] - y0) / (double)nr;
   double db = (x1 - x0) / (double)nb;
   double out_left = x0 - dx / 2, out_right = x1 + dx / 2, under = y0 - dx / 2;
   strips[0] = (struct strip){out_left, -dx, y0 + dl / 2, dl, layers, nl, true, false, x0, 0};
@@ -69,9 +67,34 @@ static size_t tank_strips(const struct sph *s, const struct geo_lines *walls,
   return 5;
 }
 
+/* The bed of a periodic tank, as far beyond its ends as water meets it (period.h). */
+static size_t bed_strip(const struct sph *s, struct strip *strip) {
+  const struct geo_box *box = &s->tank.box;
+  double width = tank_size(&s->tank, 0), dx = s->dx;
+  size_t layers = (size_t)ceil(s->support / dx - 1e-9), n = geo_intervals(width, dx);
+  double db = width / (double)n, more = ceil((s->support + sph_period_widest(s)) / db);
+  *strip = (struct strip){box->min[0] + (0.5 - more) * db,
+                          db,
+                          box->min[1] - dx / 2,
+                          -dx,
+                          n + 2 * (size_t)more,
+                          layers,
+                          false,
+                          true,
+                          0,
+                          box->min[1]};
+  return 1;
+}
+
+static size_t strips_of(const struct sph *s, struct strip strips[5]) {
+  if (s->tank.periodic[1]) return 0;
+  return s->tank.periodic[0] ? bed_strip(s, strips) : tank_strips(s, strips);
+}
+
 static enum status ghosts_create(struct sph *s, const struct geo_lines *walls) {
+  (void)walls;
   struct strip strips[5];
-  size_t n_strips = tank_strips(s, walls, strips), n = 0;
+  size_t n_strips = strips_of(s, strips), n = 0;
   for (size_t k = 0; k < n_strips; k++) n += strips[k].nx * strips[k].ny;
   struct ghosts *g;
   TRY(sph_allocate(1, sizeof *g, &g));
@@ -131,8 +154,8 @@ done:
 
 static enum status ghosts_list(struct sph *s) {
   struct ghosts *g = s->w.data;
-  return sph_lists_build(&g->lists, s->w.n, g->x, g->y, &s->grid, s->f.w.x, s->f.w.y,
-                         sph_drift_since_sorted(s), s->support + s->wall_skin);
+  const struct sph_sources water = sph_sources_of_water(s);
+  return sph_lists_build(&g->lists, s->w.n, g->x, g->y, &water, s->support + s->wall_skin);
 }
 
 static void fill_cluster(struct sph *s, size_t cluster) {

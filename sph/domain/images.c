@@ -18,13 +18,17 @@ struct sph_motion sph_motion_half_turn(const double about[2]) {
   return (struct sph_motion){{2 * about[0], 2 * about[1]}, {{-1, 0}, {0, -1}}};
 }
 
+struct sph_motion sph_motion_shift(double x, double y) {
+  return (struct sph_motion){{x, y}, {{1, 0}, {0, 1}}};
+}
+
 /* ---- the walls ---- */
 
 static enum status make_room(struct sph_images *t, size_t n) {
+  TRY(array_grow(&t->found, &t->found_room, 2 * n, "images in walls"));
   if (n <= t->room) return OK;
   TRY(array_resize(&t->wall, n, "walls with images"));
   TRY(array_resize(&t->beside, n, "walls with images"));
-  TRY(array_resize(&t->found, 2 * n, "images in walls"));
   t->room = n;
   return OK;
 }
@@ -79,9 +83,33 @@ void sph_images_set_reach(struct sph_images *t, double reach, double beyond) {
   }
 }
 
+/* ---- the periods ---- */
+
+enum status sph_images_set_periods(struct sph_images *t, const struct tank *tank, double reach) {
+  int most[2] = {0, 0};
+  for (int axis = 0; axis < 2; axis++)
+    if (tank->periodic[axis]) most[axis] = (int)ceil(reach / tank_size(tank, axis));
+  const size_t n = (size_t)(2 * most[0] + 1) * (size_t)(2 * most[1] + 1) - 1;
+  TRY(array_grow(&t->shift, &t->shift_room, n, "periods of the tank"));
+  TRY(array_grow(&t->found, &t->found_room, n, "images by periods"));
+  t->n_shifts = 0;
+  for (int a = -most[0]; a <= most[0]; a++)
+    for (int b = -most[1]; b <= most[1]; b++)
+      if (a || b)
+        t->shift[t->n_shifts++] = sph_motion_shift(a * tank_size(tank, 0), b * tank_size(tank, 1));
+  t->around = (struct geo_box){{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
+  for (int axis = 0; axis < 2; axis++)
+    if (tank->periodic[axis]) {
+      t->around.min[axis] = tank->box.min[axis] - reach;
+      t->around.max[axis] = tank->box.max[axis] + reach;
+    }
+  return OK;
+}
+
 void sph_images_destroy(struct sph_images *t) {
   free(t->wall);
   free(t->beside);
+  free(t->shift);
   free(t->found);
   *t = (struct sph_images){0};
 }
@@ -117,6 +145,16 @@ size_t sph_images_of(struct sph_images *t, double x, double y) {
       if (w->closes && on_first) t->found[n++] = image_about(w->b, 2 * w->first + 1, x, y);
     }
     before = here;
+  }
+  return n;
+}
+
+size_t sph_images_beyond(struct sph_images *t, double x, double y) {
+  size_t n = 0;
+  for (size_t k = 0; k < t->n_shifts; k++) {
+    const double *by = t->shift[k].at;
+    t->found[n] = (struct sph_image){(uint32_t)(2 * t->n + k), x + by[0], y + by[1]};
+    n += geo_box_contains(&t->around, t->found[n].x, t->found[n].y);
   }
   return n;
 }

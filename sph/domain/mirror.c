@@ -28,20 +28,14 @@
 
 #include <stdlib.h>
 
-#include "sph/domain/images.h"
+#include "sph/domain/copies.h"
 #include "sph/pair/eos.h"
-
-struct image {
-  uint32_t of, motion; /* particle of water; sph_images_motion */
-};
 
 struct mirror {
   struct sph_images images;
-  size_t room;
-  struct image *image;   /* [w.n], in the order of s->w, owned */
-  struct image *found;   /* [w.n], in that of the water; scratch, owned */
-  double *x, *y;         /* m, [w.n], of `found`; scratch, owned */
-  uint32_t *key, *order; /* [w.n], scratch, owned */
+  struct sph_copies copies; /* of the water and its images beyond a periodic tank's ends, by the
+                               numbers that lists of water have for them */
+  size_t room;              /* of s->w.pack */
 };
 
 static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
@@ -54,55 +48,21 @@ static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
   return sph_grid_create(&s->w.grid, &box, s->dx);
 }
 
-static void free_arrays(struct sph *s) {
+static enum status add_images(struct mirror *m, size_t of, double x, double y) {
+  const size_t n = sph_images_of(&m->images, x, y);
+  return n ? sph_copies_add(&m->copies, (uint32_t)of, n, m->images.found) : OK;
+}
+
+static enum status make_room(struct sph *s) {
   struct mirror *m = s->w.data;
-  free(m->image);
-  free(m->found);
-  free(m->x);
-  free(m->y);
-  free(m->key);
-  free(m->order);
-  free(s->w.x);
-  free(s->w.y);
+  if (m->copies.n <= m->room) return OK;
+  m->room = m->copies.n + m->copies.n / 2;
   free(s->w.pack);
   free(s->w.G);
-  *m = (struct mirror){.images = m->images};
-  s->w.x = s->w.y = NULL;
   s->w.pack = NULL;
   s->w.G = NULL;
-}
-
-static enum status make_room(struct sph *s, size_t n) {
-  struct mirror *m = s->w.data;
-  if (n <= m->room) return OK;
-  n += n / 2;
-  free_arrays(s);
-  TRY(sph_allocate(n, sizeof *m->image, &m->image));
-  TRY(sph_allocate(n, sizeof *m->found, &m->found));
-  TRY(sph_allocate(n, sizeof *m->x, &m->x));
-  TRY(sph_allocate(n, sizeof *m->y, &m->y));
-  TRY(sph_allocate(n, sizeof *m->key, &m->key));
-  TRY(sph_allocate(n, sizeof *m->order, &m->order));
-  TRY(sph_allocate(n, sizeof *s->w.x, &s->w.x));
-  TRY(sph_allocate(n, sizeof *s->w.y, &s->w.y));
-  TRY(sph_allocate(n, sizeof *s->w.pack, &s->w.pack));
-  TRY(sph_allocate(n, sizeof *s->w.G, &s->w.G));
-  m->room = n;
-  return OK;
-}
-
-/* Every image of the water, into m->found, m->x and m->y, for which there is room. */
-static void find_images(struct mirror *m, const struct sph *s) {
-  size_t at = 0;
-  for (size_t i = 0; i < s->f.n; i++) {
-    size_t k = sph_images_of(&m->images, s->f.w.x[i], s->f.w.y[i]);
-    for (size_t l = 0; l < k; l++, at++) {
-      const struct sph_image *image = &m->images.found[l];
-      m->found[at] = (struct image){(uint32_t)i, image->motion};
-      m->x[at] = image->x;
-      m->y[at] = image->y;
-    }
-  }
+  TRY(sph_allocate(m->room, sizeof *s->w.G, &s->w.G));
+  return sph_allocate(m->room, sizeof *s->w.pack, &s->w.pack);
 }
 
 /* A pair of water and image is at most the support apart, so that either is at most that far from
@@ -110,31 +70,30 @@ static void find_images(struct mirror *m, const struct sph *s) {
  * wall and along it, such as below the top of a side. */
 static enum status mirror_list(struct sph *s) {
   struct mirror *m = s->w.data;
-  size_t n = 0;
+  const struct sph_copies *beyond = &s->period.copies;
   sph_images_set_reach(&m->images, s->support + s->wall_skin, s->wall_skin);
-  for (size_t i = 0; i < s->f.n; i++) n += sph_images_of(&m->images, s->f.w.x[i], s->f.w.y[i]);
-  TRY(make_room(s, n));
-  find_images(m, s);
-  s->w.n = sph_grid_sort(&s->w.grid, n, m->x, m->y, NULL, m->key, m->order);
-  for (size_t k = 0; k < n; k++) {
-    m->image[k] = m->found[m->order[k]];
-    s->w.x[k] = m->x[m->order[k]];
-    s->w.y[k] = m->y[m->order[k]];
-  }
-  return OK;
+  for (size_t i = 0; i < s->f.n; i++) TRY(add_images(m, i, s->f.w.x[i], s->f.w.y[i]));
+  for (size_t k = 0; k < beyond->n; k++)
+    TRY(add_images(m, s->f.room + k, beyond->x[k], beyond->y[k]));
+  TRY(sph_copies_sort(&m->copies, &s->w.grid));
+  s->w.n = m->copies.n;
+  s->w.x = m->copies.x;
+  s->w.y = m->copies.y;
+  return make_room(s);
 }
 
 /* Water above the top of a side wall has no image in it; water that has passed over has none. */
-static bool has_image(const struct sph *s, const struct sph_images *t, const struct image *a) {
+static bool has_image(const struct sph *s, const struct sph_images *t, const struct sph_copy *a) {
   const struct sph_pack *j = &s->pack[a->of];
-  return s->f.over[a->of] == 0 && sph_images_counts(t, a->motion, j->x, j->y);
+  return s->f.over[sph_period_particle(s, a->of)] == 0 &&
+         sph_images_counts(t, a->motion, j->x, j->y);
 }
 
 static void mirror_fill(struct sph *s) {
   const struct mirror *m = s->w.data;
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < s->w.n; k++) {
-    const struct image *a = &m->image[k];
+    const struct sph_copy *a = &m->copies.copy[k];
     const struct sph_motion *motion = sph_images_motion(&m->images, a->motion);
     const struct sph_pack *j = &s->pack[a->of];
     double x, y, u, v;
@@ -158,7 +117,7 @@ static void mirror_fill_gradients(struct sph *s) {
   const struct mirror *m = s->w.data;
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < s->w.n; k++) {
-    const struct image *a = &m->image[k];
+    const struct sph_copy *a = &m->copies.copy[k];
     const struct sph_vector *G = &s->G[a->of];
     struct sph_vector *w = &s->w.G[k];
     const double weight = -s->pack[a->of].rho * s->g;
@@ -170,7 +129,8 @@ static void mirror_fill_gradients(struct sph *s) {
 static void mirror_destroy(struct sph *s) {
   if (!s->w.data) return;
   struct mirror *m = s->w.data;
-  free_arrays(s);
+  sph_copies_destroy(&m->copies);
+  s->w.x = s->w.y = NULL; /* were theirs */
   sph_images_destroy(&m->images);
   free(m);
 }

@@ -13,9 +13,21 @@ const char *const sph_wall_names[] = {SPH_WALLS(X) NULL};
 const char *const sph_wall_helps[] = {SPH_WALLS(X)};
 #undef X
 
-enum status sph_wall_create(struct sph *s, const struct geo_lines *walls) {
+/* So far beyond the ends of a periodic tank, in particle spacings and supports, water or its images
+ * may be (period.h). */
+static double beyond(const struct sph *s) {
+  return 3 * s->support + 60 * s->dx;
+}
+
+enum status sph_wall_create(struct sph *s, const struct geo_lines *all) {
+  struct geo_lines walls = {0};
+  enum status status = OK;
   s->wall = sph_walls[s->scheme.walls];
-  return s->wall->create(s, walls);
+  ATTEMPT(tank_walls(&s->tank, all, beyond(s), &walls));
+  ATTEMPT(s->wall->create(s, &walls));
+done:
+  geo_lines_destroy(&walls);
+  return status;
 }
 
 bool sph_lip_at(const struct sph *s, const double *x, const double *y, const double *over,
@@ -47,7 +59,8 @@ static bool went_over(const struct sph *s, size_t i, double wall, double top) {
 /* Whether the particle was brought back. */
 static bool confine_sides(const struct sph *s, size_t i) {
   const struct sph_state *w = &s->f.w;
-  bool beside = w->x[i] < s->tank.box.min[0] || w->x[i] > s->tank.box.max[0];
+  const struct geo_box walled = tank_walled(&s->tank);
+  bool beside = w->x[i] < walled.min[0] || w->x[i] > walled.max[0];
   if (!beside) s->f.over[i] = 0;
   if (!beside || s->f.over[i]) return false;
   int side = tank_nearer(&s->tank, w->x[i]);
@@ -62,8 +75,8 @@ static bool confine_sides(const struct sph *s, size_t i) {
 }
 
 static bool is_under_bed(const struct sph *s, size_t i) {
-  const struct geo_box *t = &s->tank.box;
-  return s->f.w.y[i] < t->min[1] && s->f.w.x[i] > t->min[0] && s->f.w.x[i] < t->max[0];
+  const struct geo_box t = tank_walled(&s->tank);
+  return s->f.w.y[i] < t.min[1] && s->f.w.x[i] > t.min[0] && s->f.w.x[i] < t.max[0];
 }
 
 static void confine_bed(struct sph *s, size_t i) {

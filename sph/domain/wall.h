@@ -6,7 +6,7 @@
 struct sph_wall {
   /* Makes s->w.grid and .data, and what does not move: s->w.x, .y, .pack (positions and volumes)
    * and .n. */
-  enum status (*create)(struct sph *s, const struct geo_lines *walls);
+  enum status (*create)(struct sph *s, const struct geo_lines *walls); /* without periodic ends */
   /* Lists what it needs of the water, for as long as none moves farther than s->wall_skin, or half
    * of that where wall particles move; makes what moves with the water. */
   enum status (*list)(struct sph *s);

@@ -58,14 +58,35 @@ static double diagonal(const struct sph_drift_box *b) {
               hypot(b->high[2] - b->low[2], b->high[3] - b->low[3]));
 }
 
+/* The blocks from `far` before one to `far` behind it, along an axis of n. Round the ends of a
+ * periodic tank they go on, by one more: the last block may be narrower than others. */
+struct range {
+  size_t from, count;
+};
+
+static struct range range_around(size_t at, size_t far, size_t n, bool periodic) {
+  const size_t before = periodic && at < far ? far + 1 : at < far ? at : far;
+  const bool last = at + far + 1 >= n;
+  const size_t behind = periodic && last ? far + 1 : last ? n - 1 - at : far;
+  if (before + behind >= n) return (struct range){0, n};
+  return (struct range){at < before ? at + n - before : at - before, before + 1 + behind};
+}
+
+static size_t nth_of(const struct range *r, size_t k, size_t n) {
+  return r->from + k < n ? r->from + k : r->from + k - n;
+}
+
 /* What particles around a block have moved against each other: in it and `far` blocks around. */
-static double diagonal_around(const struct sph_drift *d, size_t bx, size_t by, size_t far) {
+static double diagonal_around(const struct sph *s, size_t bx, size_t by, size_t far) {
+  const struct sph_drift *d = &s->drift;
   struct sph_drift_box all = empty;
-  const size_t x1 = bx + far < d->nx ? bx + far : d->nx - 1;
-  const size_t y1 = by + far < d->ny ? by + far : d->ny - 1;
-  for (size_t x = bx > far ? bx - far : 0; x <= x1; x++)
-    for (size_t y = by > far ? by - far : 0; y <= y1; y++)
-      widen(&all, d->box[x * d->ny + y].low, d->box[x * d->ny + y].high);
+  const struct range x = range_around(bx, far, d->nx, s->tank.periodic[0]);
+  const struct range y = range_around(by, far, d->ny, s->tank.periodic[1]);
+  for (size_t k = 0; k < x.count; k++)
+    for (size_t l = 0; l < y.count; l++) {
+      const struct sph_drift_box *b = &d->box[nth_of(&x, k, d->nx) * d->ny + nth_of(&y, l, d->ny)];
+      widen(&all, b->low, b->high);
+    }
   return diagonal(&all);
 }
 
@@ -80,8 +101,8 @@ void sph_drift_measure(struct sph *s, double ahead) {
     for (size_t by = 0; by < d->ny; by++) {
       const struct sph_drift_box *b = &d->box[bx * d->ny + by];
       if (b->low[0] > b->high[0]) continue; /* no water */
-      touching = fmax(touching, diagonal_around(d, bx, by, 1));
-      near = fmax(near, diagonal_around(d, bx, by, 2));
+      touching = fmax(touching, diagonal_around(s, bx, by, 1));
+      near = fmax(near, diagonal_around(s, bx, by, 2));
       for (int k = 0; k < 4; k += 2)
         most = fmax(most,
                     2 * hypot(fmax(b->high[k], -b->low[k]), fmax(b->high[k + 1], -b->low[k + 1])));
@@ -103,7 +124,7 @@ double sph_drift_left(const struct sph *s) {
  * from which a ghost takes its state: within two supports of the wall. */
 double sph_drift_at_walls(const struct sph *s, double ahead) {
   const struct sph_particles *f = &s->f;
-  const struct geo_box *t = &s->tank.box;
+  const struct geo_box t = tank_walled(&s->tank);
   const double far = 2 * s->support + s->wall_skin;
   double longest = 0;
 #pragma omp parallel for simd schedule(static) reduction(max : longest)
@@ -111,8 +132,8 @@ double sph_drift_at_walls(const struct sph *s, double ahead) {
     const double x = f->w.x[i] - f->x_walls[i], y = f->w.y[i] - f->y_walls[i];
     const double X = x + ahead * f->w.u[i], Y = y + ahead * f->w.v[i];
     const double way = sqrt(larger(x * x + y * y, X * X + Y * Y));
-    const double inside = smaller(smaller(f->x_walls[i] - t->min[0], t->max[0] - f->x_walls[i]),
-                                  f->y_walls[i] - t->min[1]);
+    const double inside = smaller(smaller(f->x_walls[i] - t.min[0], t.max[0] - f->x_walls[i]),
+                                  f->y_walls[i] - t.min[1]);
     longest = larger(way > inside - far ? way : 0, longest);
   }
   return longest;

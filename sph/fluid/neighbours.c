@@ -106,8 +106,7 @@ SPECIALISE bool is_near(const struct cluster *c, double x, double y, vec limit) 
 
 /* Appends the sources of cells [from, to) that are near one of the cluster's points. */
 static enum status append(struct sph_chunk *k, size_t *n, size_t from, size_t to,
-                          const struct cluster *c, const double *xs, const double *ys,
-                          double reach) {
+                          const struct cluster *c, const struct sph_points *s, double reach) {
   if (*n + (to - from) > k->room) {
     size_t room = 2 * (*n + (to - from));
     uint32_t *j = realloc(k->j, room * sizeof *j);
@@ -119,30 +118,29 @@ static enum status append(struct sph_chunk *k, size_t *n, size_t from, size_t to
   uint32_t *out = k->j;
   size_t at = *n;
   for (size_t j = from; j < to; j++) {
-    out[at] = (uint32_t)j;
-    at += is_near(c, xs[j], ys[j], limit);
+    out[at] = s->first + (uint32_t)j;
+    at += is_near(c, s->x[j], s->y[j], limit);
   }
   *n = at;
   return OK;
 }
 
 static enum status build_cluster(struct sph_chunk *k, size_t *n, const struct cluster *t,
-                                 const struct sph_grid *g, const double *xs, const double *ys,
-                                 double drift, double reach) {
-  const double far = reach + drift;
+                                 const struct sph_points *s, double reach) {
+  const struct sph_grid *g = s->grid;
+  const double far = reach + s->drift;
   const size_t bin0 = bin_of(g, t->low - far), bin1 = bin_of(g, t->high + far);
   const size_t last = column_of(g, t->right + far);
   for (size_t c = column_of(g, t->left - far); c <= last; c++) {
     size_t a = cell_of(g, c, bin0), b = cell_of(g, c, bin1);
     size_t from = g->start[a < b ? a : b], to = g->start[(a < b ? b : a) + 1];
-    if (from < to) TRY(append(k, n, from, to, t, xs, ys, reach));
+    if (from < to) TRY(append(k, n, from, to, t, s, reach));
   }
   return OK;
 }
 
 static enum status build_chunk(struct sph_lists *l, size_t chunk, size_t n, const double *x,
-                               const double *y, const struct sph_grid *g, const double *xs,
-                               const double *ys, double drift, double reach) {
+                               const double *y, const struct sph_sources *s, double reach) {
   struct sph_chunk *k = &l->chunks[chunk];
   size_t at = 0;
   for (size_t c = 0; c < SPH_CHUNK; c++) {
@@ -150,15 +148,14 @@ static enum status build_chunk(struct sph_lists *l, size_t chunk, size_t n, cons
     k->first[c] = (uint32_t)at;
     if (i >= n) continue;
     const struct cluster t = cluster_of(x, y, i, n);
-    TRY(build_cluster(k, &at, &t, g, xs, ys, drift, reach));
+    for (size_t kind = 0; kind < s->n; kind++) TRY(build_cluster(k, &at, &t, &s->of[kind], reach));
   }
   k->first[SPH_CHUNK] = (uint32_t)at;
   return OK;
 }
 
 enum status sph_lists_build(struct sph_lists *l, size_t n, const double *x, const double *y,
-                            const struct sph_grid *g, const double *xs, const double *ys,
-                            double drift, double reach) {
+                            const struct sph_sources *sources, double reach) {
   l->n_clusters = (n + SPH_LANES - 1) / SPH_LANES;
   l->n_chunks = (l->n_clusters + SPH_CHUNK - 1) / SPH_CHUNK;
   if (l->n_chunks > l->chunk_room) {
@@ -171,7 +168,7 @@ enum status sph_lists_build(struct sph_lists *l, size_t n, const double *x, cons
   int failed = 0;
 #pragma omp parallel for schedule(static) reduction(| : failed)
   for (size_t c = 0; c < l->n_chunks; c++)
-    failed |= build_chunk(l, c, n, x, y, g, xs, ys, drift, reach) != OK;
+    failed |= build_chunk(l, c, n, x, y, sources, reach) != OK;
   CHECK(!failed, ERR_MEMORY, "no memory for the neighbour lists");
   return OK;
 }

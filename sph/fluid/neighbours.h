@@ -39,11 +39,24 @@ void sph_grid_destroy(struct sph_grid *g);
 size_t sph_grid_sort(struct sph_grid *g, size_t n, const double *x, const double *y,
                      const unsigned char *drop, uint32_t *key, uint32_t *order);
 
-/* Lists of the sources within `reach` of the clusters of the n targets. The sources are at xs, ys
- * and have moved by up to `drift` since they were sorted by g. */
+/* Sources that a grid has sorted, and that have moved by up to `drift` (m) since then. */
+struct sph_points {
+  const struct sph_grid *grid;
+  const double *x, *y; /* m */
+  double drift;
+  uint32_t first; /* the number by which lists know the first of them */
+};
+
+/* All that one list holds: those of one kind, or the water and its images beyond a periodic tank's
+ * ends. */
+struct sph_sources {
+  size_t n;
+  struct sph_points of[2];
+};
+
+/* Lists of the sources within `reach` of the clusters of the n targets. */
 enum status sph_lists_build(struct sph_lists *l, size_t n, const double *x, const double *y,
-                            const struct sph_grid *g, const double *xs, const double *ys,
-                            double drift, double reach);
+                            const struct sph_sources *sources, double reach);
 void sph_lists_destroy(struct sph_lists *l);
 
 /* The sources of one cluster. */

@@ -22,6 +22,8 @@ struct sph_source {
 void sph_fraction_destroy(struct sph_fraction *g) {
   free(g->memory);
   sph_images_destroy(&g->images);
+  sph_images_destroy(&g->beyond);
+  geo_lines_destroy(&g->walls);
   free(g->source);
   free(g->band);
   free(g->listed);
@@ -53,7 +55,13 @@ static struct geo_box box_of(const struct sph_cloud *c, const struct geo_box *ca
     low = y0 < low ? y0 : low;
     high = y1 > high ? y1 : high;
   }
-  return (struct geo_box){{left, low}, {right, high}};
+  struct geo_box box = {{left, low}, {right, high}};
+  for (int axis = 0; axis < 2; axis++)
+    if (c->tank && c->tank->periodic[axis] && left <= right) {
+      box.min[axis] = c->tank->box.min[axis];
+      box.max[axis] = c->tank->box.max[axis];
+    }
+  return box;
 }
 
 /* Lays the grid around the particles; of its columns, the ones in the strip. */
@@ -107,14 +115,28 @@ static enum status add_images(struct sph_fraction *g, double x, double y, double
   return OK;
 }
 
-/* The particles that may matter to the strip, in order. */
+static enum status add_particle(struct sph_fraction *g, double x, double y, double volume) {
+  TRY(add_source(g, x, y, volume));
+  TRY(add_images(g, x, y, volume));
+  size_t n = sph_images_beyond(&g->beyond, x, y);
+  for (size_t k = 0; k < n; k++) {
+    const struct sph_image *at = &g->beyond.found[k];
+    TRY(add_source(g, at->x, at->y, volume));
+    TRY(add_images(g, at->x, at->y, volume));
+  }
+  return OK;
+}
+
+/* The particles that may matter to the strip, in order; all that have images round the tank. */
 static size_t choose(const struct sph_fraction *g, const struct sph_cloud *c, struct geo_box box,
                      uint32_t *chosen) {
   double left = g->origin[0] + ((double)g->first - MARGIN - 1) * g->spacing;
   double right = g->origin[0] + ((double)(g->first + g->nx) + MARGIN + 1) * g->spacing;
   size_t n = 0;
-  box.min[0] = fmax(box.min[0], left);
-  box.max[0] = fmin(box.max[0], right);
+  if (!g->beyond.n_shifts) {
+    box.min[0] = fmax(box.min[0], left);
+    box.max[0] = fmin(box.max[0], right);
+  }
   for (size_t i = 0; i < c->n; i++) {
     chosen[n] = (uint32_t)i;
     n += geo_box_contains(&box, c->x[i], c->y[i]);
@@ -122,18 +144,32 @@ static size_t choose(const struct sph_fraction *g, const struct sph_cloud *c, st
   return n;
 }
 
+/* Of what has images: the walls, and the periods of the tank. */
+static enum status set_images(struct sph_fraction *g, const struct sph_cloud *c,
+                              const struct geo_lines *walls) {
+  const double reach = (REACH + 1) * g->spacing;
+  if (c->tank && tank_is_periodic(c->tank)) {
+    TRY(tank_walls(c->tank, walls, 2 * reach, &g->walls));
+    TRY(sph_images_set_walls(&g->images, &g->walls));
+    TRY(sph_images_set_periods(&g->beyond, c->tank, reach));
+  } else {
+    TRY(sph_images_set_walls(&g->images, walls));
+    g->beyond.n_shifts = 0;
+  }
+  sph_images_set_reach(&g->images, reach, 0);
+  return OK;
+}
+
 static enum status add_sources(struct sph_fraction *g, const struct sph_cloud *c,
                                const struct geo_lines *walls, const struct geo_box *catch) {
-  TRY(sph_images_set_walls(&g->images, walls));
-  sph_images_set_reach(&g->images, (REACH + 1) * g->spacing, 0);
+  TRY(set_images(g, c, walls));
   TRY(array_grow(&g->listed, &g->list_room, c->n + 1, "particles near a free surface"));
   size_t n = choose(g, c, *catch, g->listed);
   g->sources = 0;
   for (size_t k = 0; k < n; k++) {
     size_t i = g->listed[k];
     double volume = c->volume ? c->volume[i] : c->dx * c->dx;
-    TRY(add_source(g, c->x[i], c->y[i], volume));
-    TRY(add_images(g, c->x[i], c->y[i], volume));
+    TRY(add_particle(g, c->x[i], c->y[i], volume));
   }
   CHECK(g->sources < UINT32_MAX, ERR_INPUT, "%zu particles and images are too many", g->sources);
   return OK;

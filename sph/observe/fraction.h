@@ -1,6 +1,7 @@
 /* The smoothed volume fraction of a particle cloud, on a grid:
  *     F(x) = sum_j V_j W(x - x_j),   W(r) = exp(-r^2/s^2) / (pi s^2),   s = dx.
- * Water that touches a wall is continued through it (images.h). */
+ * Water that touches a wall is continued through it, and beyond the ends of a periodic tank
+ * (images.h). */
 #pragma once
 #include <stdbool.h>
 #include <stdint.h>
@@ -14,6 +15,8 @@ struct sph_cloud {
   const double *x, *y;  /* m, [n] */
   const double *volume; /* m^2, [n]; NULL: dx^2 each */
   double dx;            /* mean spacing, m */
+  /* Beyond whose periodic ends, if it has any, the water goes on; or NULL. Particles are in it. */
+  const struct tank *tank;
 };
 
 enum {
@@ -31,8 +34,9 @@ struct sph_fraction {
   double *memory; /* of f: rows go on at both ends, where particles reach beyond the strip; owned */
   size_t room;
 
-  struct sph_images images;
-  struct sph_source *source; /* particles and images, [sources], owned */
+  struct sph_images images, beyond; /* behind walls; of periodic ends */
+  struct geo_lines walls;           /* scratch */
+  struct sph_source *source;        /* particles and images, [sources], owned */
   size_t sources, source_room;
   size_t *band; /* where the list of each band of rows begins, [bands + 1], owned */
   size_t band_room;
@@ -40,7 +44,8 @@ struct sph_fraction {
   size_t list_room;
 };
 
-/* F of the particles, continued through `walls` (none: nowhere) on the nodes from x = strip[0] to
+/* F of the particles, continued through `walls` (none: nowhere), those that are periodic ends left
+ * out, on the nodes from x = strip[0] to
  * strip[1] (m), where the cloud reaches so far, by all threads: each node has the same bits for any
  * number of them and any strip that it is in. Particles that are not finite, or farther out of the
  * box of the walls than its diagonal, are left out. ERR_MEMORY; ERR_INPUT when the particles are so

@@ -23,7 +23,7 @@ static struct meniscus meniscus_of(const struct sph *s, double x) {
   int side = tank_nearer(t, x);
   double layer = sph_walls[s->scheme.walls]->layer * s->dx, wall = tank_wall(t, side);
   double inwards = side == TANK_RIGHT ? -layer : layer, away = tank_inside(t, side, x);
-  return (struct meniscus){layer > 0 ? away / layer : INFINITY,
+  return (struct meniscus){layer > 0 && !t->periodic[0] ? away / layer : INFINITY,
                            {wall + inwards, wall + 2 * inwards}};
 }
 
@@ -53,7 +53,7 @@ struct looker {
 };
 
 struct sph_gauges {
-  const struct geo_lines *walls;
+  struct geo_lines outline; /* of the tank, owned */
   size_t n;
   struct looker *gauge; /* [n], owned */
   bool crowded;         /* their strips cost more than the whole surface */
@@ -65,7 +65,7 @@ static bool is_crowded(const struct case_file *c, const struct sph *s) {
     sph_gauge_strip(s, c->gauges[k].x, strip);
     width += strip[1] - strip[0];
   }
-  return width > s->tank.box.max[0] - s->tank.box.min[0];
+  return width > tank_size(&s->tank, 0);
 }
 
 enum status sph_gauges_create(const struct case_file *c, const struct sph *s,
@@ -74,7 +74,7 @@ enum status sph_gauges_create(const struct case_file *c, const struct sph *s,
   struct sph_gauges *g = NULL;
   ATTEMPT(array_create(&g, 1, "gauges"));
   ATTEMPT(array_create(&g->gauge, c->n_gauges, "gauges"));
-  g->walls = &c->walls;
+  ATTEMPT(tank_outline(&s->tank, &c->walls, &g->outline));
   g->n = c->n_gauges;
   g->crowded = is_crowded(c, s);
   for (size_t k = 0; k < g->n; k++) {
@@ -97,14 +97,15 @@ void sph_gauges_destroy(struct sph_gauges *g) {
     geo_lines_destroy(&g->gauge[k].surface);
   }
   free(g->gauge);
+  geo_lines_destroy(&g->outline);
   free(g);
 }
 
 static enum status look(struct looker *l, const struct sph *s, const struct sph_cloud *cloud,
-                        const struct geo_lines *walls) {
+                        const struct geo_lines *outline) {
   double strip[2];
   sph_gauge_strip(s, l->x, strip);
-  TRY(sph_surface_strip(l->extractor, cloud, walls, strip, &l->surface));
+  TRY(sph_surface_strip(l->extractor, cloud, outline, strip, &l->surface));
   l->elevation = sph_gauge(s, &l->surface, l->x);
   return OK;
 }
@@ -112,7 +113,7 @@ static enum status look(struct looker *l, const struct sph *s, const struct sph_
 static enum status look_at_all(struct sph_gauges *g, const struct sph *s,
                                const struct sph_cloud *cloud) {
   struct looker *first = g->gauge;
-  TRY(sph_surface_extract(first->extractor, cloud, g->walls, &first->surface));
+  TRY(sph_surface_extract(first->extractor, cloud, &g->outline, &first->surface));
   for (size_t k = 0; k < g->n; k++)
     g->gauge[k].elevation = sph_gauge(s, &first->surface, g->gauge[k].x);
   return OK;
@@ -123,9 +124,9 @@ enum status sph_gauges_measure(struct sph_gauges *g, const struct sph *s,
   if (g->crowded) return look_at_all(g, s, cloud);
   int failed = 0;
 #pragma omp parallel for schedule(dynamic, 1) reduction(| : failed)
-  for (size_t k = 0; k < g->n; k++) failed |= look(&g->gauge[k], s, cloud, g->walls) != OK;
+  for (size_t k = 0; k < g->n; k++) failed |= look(&g->gauge[k], s, cloud, &g->outline) != OK;
   for (size_t k = 0; k < g->n && failed; k++) /* once more, for the message on this thread */
-    TRY(look(&g->gauge[k], s, cloud, g->walls));
+    TRY(look(&g->gauge[k], s, cloud, &g->outline));
   return OK;
 }
 

@@ -16,6 +16,7 @@ struct sph_output {
   const struct case_file *c;
   struct result *result;
   struct sph_surface *extractor;
+  struct geo_lines outline; /* of the tank */
   struct geo_lines surface;
   struct sph_gauges *gauges;
   double started;                    /* wall clock, s */
@@ -55,12 +56,14 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   o->result = result;
   o->started = progress_wall_clock();
   o->room = s->f.n;
-  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) o->dry[side] = gap(s, side) > 1.5 * s->dx;
+  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++)
+    o->dry[side] = !s->tank.periodic[0] && gap(s, side) > 1.5 * s->dx;
   struct result_energy e = sph_energy(s);
   o->budget = o->budget0 = result_energy_budget(&e);
   double rest = sph_rest_potential(s);
   o->available = e.kinetic + e.potential - rest;
   ATTEMPT(result_rest(result, rest));
+  ATTEMPT(tank_outline(&s->tank, &c->walls, &o->outline));
   ATTEMPT(sph_surface_create(&o->extractor));
   ATTEMPT(sph_gauges_create(c, s, &o->gauges));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->x));
@@ -84,6 +87,7 @@ done:
 void sph_output_destroy(struct sph_output *o) {
   if (!o) return;
   sph_surface_destroy(o->extractor);
+  geo_lines_destroy(&o->outline);
   geo_lines_destroy(&o->surface);
   sph_gauges_destroy(o->gauges);
   free(o->x);
@@ -110,8 +114,8 @@ static size_t sort_by_id(struct sph_output *o, const struct sph *s) {
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < n; k++) {
     size_t i = o->place[k];
-    o->x[k] = f->w.x[i];
-    o->y[k] = f->w.y[i];
+    o->x[k] = tank_wrap(&s->tank, 0, f->w.x[i]);
+    o->y[k] = tank_wrap(&s->tank, 1, f->w.y[i]);
     o->u[k] = f->w.u[i];
     o->v[k] = f->w.v[i];
     o->rho[k] = f->w.rho[i];
@@ -128,10 +132,10 @@ static struct sph_cloud cloud_of(struct sph_output *o, const struct sph *s) {
     for (size_t k = 0; k < o->room; k++) o->x[k] = o->y[k] = INFINITY;
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < s->f.n; i++) {
-    o->x[s->f.id[i]] = s->f.w.x[i];
-    o->y[s->f.id[i]] = s->f.w.y[i];
+    o->x[s->f.id[i]] = tank_wrap(&s->tank, 0, s->f.w.x[i]);
+    o->y[s->f.id[i]] = tank_wrap(&s->tank, 1, s->f.w.y[i]);
   }
-  return (struct sph_cloud){o->room, o->x, o->y, NULL, s->dx};
+  return (struct sph_cloud){o->room, o->x, o->y, NULL, s->dx, &s->tank};
 }
 
 static enum status write_state(struct sph_output *o, const struct sph *s) {
@@ -144,7 +148,7 @@ static enum status write_state(struct sph_output *o, const struct sph *s) {
   TRY(result_points(o->result, s->t, n, o->x, o->y, RESULT_VERTICES, sizeof fields / sizeof *fields,
                     fields));
   const struct sph_cloud cloud = cloud_of(o, s);
-  TRY(sph_surface_extract(o->extractor, &cloud, &o->c->walls, &o->surface));
+  TRY(sph_surface_extract(o->extractor, &cloud, &o->outline, &o->surface));
   TRY(result_surface(o->result, s->t, &o->surface));
   return result_flush(o->result);
 }

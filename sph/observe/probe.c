@@ -34,8 +34,8 @@ static enum status pressure_at(const struct sph *s, const struct sph_targets *at
   struct sph_lists lists = {0};
   struct sph_mls fit;
   enum status status = OK;
-  ATTEMPT(sph_lists_build(&lists, SPH_LANES, at->x, at->y, &s->grid, s->f.w.x, s->f.w.y,
-                          sph_drift_since_sorted(s), s->support));
+  const struct sph_sources water = sph_sources_of_water(s);
+  ATTEMPT(sph_lists_build(&lists, SPH_LANES, at->x, at->y, &water, s->support));
   const struct sph_near near = sph_near_of(&lists, 0, s->pack);
   sph_mls_at(s, &sph_loops_double[s->scheme.kernel], farthest2 * s->scale.wall, at, &near, &fit);
   memcpy(p, fit.p, sizeof fit.p);

@@ -9,7 +9,8 @@ struct sph_surface; /* the grid and other scratch memory; it grows when needed a
 enum status sph_surface_create(struct sph_surface **s);
 void sph_surface_destroy(struct sph_surface *s); /* NULL is fine */
 
-/* Finds the free surface of a cloud inside `walls` (water on their left; none: no walls).
+/* Finds the free surface of a cloud inside `walls` (water on their left; none: no walls), of which
+ * some may be the ends of a periodic tank (fraction.h), where curves are cut likewise.
  *
  * *out gets (geometry.h) pieces with the water on their right: open ones, which start and end
  * exactly on walls (or on the straight continuation of a wall beyond its end), the longest first

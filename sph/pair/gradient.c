@@ -27,4 +27,5 @@ static void cluster_gradient(struct sph *s, size_t cluster) {
 void sph_gradient(struct sph *s) {
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_gradient(s, c);
+  sph_period_fill_gradients(s);
 }

@@ -35,6 +35,7 @@ void sph_pack_water(struct sph *s) {
     s->pack[i].V = s->f.m[i] / w->rho[i];
     s->pack[i].rho = w->rho[i];
   }
+  sph_period_fill(s);
   pad_pressure(&s->f);
 }
 
@@ -44,6 +45,7 @@ void sph_pack_pressure(struct sph *s) {
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < s->f.n; i++)
     s->f.p[i] = s->pack[i].p = eos_pressure(eos, s->rho0, s->c0, s->f.w.rho[i]);
+  sph_period_fill(s);
   pad_pressure(&s->f);
 }
 

@@ -60,6 +60,7 @@ static void mass_apply(struct sph *s) {
     s->pack[i].V = s->dx * s->dx;
     s->pack[i].p = rho[s->f.id[i]];
   }
+  sph_period_fill(s);
   fit_densities(s, SPH_TREAT_WATER);
 }
 

@@ -46,4 +46,5 @@ void sph_treat_carry_density(struct sph *s) {
     for (size_t k = 0; k < s->w.n; k++)
       s->w.pack[k].p = eos_density(eos, s->rho0, s->c0, s->w.pack[k].p);
   }
+  sph_period_fill(s);
 }

@@ -84,8 +84,8 @@ static void extract(const struct cloud *c, const double *volume, double spacing,
                     const struct geo_lines *walls, struct geo_lines *out) {
   struct sph_surface *s = NULL;
   EXPECT_OK(sph_surface_create(&s));
-  EXPECT_OK(
-      sph_surface_extract(s, &(struct sph_cloud){c->n, c->x, c->y, volume, spacing}, walls, out));
+  EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){c->n, c->x, c->y, volume, spacing, NULL},
+                                walls, out));
   sph_surface_destroy(s);
 }
 
@@ -394,11 +394,12 @@ static void test_escaped_particles_change_nothing(void) {
   tank(&walls, 60 * dx, 50 * dx);
   cloud_block(&c, 0, 0, 30 * dx, 20 * dx, dx);
   EXPECT_OK(sph_surface_create(&s));
-  EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx}, &walls, &l));
+  EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx, NULL}, &walls, &l));
   cloud_add(&c, NAN, dx);
   cloud_add(&c, dx, INFINITY);
   cloud_add(&c, -1e30, 1e30);
-  EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx}, &walls, &again));
+  EXPECT_OK(
+      sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx, NULL}, &walls, &again));
   EXPECT(l.points == again.points && l.pieces == again.pieces);
   EXPECT(memcmp(l.p, again.p, l.points * sizeof *l.p) == 0);
   EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){.dx = dx}, &walls, &again));
@@ -407,8 +408,8 @@ static void test_escaped_particles_change_nothing(void) {
   cloud_add(&c, 0, 0);
   cloud_add(&c, 1e9 * dx, 1e9 * dx);
   struct geo_lines none = {0};
-  EXPECT(sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx}, &none, &again) ==
-         ERR_INPUT);
+  EXPECT(sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx, NULL}, &none,
+                             &again) == ERR_INPUT);
   sph_surface_destroy(s);
   cloud_destroy(&c);
   geo_lines_destroy(&walls);
@@ -448,7 +449,7 @@ static void test_strip_is_the_same_as_the_whole_to_the_last_bit(void) {
   const double width = 120 * dx;
   tank(&walls, width, 90 * dx);
   cloud_breaker(&c, width, 40 * dx);
-  const struct sph_cloud cloud = {c.n, c.x, c.y, NULL, dx};
+  const struct sph_cloud cloud = {c.n, c.x, c.y, NULL, dx, NULL};
   EXPECT_OK(sph_surface_create(&s));
   EXPECT_OK(sph_surface_extract(s, &cloud, &walls, &whole));
   EXPECT(whole.pieces > 10);

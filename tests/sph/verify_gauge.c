@@ -17,7 +17,7 @@ struct count {
 /* At gauges all along the tank, and on its walls. */
 static void compare(const struct case_file *c, const struct sph *s, struct sph_surface *extractor,
                     struct geo_lines *whole, struct geo_lines *part, struct count *n) {
-  const struct sph_cloud cloud = {s->f.n, s->f.w.x, s->f.w.y, NULL, s->dx};
+  const struct sph_cloud cloud = {s->f.n, s->f.w.x, s->f.w.y, NULL, s->dx, &s->tank};
   EXPECT_OK(sph_surface_extract(extractor, &cloud, &c->walls, whole));
   for (int k = 0; k <= GAUGES; k++) {
     const double *a = s->tank.box.min, *b = s->tank.box.max;
