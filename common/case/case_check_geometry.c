@@ -178,6 +178,11 @@ static void check_tank_of_wave(struct case_draft *d) {
                       "change tank.walls or give water.regions");
     return;
   }
+  if (c->flow->round && !c->periodic[0]) {
+    snprintf(found, sizeof found, "'%s' between walls", flow_name(c->flow));
+    case_flow_problem(d, "kind", found, "a wave that walls keep, standing",
+                      "write tank.sides: periodic");
+  }
   if (crest > height * (1 + CASE_SAME)) {
     snprintf(found, sizeof found, "crests %.6g m above the bed", crest);
     snprintf(allowed, sizeof allowed, "up to the walls' top, %.6g m", height);

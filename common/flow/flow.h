@@ -28,7 +28,15 @@ struct flow_point {
 
 struct flow_use {
   int order;      /* of the theory, as a run of `exact` asks; 0: nothing but t = 0 is wanted */
-  double spacing; /* of the particles, m; 0: `head` is not wanted */
+  double spacing; /* of the particles, m; 0: neither `head` nor `start` is wanted */
+  double sound; /* speed of it where the water is compressible, m/s; 0: nothing of that is wanted */
+};
+
+/* How a particle of compressible water starts, in place of `flow_velocity` and `flow_head`. */
+struct flow_start {
+  double x, y, u, v; /* m, m/s */
+  double head;       /* p/(rho g), m */
+  double rest;       /* the same where it rests: its mass is the density there times its cell */
 };
 
 /* The water of a checked case, to be evaluated. */
@@ -61,11 +69,17 @@ struct flow {
    * is the potential's gradient. Of the flow as incompressible water has it from t = 0 on; regions
    * have no potential. */
   bool at_rest; /* at t = 0, when neither is asked */
+  bool round;   /* they go round a tank with periodic sides; there are none between walls */
+  bool sounds;  /* only in compressible water: all of them want use.sound */
   double (*potential)(const struct flow_water *w, double x, double y, double t);
   void (*velocity)(const struct flow_water *w, double x, double y, double t, double velocity[2]);
 
   /* What compressible water starts with: p/(rho g), m. NULL: the depth below the elevation. */
   enum status (*head)(const struct flow_water *w, const struct flow_point *p, double *head);
+
+  /* Of a small wave that moves particles of a lattice from where they rest, (X, Y), with the mass
+   * that they have there; or NULL. */
+  void (*start)(const struct flow_water *w, double X, double Y, struct flow_start *start);
 
   /* How it goes on, for the solver `exact`, and then the functions above hold at any t; or NULL.
    * Pressure is over density, and zero above the water. Energies are of the water in the tank, over
@@ -84,7 +98,10 @@ struct flow {
   X(released,                                                                                      \
     "that just after the gate before the water has gone: zero on every face without a wall")
 #define FLOWS_OF_WAVES(X)                                                                          \
-  X(standing, "at rest at its highest: a crest at the left wall, half waves from wall to wall")
+  X(standing, "at rest at its highest: a crest at the left wall, half waves from wall to wall")    \
+  X(airy, "a small wave that runs to the right, round a tank with periodic sides")                 \
+  X(acoustic, "sound between surface and bed that runs to the right, round the same")              \
+  X(pressed, "water at rest under a pressure that varies along the surface, round the same")
 
 #define X(name, help) extern const struct flow flow_##name;
 FLOWS_OF_REGIONS(X)

@@ -75,6 +75,33 @@ done:
 
 /* ---- waves ---- */
 
+static double density_of(const struct sph *s, double head) {
+  return eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, s->rho0 * s->g * head);
+}
+
+/* A lattice at rest from the bed to half a spacing below the surface, which the wave moves. */
+static enum status fill_lattice(struct filling *w) {
+  struct sph *s = w->s;
+  const double *corner = s->tank.box.min, depth = w->c->flow->scale(w->c).depth;
+  const double width = tank_size(&s->tank, 0);
+  const size_t nx = geo_intervals(width, s->dx), ny = geo_intervals(depth, s->dx);
+  const double dx = width / (double)nx, dy = depth / (double)ny;
+  TRY(sph_particles_create(&s->f, nx * ny));
+  for (size_t i = 0; i < nx * ny; i++) {
+    struct flow_start p;
+    const double X = corner[0] + ((double)(i / ny) + 0.5) * dx;
+    const double Y = corner[1] + ((double)(i % ny) + 0.5) * dy;
+    w->c->flow->start(&w->water, X, Y, &p);
+    s->f.w.x[i] = p.x;
+    s->f.w.y[i] = p.y;
+    s->f.w.u[i] = p.u;
+    s->f.w.v[i] = p.v;
+    s->f.w.rho[i] = density_of(s, p.head);
+    s->f.m[i] = density_of(s, p.rest) * dx * dy;
+  }
+  return OK;
+}
+
 /* Column by column, each as many particles high, stretched from the bed to the elevation. */
 static enum status fill_columns(struct filling *w) {
   struct sph *s = w->s;
@@ -99,8 +126,10 @@ static enum status fill_columns(struct filling *w) {
 enum status sph_initial_fill(struct sph *s, const struct case_file *c) {
   struct filling w = {.s = s, .c = c};
   enum status status = OK;
-  ATTEMPT(flow_open(c, (struct flow_use){.spacing = s->dx}, &w.water));
-  ATTEMPT(flow_is_wave(c->flow) ? fill_columns(&w) : fill_regions(&w));
+  ATTEMPT(flow_open(c, (struct flow_use){.spacing = s->dx, .sound = s->c0}, &w.water));
+  ATTEMPT(c->flow->start          ? fill_lattice(&w)
+          : flow_is_wave(c->flow) ? fill_columns(&w)
+                                  : fill_regions(&w));
 done:
   flow_close(&w.water);
   TRY(status);

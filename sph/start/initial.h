@@ -11,6 +11,10 @@
  * column by column, each stretched to the elevation, so that the surface is followed to a fraction
  * of dx.
  *
+ * A small wave of linear theory moves the particles of a lattice instead, each with the velocity
+ * and the pressure of its own; their masses are those at rest, so that in still water the sums over
+ * neighbours start from equilibrium, to the order of the wave.
+ *
  * The density follows from the pressure; the mass is the density times the cell, so that m/rho is
  * the cell exactly and the sums over neighbours start from an even lattice (equal masses would put
  * the compression of still water, g H / c0^2, into the volumes and set the water ringing). */

@@ -86,13 +86,13 @@ static void shift_cluster(struct sph *s, size_t cluster, double factor) {
   double nx[SPH_LANES], ny[SPH_LANES];
   normals_of(s, cluster, nx, ny);
 
-  const struct geo_box *t = &s->tank.box;
+  const struct geo_box t = tank_walled(&s->tank);
   for (size_t l = 0, at = cluster * SPH_LANES; l < SPH_LANES; l++, at++) {
     double x = -factor * (a.x[l] + b.x[l]), y = -factor * (a.y[l] + b.y[l]);
     if (s->f.p[at] < spray) continue;
     if (s->f.p[at] <= inside) keep_along(nx[l], ny[l], &x, &y);
     const double X = i.x[l] + x, Y = i.y[l] + y;
-    if (X < t->min[0] || X > t->max[0] || Y < t->min[1]) continue; /* never through a wall */
+    if (X < t.min[0] || X > t.max[0] || Y < t.min[1]) continue; /* never through a wall */
     s->f.w.x[at] = X;
     s->f.w.y[at] = Y;
   }
@@ -115,6 +115,7 @@ static void shift(struct sph *s) {
   find_eigenvalues(s);
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < s->f.n; i++) s->pack[i].p = s->f.p[i];
+  sph_period_fill(s);
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) shift_cluster(s, c, factor);
 }

@@ -15,9 +15,9 @@ static struct case_file *case_of(const struct flow *f, const char *solver) {
   struct case_file *c = NULL;
   char text[2000];
   snprintf(text, sizeof text,
-           "scales: {H: 1}\ntank: {walls: [[[0, 2], [0, 0], [4, 0], [4, 2]]]}\nwater: {%s}\n"
-           "time: {end: 0.1, every: 0.1}\nruns: [{solver: %s, resolution: 20}]\n",
-           f->example, solver);
+           "scales: {H: 1}\ntank: {walls: [[[0, 2], [0, 0], [4, 0], [4, 2]]], sides: %s}\n"
+           "water: {%s}\ntime: {end: 0.1, every: 0.1}\nruns: [{solver: %s, resolution: 20}]\n",
+           f->round ? "periodic" : "walls", f->example, solver);
   if (case_parse("flow", text, &registry, &problems, &c) != OK)
     for (size_t i = 0; i < problems.n; i++)
       EXPECT(strstr(problems.text[i], "take another solver")); /* nothing else is wrong with it */
@@ -58,7 +58,8 @@ static double moment_of(const struct geo_lines *l) {
 
 /* Columns of the particles' width integrate a wave's elevation by the midpoint rule, which misses
  * width dx^2/24 times the curvature, at most twice a cosine's; regions are divided exactly. Water
- * that SPH compresses by its weight has up to g top/c0^2, c0 = 20 sqrt(gH), more mass. */
+ * that SPH compresses by its weight has up to g top/c0^2, c0 = 20 sqrt(gH), more mass. Small waves
+ * that move a lattice change densities by less than 1e-3, to second order on the whole. */
 static void expect_same_start(const struct case_file *c, const struct result_file *f) {
   double area = case_water_area(c), dx = c->H / c->runs[0].resolution, missed = 0;
   double potential = c->density * c->gravity * moment_of(&c->water);
@@ -67,6 +68,7 @@ static void expect_same_start(const struct case_file *c, const struct result_fil
     double curvature = 2 * s.amplitude * pow(2 * M_PI / s.length, 2);
     missed = (c->tank.max[0] - c->tank.min[0]) * dx * dx / 24 * curvature;
   }
+  if (c->flow->start) missed = 1e-6 * area;
   EXPECT(f->n_steps > 1 && f->n_energy > 1 && f->steps[0].time == 0 && f->energy[0].time == 0);
   printf("     %-12s %-6s volume, potential energy off by %.1e, %.1e of it\n", flow_name(c->flow),
          f->solver, f->steps[0].volume / area - 1, f->energy[0].potential / potential - 1);
@@ -91,7 +93,8 @@ static int run_flow(const struct flow *f) {
 
 static void test_every_flow_runs_in_the_solvers_that_take_it(void) {
   for (size_t i = 0; i < flow_regions.n; i++) EXPECT(run_flow(flow_regions.flow[i]) >= 1);
-  for (size_t i = 0; i < flow_waves.n; i++) EXPECT(run_flow(flow_waves.flow[i]) >= 2);
+  for (size_t i = 0; i < flow_waves.n; i++)
+    EXPECT(run_flow(flow_waves.flow[i]) >= (flow_waves.flow[i]->sounds ? 1 : 2));
 }
 
 int main(void) {

@@ -13,9 +13,9 @@ static struct case_file *example(const struct flow *f) {
   struct case_file *c = NULL;
   char text[2000];
   snprintf(text, sizeof text,
-           "tank: {walls: [[[0, 2], [0, 0], [4, 0], [4, 2]]]}\nwater: {%s}\ntime: {end: 1}\n"
-           "runs: [{solver: sph, resolution: 20}]\n",
-           f->example);
+           "tank: {walls: [[[0, 2], [0, 0], [4, 0], [4, 2]]], sides: %s}\nwater: {%s}\n"
+           "time: {end: 1}\nruns: [{solver: sph, resolution: 20}]\n",
+           f->round ? "periodic" : "walls", f->example);
   if (case_parse("example", text, &fake_registry, &problems, &c) != OK)
     TEST_FAIL("%s: %s", flow_name(f), problems.n ? problems.text[0] : status_message());
   problems_destroy(&problems);
@@ -44,7 +44,7 @@ static void test_example_of_a_flow_is_that_flow(void) {
 
 static struct flow_water opened(const struct case_file *c, int order) {
   struct flow_water w;
-  EXPECT_OK(flow_open(c, (struct flow_use){.order = order, .spacing = 0.05}, &w));
+  EXPECT_OK(flow_open(c, (struct flow_use){.order = order, .spacing = 0.05, .sound = 10}, &w));
   return w;
 }
 
@@ -113,6 +113,10 @@ static void expect_heads(const struct flow_water *w, double x, const double span
 static void expect_pressure(const struct case_file *c) {
   struct flow_water w = opened(c, 0);
   struct geo_cut cut = {0};
+  if (c->flow->sounds) { /* sucks and pushes */
+    flow_close(&w);
+    return;
+  }
   for (double x = 0.013; x < 4; x += 0.0917) {
     EXPECT_OK(geo_lines_cut(&c->water, 0, x, case_near(c), &cut));
     for (size_t k = 0; k < cut.n; k++) expect_heads(&w, x, cut.span[k]);
@@ -124,6 +128,38 @@ static void expect_pressure(const struct case_file *c) {
 static void test_pressure_ends_at_the_surface(void) {
   for_each(&flow_regions, expect_pressure);
   for_each(&flow_waves, expect_pressure);
+}
+
+/* A particle that the wave moves has the velocity that the wave has where it rests; its density,
+ * that at rest less what its neighbours move apart, to second order in ways over lengths. */
+static void expect_particles(const struct case_file *c) {
+  if (!c->flow->start) return;
+  struct flow_water w = opened(c, 0);
+  const double c0 = w.use.sound, e = 1e-4, g = c->gravity;
+  const double bed = c->tank.min[1], depth = c->flow->scale(c).depth;
+  for (double X = 0.1; X < 4; X += 0.391)
+    for (double Y = bed + 0.03; Y < bed + depth - 0.03; Y += 0.117) {
+      struct flow_start p, east, west, up, down;
+      double u[2];
+      c->flow->start(&w, X, Y, &p);
+      c->flow->start(&w, X + e, Y, &east);
+      c->flow->start(&w, X - e, Y, &west);
+      c->flow->start(&w, X, Y + e, &up);
+      c->flow->start(&w, X, Y - e, &down);
+      flow_velocity(&w, X, Y, 0, u);
+      EXPECT_NEAR(p.u, u[0], 1e-13);
+      EXPECT_NEAR(p.v, u[1], 1e-13);
+      EXPECT_NEAR(1 + g * p.rest / (c0 * c0), exp(g * (bed + depth - Y) / (c0 * c0)), 1e-13);
+      const double apart = (east.x - west.x + up.y - down.y) / (2 * e) - 2;
+      const double lighter = (p.rest - p.head) * g / (c0 * c0) / (1 + g * p.rest / (c0 * c0));
+      const double way = hypot(p.x - X, p.y - Y);
+      if (way > 0) EXPECT_NEAR(lighter, apart, 20 * (way * way + way * g / (c0 * c0)) + 1e-9);
+    }
+  flow_close(&w);
+}
+
+static void test_particles_start_where_the_wave_has_moved_them(void) {
+  for_each(&flow_waves, expect_particles);
 }
 
 /* What solvers start from is what theory of any order has at t = 0: rounding. */
@@ -168,6 +204,7 @@ int main(void) {
   RUN(test_scales_of_a_wave_are_those_of_its_elevation);
   RUN(test_velocity_of_a_wave_is_the_gradient_of_its_potential);
   RUN(test_pressure_ends_at_the_surface);
+  RUN(test_particles_start_where_the_wave_has_moved_them);
   RUN(test_theory_starts_from_the_flow_and_knows_its_error);
   return TEST_RESULT;
 }
