@@ -107,9 +107,13 @@ const struct param sph_params[SPH_N_PARAMS] = {
   {#key, PARAM_INT, QTY_NUMBER, AT(key), least, most, first, NULL, help, NULL},
             SPH_TREATMENT_NUMBERS(ROW)
 #undef ROW
+#define ROW(key, least, most, first, help)                                                         \
+  {#key, PARAM_REAL, QTY_NUMBER, AT(key), least, most, first, NULL, help, NULL},
+                SPH_TREATMENT_REALS(ROW)
+#undef ROW
 #define ROW(key, LIST, first, help)                                                                \
   {#key, PARAM_CHOICE, QTY_NUMBER, AT(key), 0, 0, first, key##_names, help, key##_helps},
-                SPH_TREATMENT_CHOICES(ROW)
+                    SPH_TREATMENT_CHOICES(ROW)
 #undef ROW
 };
 

@@ -14,6 +14,9 @@ struct sph_scheme {
   SPH_TREATMENT_CHOICES(X)
 #undef X
   double strength[SPH_CORRECTION_COUNT];
+#define X(key, ...) double key;
+  SPH_TREATMENT_REALS(X)
+#undef X
   double h_over_dx;
   double delta; /* negative: the usual one of the diffusion */
   double alpha;

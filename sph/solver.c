@@ -154,6 +154,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  ceil(r->resolution * 2 * support / fmin(width, height)));
   if (c->water.pieces > 0) check_thickness(c, r, problems);
   check_step(c, r, problems);
+  sph_treat_check(c, r, problems);
 }
 
 const struct solver sph_solver = {

@@ -38,9 +38,10 @@ static void fit_densities(struct sph *s, unsigned sources) {
   }
 }
 
-static void volume_apply(struct sph *s) {
+static enum status volume_apply(struct sph *s) {
   sph_treat_carry_density(s);
   fit_densities(s, SPH_TREAT_WATER | SPH_TREAT_WALLS);
+  return OK;
 }
 
 /* The densities at the start, kg m^-3, by the particles' numbers. */
@@ -53,7 +54,7 @@ static enum status mass_create(struct sph *s, void **own) {
 }
 
 /* Wall particles have no first density, and a plane needs none of them. */
-static void mass_apply(struct sph *s) {
+static enum status mass_apply(struct sph *s) {
   const double *rho = s->treated[SPH_TREATMENT_mls_mass];
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < s->f.n; i++) {
@@ -62,8 +63,9 @@ static void mass_apply(struct sph *s) {
   }
   sph_period_fill(s);
   fit_densities(s, SPH_TREAT_WATER);
+  return OK;
 }
 
-const struct sph_treatment sph_treatment_mls_volume = {.apply = volume_apply};
+const struct sph_treatment sph_treatment_mls_volume = {.apply = volume_apply, .redensify = true};
 const struct sph_treatment sph_treatment_mls_mass = {
-    .create = mass_create, .destroy = free, .apply = mass_apply};
+    .create = mass_create, .destroy = free, .apply = mass_apply, .redensify = true};

@@ -10,10 +10,11 @@ static void cluster_mean(struct sph *s, size_t cluster) {
   for (int l = 0; l < SPH_LANES; l++) s->f.w.rho[cluster * SPH_LANES + (size_t)l] = a.p[l] / a.w[l];
 }
 
-static void shepard(struct sph *s) {
+static enum status shepard(struct sph *s) {
   sph_treat_carry_density(s);
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_mean(s, c);
+  return OK;
 }
 
-const struct sph_treatment sph_treatment_shepard = {.apply = shepard};
+const struct sph_treatment sph_treatment_shepard = {.apply = shepard, .redensify = true};

@@ -109,7 +109,7 @@ static double largest_speed(const struct sph *s) {
 }
 
 /* In the sums grad_i W V is slope (r_j - r_i) V/h, and V_ij twice m_j/(rho_i + rho_j). */
-static void shift(struct sph *s) {
+static enum status shift(struct sph *s) {
   const double F = kernel_slope_scale((enum sph_kernel)s->scheme.kernel);
   const double factor = largest_speed(s) * s->dt / s->h * 4 * s->h * F / 2;
   find_eigenvalues(s);
@@ -118,6 +118,7 @@ static void shift(struct sph *s) {
   sph_period_fill(s);
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) shift_cluster(s, c, factor);
+  return OK;
 }
 
 const struct sph_treatment sph_treatment_shifting = {.apply = shift};

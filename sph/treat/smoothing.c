@@ -58,11 +58,12 @@ static void cluster_smooth(struct sph *s, size_t cluster, double gradient) {
   }
 }
 
-static void smooth(struct sph *s) {
+static enum status smooth(struct sph *s) {
   const double gradient = gradient_added(s);
   sph_treat_carry_density(s);
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_smooth(s, c, gradient);
+  return OK;
 }
 
 const struct sph_treatment sph_treatment_smoothing = {

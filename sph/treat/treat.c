@@ -1,5 +1,6 @@
 #include "sph/treat/treat.h"
 
+#include "common/case/case.h"
 #include "sph/domain/wall.h"
 #include "sph/fluid/energy.h"
 #include "sph/pair/rates.h"
@@ -16,6 +17,32 @@ static const size_t terms[] = {
     SPH_TREATMENTS(X)
 #undef X
 };
+
+static const char *const names[] = {
+#define X(name, ...) #name,
+    SPH_TREATMENTS(X)
+#undef X
+};
+
+void sph_treat_check(const struct case_file *c, const struct case_run *r,
+                     struct problems *problems) {
+  const struct sph_scheme *o = r->options;
+  const char *other = NULL; /* that makes densities anew */
+  for (int k = 0; k < SPH_TREATMENT_COUNT; k++) {
+    if (o->every[k] == 0) continue;
+    if (treatments[k]->periodic && !c->periodic[0])
+      problems_add(problems, case_run_line(r, names[k]),
+                   "runs.%s.%s: found in a tank whose sides are walls; allowed: with tank.sides: "
+                   "periodic, where waves are harmonics of its length; leave the line out",
+                   r->name, names[k]);
+    if (treatments[k]->redensify && other)
+      problems_add(problems, case_run_line(r, names[k]),
+                   "runs.%s.%s: found beside %s; allowed: one of the treatments that make "
+                   "densities anew, since the last would undo the other; leave one out",
+                   r->name, names[k], other);
+    if (treatments[k]->redensify) other = names[k];
+  }
+}
 
 enum status sph_treat_create(struct sph *s) {
   for (int k = 0; k < SPH_TREATMENT_COUNT; k++)
@@ -40,7 +67,7 @@ static enum status apply(struct sph *s, int treatment) {
   sph_pack_water(s);
   s->wall->fill(s);
   const double before = sph_energy(s).total;
-  treatments[treatment]->apply(s);
+  TRY(treatments[treatment]->apply(s));
   sph_particles_pad(&s->f);
   *(double *)((char *)&s->budget + terms[treatment]) += before - sph_energy(s).total;
   return OK;

@@ -13,7 +13,9 @@ struct sph_treatment {
   /* Changes the evolving fields; positions by less than the lists allow. The water is packed
    * (sph_pack_water) and wall particles are filled, and what is in the packs, and s->f.p, may be
    * overwritten: they are filled anew before they are read again. */
-  void (*apply)(struct sph *s);
+  enum status (*apply)(struct sph *s);
+  bool periodic;  /* in a tank with periodic sides only */
+  bool redensify; /* it makes densities anew from masses: one of those is enough */
 };
 
 /* A correction of the rates of a cluster, into s->f.k[stage], from the packed water and walls; what
@@ -28,6 +30,13 @@ SPH_TREATMENTS(X)
 #define X(name, ...) extern const struct sph_correction sph_correction_##name;
 SPH_CORRECTIONS(X)
 #undef X
+
+struct case_file;
+struct case_run;
+struct problems;
+/* Adds to `problems` the treatments of a run that make no sense in the case. */
+void sph_treat_check(const struct case_file *c, const struct case_run *r,
+                     struct problems *problems);
 
 enum status sph_treat_create(struct sph *s);
 void sph_treat_destroy(struct sph *s);

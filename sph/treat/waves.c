@@ -1,0 +1,31 @@
+#include "sph/treat/waves.h"
+
+#include <math.h>
+
+#include "sph/fluid/energy.h"
+#include "sph/pair/eos.h"
+
+double sph_treat_level(const struct sph *s) {
+  return s->tank.box.min[1] + sph_volume(s) / tank_size(&s->tank, 0);
+}
+
+static double hydrostatic(const struct sph *s, size_t i, double level) {
+  return s->rho0 * s->g * (level - s->f.w.y[i]);
+}
+
+double sph_treat_dynamic(const struct sph *s, size_t i, double level) {
+  return eos_pressure((enum sph_eos)s->scheme.eos, s->rho0, s->c0, s->f.w.rho[i]) -
+         hydrostatic(s, i, level);
+}
+
+void sph_treat_set_dynamic(struct sph *s, size_t i, double level, double p) {
+  s->f.w.rho[i] =
+      eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, hydrostatic(s, i, level) + p);
+}
+
+bool sph_treat_has_grown(const struct sph *s) {
+  const double L = tank_size(&s->tank, 0);
+  double sum = 0;
+  for (size_t i = 0; i < s->f.n; i++) sum += s->f.m[i] / s->f.w.rho[i] * s->f.w.v[i];
+  return fabs(sum) >= s->scheme.growth_limit * L * L * sqrt(s->g * L);
+}
