@@ -5,15 +5,9 @@
 #include "sph/hot.h"
 #include "sph/pair/loops.h"
 
-/* What the largest decay rate of a wave is at most, over the largest of the sums that a particle
- * weighs its neighbours with. The weights of Molteni's term, times the volumes, are a matrix that
- * is positive definite wherever the particles are if the kernel is (kernel.h): the sum itself then,
- * and what the cut at the edge of the support leaves. For others Gershgorin's circles say twice the
- * sum; Ferrari's has 1.11 of it on a lattice. */
-static double decay_over_sum(const struct sph_scheme *o) {
-  const bool molteni = o->diffusion == SPH_DIFFUSION_molteni;
-  return molteni && kernel_is_definite((enum sph_kernel)o->kernel) ? 1.01 : 2;
-}
+/* What the cut at the edge of a support may add to the bound (diffusion_weight): the Gaussian's
+ * leaves a transform of -1e-5 of its largest value. */
+static const double margin = 1.01;
 
 static double cluster_diffusion(struct sph *s, size_t cluster, double *D) {
   const size_t at = cluster * SPH_LANES;
@@ -37,5 +31,5 @@ double sph_diffuse(struct sph *s, double *D) {
 #pragma omp parallel for schedule(static) reduction(max : most)
   for (size_t c = 0; c < s->water_water.n_clusters; c++)
     most = larger(cluster_diffusion(s, c, D), most);
-  return decay_over_sum(&s->scheme) * most;
+  return margin * most;
 }

@@ -198,6 +198,26 @@ SPECIALISE bool kernel_is_definite(enum sph_kernel k) {
   __builtin_unreachable();
 }
 
+/* q slope/2, with which Ferrari's diffusion weighs a pair, is not so; but with as much of (1 - q)^3
+ * within q < 1, a function of Askey, added to it, for radial kernels (tests/sph/test_diffuse.c). */
+SPECIALISE double kernel_lift(enum sph_kernel k) {
+  switch (k) {
+  case SPH_KERNEL_gaussian:
+    return 0.537;
+  case SPH_KERNEL_cubic:
+    return 1.763;
+  case SPH_KERNEL_wendland_c2:
+    return 0.19;
+  case SPH_KERNEL_wendland_c4:
+    return 0.272;
+  case SPH_KERNEL_quintic:
+    return 16.23;
+  case SPH_KERNEL_tensor:
+    return INFINITY;
+  }
+  __builtin_unreachable();
+}
+
 /* Pairs count while this, q^2 or what stands for it, is below kernel_cutoff2. */
 SPECIALISE vec kernel_reach2(enum sph_kernel k, vec x, vec y, vec q2) {
   return kernel_is_radial(k) ? q2 : vec_max(x * x, y * y);

@@ -179,12 +179,13 @@ struct diffusion {
 SPECIALISE void add_diffusion(enum sph_kernel kernel, enum sph_diffusion d, const struct targets *i,
                               const struct turn *block, size_t n, struct diffusion *sums) {
   struct diffusion a = *sums;
-  const vec cutoff2 = vec_of(kernel_cutoff2(kernel)), zero = {0}, one = vec_of(1);
+  const vec cutoff2 = vec_of(kernel_cutoff2(kernel)), zero = {0};
   for (const struct turn *j = block; j < block + n; j++) {
     const struct pair q = pair_with(kernel, j, i, cutoff2);
     const vec e = slope_of(kernel, &q, j, cutoff2), dp = vec_sources(j->p) - i->p;
     a.D += diffusion_psi(d, dp, q.x, q.y, q.q2, zero, zero) * e;
-    a.weight += diffusion_psi(d, one, q.x, q.y, q.q2, zero, zero) * e;
+    const vec weight = diffusion_weight(d, kernel, kernel_slope(kernel, q.x, q.y, q.q2), q.q2);
+    a.weight += vec_where_less(weight * vec_sources(j->V), q.reach2, cutoff2);
   }
   *sums = a;
 }

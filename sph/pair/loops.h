@@ -52,8 +52,7 @@ struct sph_gradient_sums {
 
 struct sph_diffusion_sums {
   double D[SPH_LANES];      /* sum psi e */
-  double weight[SPH_LANES]; /* sum of what a difference of one has for psi, the particle itself
-                               included, e */
+  double weight[SPH_LANES]; /* sum diffusion_weight V_j, the particle itself included */
 };
 
 /* Weighted with w = value V_j. Velocities and pressures are those of the sources less those of the
