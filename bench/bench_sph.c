@@ -1,6 +1,6 @@
 /* Speed of the SPH solver: nanoseconds per particle of water for one evaluation of the right-hand
- * side, on the dam break of Buchner's tank some time after release, by resolution, diffusion and
- * number of threads; and what the phases of an evaluation cost.
+ * side, on the dam break of Buchner's tank some time after release, by resolution, diffusion or
+ * kernel, and number of threads; and what the phases of an evaluation cost.
  *
  *   bench_sph [largest H/dx, default 200]
  *
@@ -100,8 +100,9 @@ static double measure(struct sph *s, enum status (*what)(struct sph *), double *
   return median(t);
 }
 
-/* Buchner's dam break with one run for each diffusion. */
-static struct case_file *dam_break(double resolution) {
+/* Buchner's dam break with one run for each diffusion, and at the lowest resolution for each
+ * kernel. */
+static struct case_file *dam_break(double resolution, bool kernels) {
   static const struct solver *const solvers[] = {&sph_solver};
   const struct registry registry = {.solvers = solvers, .n_solvers = 1};
   char text[2000];
@@ -115,6 +116,14 @@ static struct case_file *dam_break(double resolution) {
                  "  - {name: %s, solver: sph, resolution: %g, diffusion: %s}\n", #name,            \
                  resolution, #name);
   SPH_DIFFUSIONS(X)
+#undef X
+#define X(name, help)                                                                              \
+  at += snprintf(text + at, sizeof text - (size_t)at,                                              \
+                 "  - {name: %s, solver: sph, resolution: %g, kernel: %s}\n", #name, resolution,   \
+                 #name);
+  if (kernels) {
+    SPH_KERNELS(X)
+  }
 #undef X
   struct problems problems = {0};
   struct case_file *c;
@@ -158,8 +167,8 @@ static void bench(const struct case_file *c, const struct case_run *r) {
     double per_evaluation, per_step;
     const double evaluation = measure(s, evaluate, &per_evaluation);
     const double whole = measure(s, step, &per_step);
-    printf("%5g %7zu  %-8s %7d %9.1f %6.0f %9.1f %6.0f %7.1f %7.1f %9.1f %7.1f %8.1f\n", resolution,
-           s->f.n, r->name, threads, evaluation, per_evaluation, whole, per_step,
+    printf("%5g %7zu  %-11s %7d %9.1f %6.0f %9.1f %6.0f %7.1f %7.1f %9.1f %7.1f %8.1f\n",
+           resolution, s->f.n, r->name, threads, evaluation, per_evaluation, whole, per_step,
            measure(s, pack, NULL), measure(s, walls, NULL), measure(s, gradient, NULL),
            measure(s, lists, NULL),
            (double)pairs_listed(&s->water_water) / (double)s->water_water.n_clusters);
@@ -197,13 +206,13 @@ int main(int argc, char **argv) {
   double largest = argc > 1 ? atof(argv[1]) : 200;
   printf("ns per particle of water, and (fma) how many times a fused multiply-add of %d floats; "
          "alpha = 0.01; listed: sources per cluster of %d\n"
-         " H/dx       n  diffusion threads  evaluate    fma      step    fma    pack   walls  "
+         " H/dx       n  run         threads  evaluate    fma      step    fma    pack   walls  "
          "gradient   lists   listed\n",
          SPH_REALS, SPH_LANES);
   struct case_file *first = NULL, *c = NULL;
   for (double resolution = 50; resolution <= largest; resolution *= 2) {
     if (c && c != first) case_destroy(c);
-    c = dam_break(resolution);
+    c = dam_break(resolution, !first);
     if (!first) first = c;
     for (size_t r = 0; r < c->n_runs; r++) bench(c, &c->runs[r]);
   }

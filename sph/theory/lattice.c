@@ -67,17 +67,19 @@ double sph_lattice_slope_moment(const struct sph_lattice *l, int m, int n, int a
   return sum;
 }
 
-double sph_lattice_edge(enum sph_kernel k, double h_over_dx, double height) {
+double sph_lattice_corner(enum sph_kernel k, double h_over_dx, double away) {
   const int rows = (int)ceil(kernel_support(k) * h_over_dx);
-  double sum[3] = {0}; /* W y^n */
-  for (int j = -rows; j <= 0; j++)
-    for (int i = -rows; i <= rows; i++) {
+  double w = 0, x = 0, along2 = 0; /* along the diagonal: that of x + y, by symmetry */
+  for (int i = -rows; i <= 0; i++)
+    for (int j = -rows; j <= 0; j++) {
       struct sph_neighbour a;
-      if (!kernel_at(k, i / h_over_dx, (j - height) / h_over_dx, &a)) continue;
-      for (int n = 0; n < 3; n++) sum[n] += power(a.y, n) * a.W;
+      if (!kernel_at(k, (i - away) / h_over_dx, (j - away) / h_over_dx, &a)) continue;
+      w += a.W;
+      x += a.x * a.W;
+      along2 += (a.x + a.y) * (a.x + a.y) * a.W;
     }
-  const double mean = sum[1] / sum[0];
-  return mean * mean / (sum[2] / sum[0] - mean * mean);
+  const double mean = 2 * x / w;
+  return mean * mean / (along2 / w - mean * mean);
 }
 
 /* ---- plane waves ---- */

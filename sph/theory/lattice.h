@@ -42,9 +42,10 @@ double sph_lattice_moment(const struct sph_lattice *l, int m, int n, int above);
 double sph_lattice_gradient_moment(const struct sph_lattice *l, int m, int n, int above);
 double sph_lattice_slope_moment(const struct sph_lattice *l, int m, int n, int above);
 
-/* How far a point `height` spacings above the top row of a half-filled lattice is from the centre
- * of its neighbours, squared, over their variance that way. */
-double sph_lattice_edge(enum sph_kernel k, double h_over_dx, double height);
+/* How far a point `away` spacings beyond the outermost row and column of a lattice that fills a
+ * quarter of the plane is from the centre of its neighbours, squared, over their variance that way
+ * (Mahalanobis). */
+double sph_lattice_corner(enum sph_kernel k, double h_over_dx, double away);
 
 struct sph_symbols {
   double W, Gx, Gy, D;

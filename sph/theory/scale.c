@@ -9,8 +9,8 @@ static struct sph_scale measure(enum sph_kernel k, double h_over_dx, enum sph_di
   sph_lattice_of(k, h_over_dx, &l);
   sph_lattice_extremes(&l, d, &a.acoustic, &a.diffusive);
   a.spread = sph_lattice_moment(&l, 0, 2, SPH_LATTICE_REACH);
-  a.inside = sph_lattice_edge(k, h_over_dx, 0);
-  a.wall = sph_lattice_edge(k, h_over_dx, 0.5);
+  a.inside = sph_lattice_corner(k, h_over_dx, 0);
+  a.wall = sph_lattice_corner(k, h_over_dx, 0.5);
   return a;
 }
 

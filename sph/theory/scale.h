@@ -8,7 +8,7 @@ struct sph_scale {
    * by the diffusion are those of P's kernel over these. */
   double acoustic, diffusive;
   double spread;       /* variance of a particle's neighbours, over h^2 */
-  double inside, wall; /* sph_lattice_edge half a spacing inside a wall, and on it */
+  double inside, wall; /* sph_lattice_corner half a spacing inside that of a tank, and in it */
 };
 
 struct sph_scale sph_scale_of(const struct sph_scheme *o);
