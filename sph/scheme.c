@@ -5,6 +5,7 @@
 
 #include "sph/domain/wall.h"
 #include "sph/pair/continuity.h"
+#include "sph/pair/derivative.h"
 #include "sph/pair/diffusion.h"
 #include "sph/pair/eos.h"
 #include "sph/pair/kernel.h"
@@ -22,6 +23,7 @@
   static const char *const tag##_helps[] = {LIST(HELP)};
 FAMILY(kernel, SPH_KERNELS)
 FAMILY(eos, SPH_EOS)
+FAMILY(derivative, SPH_DERIVATIVES)
 FAMILY(momentum, SPH_MOMENTUMS)
 FAMILY(continuity, SPH_CONTINUITIES)
 FAMILY(viscosity, SPH_VISCOSITIES)
@@ -57,6 +59,10 @@ const struct param sph_params[SPH_N_PARAMS] = {
      "smoothing length over particle spacing (4/3: paper, III.A)", NULL},
     {"eos", PARAM_CHOICE, QTY_NUMBER, AT(eos), 0, 0, "linear", eos_names,
      "equation of state, the pressure of a density", eos_helps},
+    {"derivative", PARAM_CHOICE, QTY_NUMBER, AT(derivative), 0, 0, "kernel", derivative_names,
+     "how grad p and div u are taken from neighbours", derivative_helps},
+    {"derivative_radius", PARAM_REAL, QTY_NUMBER, AT(derivative_radius), 1, 3, "1.5", NULL,
+     "radius of the neighbours in mls and mueller, in h, at most the kernel's support", NULL},
     {"momentum", PARAM_CHOICE, QTY_NUMBER, AT(momentum), 0, 0, "plus", momentum_names,
      "form of the pressure force", momentum_helps},
     {"continuity", PARAM_CHOICE, QTY_NUMBER, AT(continuity), 0, 0, "divergence", continuity_names,

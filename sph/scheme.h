@@ -5,11 +5,11 @@
 
 struct sph_scheme {
   int preset; /* which one the others come from (presets.h) */
-  int kernel, eos, momentum, continuity, viscosity, diffusion; /* pair/, enumerations */
-  int integrator, walls;                                       /* indices into their lists */
-  int precision;                                               /* of the sums over pairs */
-  int every[SPH_TREATMENT_COUNT];                              /* steps; 0: never; < 0: a word */
-#define X(key, ...) int key;                                   /* of treatments */
+  int kernel, eos, derivative, momentum, continuity, viscosity, diffusion; /* pair/, enumerations */
+  int integrator, walls;          /* indices into their lists */
+  int precision;                  /* of the sums over pairs */
+  int every[SPH_TREATMENT_COUNT]; /* steps; 0: never; < 0: a word */
+#define X(key, ...) int key;      /* of treatments */
   SPH_TREATMENT_NUMBERS(X)
   SPH_TREATMENT_CHOICES(X)
 #undef X
@@ -18,7 +18,8 @@ struct sph_scheme {
   SPH_TREATMENT_REALS(X)
 #undef X
   double h_over_dx;
-  double delta; /* negative: the usual one of the diffusion */
+  double derivative_radius; /* h */
+  double delta;             /* negative: the usual one of the diffusion */
   double alpha;
   double c0; /* m/s */
   double cfl_acoustic, cfl_diffusive, cfl_viscous, cfl_acceleration;
@@ -26,7 +27,7 @@ struct sph_scheme {
 
 enum { SPH_PRECISION_single, SPH_PRECISION_double };
 
-enum { SPH_N_PARAMS = 18 + SPH_TREATMENT_PARAMS };
+enum { SPH_N_PARAMS = 20 + SPH_TREATMENT_PARAMS };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* delta; or, when it is negative, the usual one of the diffusion with P's kernel (diffusion.h),

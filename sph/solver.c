@@ -13,6 +13,7 @@
 #include "sph/observe/output.h"
 #include "sph/observe/watch.h"
 #include "sph/pair/diffusion.h"
+#include "sph/pair/forms.h"
 #include "sph/pair/kernel.h"
 #include "sph/pair/rates.h"
 #include "sph/presets.h"
@@ -67,6 +68,7 @@ static enum status run(const struct case_file *c, const struct case_run *r, stru
   struct sph_output *output = NULL;
   enum status status;
   warn_of_slow_sound(c, r->options, progress);
+  if (sph_forms_warning(r->options)) progress_say(progress, "%s", sph_forms_warning(r->options));
   ATTEMPT(sph_create(c, r->resolution, r->options, &s));
   ATTEMPT(sph_output_create(c, s, result, &output));
   status = march(c, s, output, progress);
@@ -139,6 +141,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  "runs.%s.integrator: found '%s' with a diffusion that needs the density gradient, "
                  "in each of its stages; allowed: any other; take rk4-frozen or leave the line out",
                  r->name, sph_integrator_names[sph_integrator_chosen(o)]);
+  sph_forms_check(r, problems);
   if (!c->rectangular)
     problems_add(
         problems, case_run_line(r, "solver"),

@@ -4,9 +4,11 @@
 #include <stdlib.h>
 
 #include "common/case/case.h"
+#include "common/flow/flow.h"
 #include "sph/domain/wall.h"
 #include "sph/fluid/energy.h"
 #include "sph/hot.h"
+#include "sph/pair/forms.h"
 #include "sph/pair/kernel.h"
 #include "sph/start/initial.h"
 #include "sph/time/integrator.h"
@@ -152,6 +154,12 @@ enum status sph_remove_outside(struct sph *s) {
   return status;
 }
 
+/* Of the surface, m: a wave's mean, or the top of the regions. */
+static double level_at_rest(const struct case_file *c) {
+  return flow_is_wave(c->flow) ? c->tank.min[1] + c->flow->scale(c).depth
+                               : geo_lines_box(&c->water).max[1];
+}
+
 enum status sph_create(const struct case_file *c, double resolution, const struct sph_scheme *o,
                        struct sph **out) {
   enum status status = OK;
@@ -166,6 +174,8 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   s->seen = (struct sph_seen){.lightest = INFINITY};
   s->c0 = o->c0;
   s->g = c->gravity;
+  s->eos = (struct eos){(enum sph_eos)o->eos, s->rho0, s->c0, s->g, level_at_rest(c)};
+  s->adjoint = sph_forms_adjoint(o);
   s->dx = c->H / resolution;
   s->h = o->h_over_dx * s->dx;
   s->support = kernel_support((enum sph_kernel)o->kernel) * s->h;

@@ -16,6 +16,7 @@
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"
 #include "sph/fluid/terms.h"
+#include "sph/pair/eos.h"
 #include "sph/scheme.h"
 #include "sph/theory/scale.h"
 
@@ -33,7 +34,7 @@ struct sph_pack {
 /* Of a particle, for those who need it beside the pack. */
 struct sph_vector {
   double x, y;
-};
+} __attribute__((aligned(16)));
 
 /* Wall particles: however a treatment fills them, the pair loops see only this. */
 struct sph_wall_particles {
@@ -83,7 +84,9 @@ struct sph {
   struct sph_scheme scheme;
   struct sph_scale scale;    /* of its kernel */
   double rho0, c0, g, dx, h; /* kg m^-3, m/s, m s^-2, m, m */
-  double support;            /* m, radius of the kernel */
+  struct eos eos;
+  bool adjoint;   /* momentum and continuity exchange energy exactly (forms.h) */
+  double support; /* m, radius of the kernel */
   struct tank tank;
 
   double t, dt; /* s; of the last step */

@@ -26,7 +26,7 @@
 #include <stdlib.h>
 
 #include "sph/domain/mls.h"
-#include "sph/pair/eos.h"
+#include "sph/pair/forms.h"
 
 /* Nodes in the water are at least half a spacing inside it: d^2 < 1.15 (mls.h). Nodes in the air
  * see it from afar; without a limit the ghosts of noisy sheets on a wall amplify the noise and pump
@@ -168,17 +168,16 @@ static void fill_cluster(struct sph *s, size_t cluster) {
     i.x[l] = g->x[at + l];
     i.y[l] = g->y[at + l];
   }
-  const enum sph_eos eos = (enum sph_eos)s->scheme.eos;
   struct sph_mls f;
   sph_mls_at(s, sph_loops_of(&s->scheme), farthest2 * s->scale.inside, &i, &near, &f);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
     const double rx = g->rx[at + l], ry = g->ry[at + l];
-    const double gravity = -s->g * eos_density(eos, s->rho0, s->c0, f.p[l]);
+    const double gravity = -sph_weight(s, eos_stored(&s->eos, f.p[l], i.y[l]), i.y[l]);
     struct sph_pack *w = &s->w.pack[at + l];
     w->u = rx * f.u[l];
     w->v = ry * f.v[l];
     w->p = f.p[l] + gravity * (w->y - i.y[l]);
-    w->rho = eos_density(eos, s->rho0, s->c0, w->p);
+    w->rho = eos_stored(&s->eos, w->p, w->y);
     s->w.G[at + l] = (struct sph_vector){rx * f.px[l], gravity + ry * (f.py[l] - gravity)};
   }
 }

@@ -29,7 +29,7 @@
 #include <stdlib.h>
 
 #include "sph/domain/copies.h"
-#include "sph/pair/eos.h"
+#include "sph/pair/forms.h"
 
 struct mirror {
   struct sph_images images;
@@ -101,15 +101,14 @@ static void mirror_fill(struct sph *s) {
     sph_motion_turn(motion, j->u, j->v, &u, &v);
     x += motion->at[0];
     y += motion->at[1];
-    const double p = j->p + j->rho * s->g * (j->y - y);
-    s->w.pack[k] =
-        (struct sph_pack){.x = x,
-                          .y = y,
-                          .u = u,
-                          .v = v,
-                          .p = p,
-                          .V = has_image(s, &m->images, a) ? j->V : 0,
-                          .rho = eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, p)};
+    const double p = j->p + sph_weight(s, j->rho, j->y) * (j->y - y);
+    s->w.pack[k] = (struct sph_pack){.x = x,
+                                     .y = y,
+                                     .u = u,
+                                     .v = v,
+                                     .p = p,
+                                     .V = has_image(s, &m->images, a) ? j->V : 0,
+                                     .rho = eos_stored(&s->eos, p, y)};
   }
 }
 
@@ -120,7 +119,7 @@ static void mirror_fill_gradients(struct sph *s) {
     const struct sph_copy *a = &m->copies.copy[k];
     const struct sph_vector *G = &s->G[a->of];
     struct sph_vector *w = &s->w.G[k];
-    const double weight = -s->pack[a->of].rho * s->g;
+    const double weight = -sph_weight(s, s->pack[a->of].rho, s->pack[a->of].y);
     sph_motion_turn(sph_images_motion(&m->images, a->motion), G->x, G->y - weight, &w->x, &w->y);
     w->y += weight;
   }

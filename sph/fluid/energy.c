@@ -21,7 +21,7 @@ static void add(const struct sph *s, size_t i, struct result_energy *e) {
   double m = s->f.m[i];
   e->kinetic += 0.5 * m * (w->u[i] * w->u[i] + w->v[i] * w->v[i]);
   e->potential += m * s->g * w->y[i];
-  e->internal += m * eos_energy((enum sph_eos)s->scheme.eos, s->rho0, s->c0, w->rho[i]);
+  e->internal += m * eos_energy(&s->eos, w->rho[i], w->y[i]);
 }
 
 struct result_energy sph_energy(const struct sph *s) {
@@ -60,13 +60,14 @@ double sph_energy_of(const struct sph *s, size_t i) {
 double sph_rest_potential(const struct sph *s) {
   double mass = 0, width = s->tank.box.max[0] - s->tank.box.min[0], potential = 0;
   for (size_t i = 0; i < s->f.n; i++) mass += s->f.m[i];
-  /* with p = rho0 g (D - y), the mass is rho0 (D + q D^2) times the width, q = g/2c0^2 */
-  double q = s->g / (2 * s->c0 * s->c0), A = mass / (s->rho0 * width);
-  double D = 2 * A / (1 + sqrt(1 + 4 * q * A));
+  double D = eos_depth(&s->eos, mass / (s->rho0 * width));
+  struct eos at_rest = s->eos;
+  at_rest.level = D; /* counted from the bed */
   size_t n = geo_intervals(D, s->dx);
   double dy = D / (double)n;
   for (size_t j = 0; j < n; j++) {
-    double Y = ((double)j + 0.5) * dy, rho = s->rho0 * (1 + 2 * q * (D - Y));
+    double Y = ((double)j + 0.5) * dy, p = s->rho0 * s->g * (D - Y);
+    double rho = eos_stored(&at_rest, eos_driving_of(&at_rest, p, Y), Y);
     potential += rho * dy * width * s->g * (s->tank.box.min[1] + Y);
   }
   return potential;

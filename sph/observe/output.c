@@ -118,8 +118,9 @@ static size_t sort_by_id(struct sph_output *o, const struct sph *s) {
     o->y[k] = tank_wrap(&s->tank, 1, f->w.y[i]);
     o->u[k] = f->w.u[i];
     o->v[k] = f->w.v[i];
-    o->rho[k] = f->w.rho[i];
-    o->p[k] = eos_pressure((enum sph_eos)s->scheme.eos, s->rho0, s->c0, f->w.rho[i]);
+    const double y = f->w.y[i], stored = f->w.rho[i];
+    o->rho[k] = eos_density(&s->eos, stored, y);
+    o->p[k] = eos_pressure(&s->eos, eos_driving(&s->eos, stored, y), y);
     o->m[k] = f->m[i];
     o->V[k] = f->m[i] / f->w.rho[i];
   }
@@ -140,11 +141,12 @@ static struct sph_cloud cloud_of(struct sph_output *o, const struct sph *s) {
 
 static enum status write_state(struct sph_output *o, const struct sph *s) {
   size_t n = sort_by_id(o, s);
-  const struct result_field fields[] = {{"pressure", "Pa", "c0^2 (rho - rho0)", o->p, NULL},
-                                        {"density", "kg/m^3", "density", o->rho, NULL},
-                                        {"mass", "kg/m", "mass, which it keeps", o->m, NULL},
-                                        {"volume", "m^2", "mass over density", o->V, NULL},
-                                        {"velocity", "m/s", "velocity", o->u, o->v}};
+  const struct result_field fields[] = {
+      {"pressure", "Pa", "pressure, by the equation of state", o->p, NULL},
+      {"density", "kg/m^3", "density", o->rho, NULL},
+      {"mass", "kg/m", "mass, which it keeps", o->m, NULL},
+      {"volume", "m^2", "mass over the density that evolves", o->V, NULL},
+      {"velocity", "m/s", "velocity", o->u, o->v}};
   TRY(result_points(o->result, s->t, n, o->x, o->y, RESULT_VERTICES, sizeof fields / sizeof *fields,
                     fields));
   const struct sph_cloud cloud = cloud_of(o, s);
@@ -183,7 +185,7 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
                      .pressure = pressure_of,
                      .elevation = elevation_of};
   o->budget = result_energy_budget(&r.energy);
-  if (o->c->n_probes) sph_pack_water(s);
+  if (o->c->n_probes) sph_pack_pressure_of_probes(s);
   if (o->c->n_gauges) {
     const struct sph_cloud cloud = cloud_of(o, s);
     TRY(sph_gauges_measure(o->gauges, s, &cloud));

@@ -24,7 +24,8 @@ enum status sph_watch_state(struct sph *s) {
     reduction(max : heaviest, speed2)
   for (size_t i = 0; i < s->f.n; i++) {
     sum += 0 * (w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]);
-    double rho = w->rho[i], square = w->u[i] * w->u[i] + w->v[i] * w->v[i];
+    double rho = eos_density(&s->eos, w->rho[i], w->y[i]),
+           square = w->u[i] * w->u[i] + w->v[i] * w->v[i];
     lightest = rho < lightest ? rho : lightest; /* fmin would be a call */
     heaviest = rho > heaviest ? rho : heaviest;
     speed2 = square > speed2 ? square : speed2;

@@ -3,9 +3,11 @@
  *   D_i = 2 sum_j psi_ji  r_ji . grad_i W_ij / |r_ji|^2  V_j
  *
  * Since r_ji . grad_i W = slope |r|^2 with slope > 0 (kernel.h), D_i is a sum of psi_ji with
- * positive weights: density flows from dense to thin. The equation of state is linear, so density
- * differences are taken as pressure differences over c0^2; psi here is c0^2 times that of the
- * paper, and G the renormalised pressure gradient. */
+ * positive weights: density flows from dense to thin. Density differences are taken as those of the
+ * pressure that drives over c0^2, which they are while the equation of state is linear; with Tait's
+ * they differ by (rho/rho0)^6, and with the dynamic one they are of what exceeds the hydrostatic
+ * density, as Fourtakas, Dominguez, Vacondio & Rogers have it (Comput. Fluids 190, 2019). psi here
+ * is c0^2 times that of the paper, and G the renormalised pressure gradient. */
 #pragma once
 #include "sph/family.h"
 #include "sph/pair/kernel.h"

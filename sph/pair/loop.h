@@ -11,10 +11,12 @@ struct turn {
   real p[SPH_SOURCES], V[SPH_SOURCES], rho[SPH_SOURCES], spare[SPH_SOURCES];
 } __attribute__((aligned(32)));
 
-/* Their gradients. */
+/* Their gradients, and one of them. */
 struct turn_gradients {
   real x[SPH_SOURCES], y[SPH_SOURCES];
 };
+typedef double two __attribute__((vector_size(2 * sizeof(double)), may_alias));
+typedef real real_two __attribute__((vector_size(2 * sizeof(real)), may_alias));
 
 /* A struct sph_pack, a register at a time; and the same as real numbers. */
 enum { PIECE = SPH_VEC_BYTES > 32 ? SPH_VEC_BYTES : 32, IN_PIECE = PIECE / (int)sizeof(double) };
@@ -74,9 +76,10 @@ SPECIALISE void gather_gradients(double unit, const struct sph_near *near, size_
   const size_t n = near->n - from < BLOCK ? near->n - from : BLOCK;
   for (size_t k = 0; k < n; k++) {
     if (from + k < near->n_ahead) __builtin_prefetch(&near->G[near->ahead[from + k]]);
-    const struct sph_vector *G = &near->G[near->list[from + k]];
-    block[k / SPH_SOURCES].x[k % SPH_SOURCES] = (real)(G->x * unit);
-    block[k / SPH_SOURCES].y[k % SPH_SOURCES] = (real)(G->y * unit);
+    const two *G = (const two *)&near->G[near->list[from + k]];
+    const real_two g = __builtin_convertvector(*G * unit, real_two);
+    block[k / SPH_SOURCES].x[k % SPH_SOURCES] = g[0];
+    block[k / SPH_SOURCES].y[k % SPH_SOURCES] = g[1];
   }
   if (n % SPH_SOURCES) /* no volume makes nothing of it if it is a number */
     block[n / SPH_SOURCES].x[SPH_SOURCES - 1] = block[n / SPH_SOURCES].y[SPH_SOURCES - 1] = 0;
@@ -109,6 +112,7 @@ SPECIALISE void collect_most(double *a, int part, vec v) {
 /* The targets of a part, and the lip between them and the wall particles. */
 struct targets {
   vec x, y, u, v, p, rho, Gx, Gy;
+  vec own_u, own_v; /* the velocity from rest, where u and v are the cluster's */
   bool lip;
   vec wall, top, outwards, rise, inside;
 };

@@ -22,24 +22,24 @@ struct rates_choice {
   real soft2;
 };
 
-/* Added to q^2: the particle itself gives 0/tiny. */
-static const real tiny2 = (real)1e-24;
-
 SPECIALISE void add_rates(const struct rates_choice o, const struct targets *i,
                           const struct turn *block, const struct turn_gradients *G, size_t n,
                           struct rates *sums) {
   struct rates a = *sums;
   const vec cutoff2 = vec_of(kernel_cutoff2(o.kernel)), zero = {0};
+  const vec ri = i->rho + (real)1;
   for (const struct turn *j = block; j < block + n; j++) {
     const struct pair q = pair_with(o.kernel, j, i, cutoff2);
     const struct gradient_of_pair g = gradient_of(o.kernel, &q, j, cutoff2);
-    const vec e = g.e, pj = vec_sources(j->p);
+    const vec e = g.e, pj = vec_sources(j->p), rj = vec_sources(j->rho) + (real)1;
     const vec u = vec_sources(j->u) - i->u, v = vec_sources(j->v) - i->v;
     const vec approach = u * q.x + v * q.y;
-    add_along(o.kernel, &q, &g, momentum_pressure(o.momentum, i->p, pj), &a.px, &a.py);
-    a.div += continuity_flux(o.continuity, flow_along(o.kernel, &g, u, v, approach));
+    const vec flow = flow_along(o.kernel, &g, u, v, approach);
+    const vec own = flow_along(o.kernel, &g, i->own_u, i->own_v, i->own_u * q.x + i->own_v * q.y);
+    add_along(o.kernel, &q, &g, momentum_pressure(o.momentum, i->p, pj, ri, rj), &a.px, &a.py);
+    a.div += continuity_flux(o.continuity, flow, own, ri, rj);
     if (o.viscous) {
-      const vec drag = viscosity_drag(o.viscosity, approach / (q.q2 + tiny2)) * e;
+      const vec drag = viscosity_drag(o.viscosity, approach, q.q2, ri, rj) * e;
       a.vx += drag * q.x;
       a.vy += drag * q.y;
     }
@@ -60,10 +60,19 @@ SPECIALISE void add_rates(const struct rates_choice o, const struct targets *i,
 }
 
 /* Each diffusion, with and without viscosity and bounds, has a loop of its own: choices inside one
- * loop need more registers than there are. */
+ * loop need more registers than there are. Forms other than the paper's are chosen inside one. */
 SPECIALISE void choose_rates(struct rates_choice o, const struct targets *i,
                              const struct turn *block, const struct turn_gradients *G, size_t n,
                              struct rates *sums) {
+  if (o.momentum != SPH_MOMENTUM_plus || o.continuity != SPH_CONTINUITY_divergence ||
+      o.viscosity != SPH_VISCOSITY_artificial) {
+    o.viscous = o.bounds = true;
+    add_rates(o, i, block, G, n, sums);
+    return;
+  }
+  o.momentum = SPH_MOMENTUM_plus;
+  o.continuity = SPH_CONTINUITY_divergence;
+  o.viscosity = SPH_VISCOSITY_artificial;
 #define ONE(is_viscous, has_bounds)                                                                \
   if (o.viscous == is_viscous && o.bounds == has_bounds) {                                         \
     o.viscous = is_viscous;                                                                        \
@@ -100,7 +109,10 @@ SPECIALISE void sum_rates(enum sph_kernel kernel, const struct sph *s,
     set_lip(&i[part], near->lip, &f, part);
     i[part].u = spread(of->u, part, f.origin[U], f.unit[U]);
     i[part].v = spread(of->v, part, f.origin[V], f.unit[V]);
+    i[part].own_u = spread(of->u, part, 0, f.unit[U]);
+    i[part].own_v = spread(of->v, part, 0, f.unit[V]);
     i[part].p = spread(of->p, part, f.origin[P], f.unit[P]);
+    i[part].rho = spread(of->rho, part, f.origin[RHO], f.unit[RHO]);
     i[part].Gx = spread(of->Gx, part, 0, gradient);
     i[part].Gy = spread(of->Gy, part, 0, gradient);
   }
@@ -230,21 +242,40 @@ struct fit {
   vec w, x, y, xx, xy, yy, p, px, py, u, ux, uy, v, vx, vy, speed2;
 };
 
-SPECIALISE void add_fit(enum sph_kernel kernel, const struct targets *i, const struct turn *block,
-                        size_t n, struct fit *sums) {
+enum weight { VALUE, SLOPE, HAT };
+
+/* A hat counts what the target sees and has a volume; `radius2` is its square. */
+SPECIALISE vec weight_in_fit(enum weight weight, enum sph_kernel kernel, const struct turn *j,
+                             const struct targets *i, vec radius2) {
+  const vec cutoff2 = vec_of(kernel_cutoff2(kernel)), one = vec_of(1), zero = {0};
+  const struct pair q = pair_with(kernel, j, i, cutoff2);
+  switch (weight) {
+  case VALUE:
+    return value_of(kernel, &q, j, cutoff2);
+  case SLOPE:
+    return slope_of(kernel, &q, j, cutoff2);
+  case HAT:
+    break;
+  }
+  vec far2 = q.q2;
+  if (i->lip) far2 = hide(i, vec_sources(j->x), vec_sources(j->y), q.q2, radius2);
+  return vec_where_less(vec_where_less(one, far2, radius2), zero, vec_sources(j->V));
+}
+
+SPECIALISE void add_fit(enum weight weight, enum sph_kernel kernel, const struct targets *i,
+                        vec radius2, const struct turn *block, size_t n, struct fit *sums) {
   struct fit a = *sums;
-  const vec cutoff2 = vec_of(kernel_cutoff2(kernel));
   for (const struct turn *j = block; j < block + n; j++) {
-    const struct pair q = pair_with(kernel, j, i, cutoff2);
-    const vec w = value_of(kernel, &q, j, cutoff2);
-    const vec wx = w * q.x, wy = w * q.y;
+    const vec x = vec_sources(j->x) - i->x, y = vec_sources(j->y) - i->y;
+    const vec w = weight_in_fit(weight, kernel, j, i, radius2);
+    const vec wx = w * x, wy = w * y;
     const vec p = vec_sources(j->p), u = vec_sources(j->u), v = vec_sources(j->v);
     a.w += w;
     a.x += wx;
     a.y += wy;
-    a.xx += wx * q.x;
-    a.xy += wx * q.y;
-    a.yy += wy * q.y;
+    a.xx += wx * x;
+    a.xy += wx * y;
+    a.yy += wy * y;
     a.p += w * p;
     a.px += wx * p;
     a.py += wy * p;
@@ -259,10 +290,14 @@ SPECIALISE void add_fit(enum sph_kernel kernel, const struct targets *i, const s
   *sums = a;
 }
 
-SPECIALISE void sum_fit(enum sph_kernel kernel, const struct sph *s, const struct sph_targets *of,
-                        const struct sph_near *near, struct sph_fit_sums *sums) {
+SPECIALISE void sum_fit(enum weight weight, enum sph_kernel kernel, const struct sph *s,
+                        const struct sph_targets *of, const struct sph_near *near,
+                        struct sph_fit_sums *sums) {
   const struct sph_pack zero = {0}, *first = near->n ? &near->pack[near->list[0]] : &zero;
   const struct frame f = frame_of(s, of->x[0], of->y[0], first->u, first->v, first->p);
+  /* a lattice may have neighbours on the edge, which count */
+  const double radius = s->scheme.derivative_radius * (1 + 1e-5);
+  const vec radius2 = vec_of((real)(radius * radius));
   struct targets i[SPH_PARTS] = {0};
   struct fit a[SPH_PARTS] = {0};
   for (int part = 0; part < SPH_PARTS; part++) {
@@ -272,7 +307,8 @@ SPECIALISE void sum_fit(enum sph_kernel kernel, const struct sph *s, const struc
   struct turn block[BLOCK / SPH_SOURCES];
   for (size_t from = 0; from < near->n; from += BLOCK) {
     const size_t n = gather(&f, near, from, block);
-    for (int part = 0; part < SPH_PARTS; part++) add_fit(kernel, &i[part], block, n, &a[part]);
+    for (int part = 0; part < SPH_PARTS; part++)
+      add_fit(weight, kernel, &i[part], radius2, block, n, &a[part]);
   }
   for (int part = 0; part < SPH_PARTS; part++) {
 #define SUM(q) collect(sums->q, part, a[part].q);
@@ -304,7 +340,15 @@ SPECIALISE void sum_fit(enum sph_kernel kernel, const struct sph *s, const struc
   }                                                                                                \
   static void fit_##k(const struct sph *s, const struct sph_targets *i,                            \
                       const struct sph_near *near, struct sph_fit_sums *sums) {                    \
-    sum_fit(SPH_KERNEL_##k, s, i, near, sums);                                                     \
+    sum_fit(VALUE, SPH_KERNEL_##k, s, i, near, sums);                                              \
+  }                                                                                                \
+  static void slope_fit_##k(const struct sph *s, const struct sph_targets *i,                      \
+                            const struct sph_near *near, struct sph_fit_sums *sums) {              \
+    sum_fit(SLOPE, SPH_KERNEL_##k, s, i, near, sums);                                              \
+  }                                                                                                \
+  static void hat_fit_##k(const struct sph *s, const struct sph_targets *i,                        \
+                          const struct sph_near *near, struct sph_fit_sums *sums) {                \
+    sum_fit(HAT, SPH_KERNEL_##k, s, i, near, sums);                                                \
   }
 SPH_KERNELS(LOOPS)
 
@@ -313,7 +357,7 @@ const struct sph_loops sph_loops_single[SPH_KERNEL_COUNT] = {
 #else
 const struct sph_loops sph_loops_double[SPH_KERNEL_COUNT] = {
 #endif
-#define ROW(k, help) {rates_##k, gradient_##k, diffusion_##k, fit_##k},
+#define ROW(k, help) {rates_##k, gradient_##k, diffusion_##k, fit_##k, slope_fit_##k, hat_fit_##k},
     SPH_KERNELS(ROW)
 #undef ROW
 };

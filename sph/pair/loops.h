@@ -55,8 +55,8 @@ struct sph_diffusion_sums {
   double weight[SPH_LANES]; /* sum diffusion_weight V_j, the particle itself included */
 };
 
-/* Weighted with w = value V_j. Velocities and pressures are those of the sources less those of the
- * first one. */
+/* Weighted with w = value V_j, with slope V_j, or with 1 within the scheme's derivative_radius.
+ * Velocities and pressures are those of the sources less those of the first one. */
 struct sph_fit_sums {
   double w[SPH_LANES], x[SPH_LANES], y[SPH_LANES], xx[SPH_LANES], xy[SPH_LANES], yy[SPH_LANES];
   double p[SPH_LANES], px[SPH_LANES], py[SPH_LANES], u[SPH_LANES], ux[SPH_LANES], uy[SPH_LANES];
@@ -73,6 +73,10 @@ struct sph_loops {
                     struct sph_diffusion_sums *sums);
   void (*fit)(const struct sph *s, const struct sph_targets *i, const struct sph_near *near,
               struct sph_fit_sums *sums);
+  void (*slope_fit)(const struct sph *s, const struct sph_targets *i, const struct sph_near *near,
+                    struct sph_fit_sums *sums);
+  void (*hat_fit)(const struct sph *s, const struct sph_targets *i, const struct sph_near *near,
+                  struct sph_fit_sums *sums);
 };
 extern const struct sph_loops sph_loops_single[SPH_KERNEL_COUNT],
     sph_loops_double[SPH_KERNEL_COUNT];

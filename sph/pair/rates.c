@@ -5,16 +5,22 @@
  * viscous power, -(1/2) alpha h c0 rho0 sum_ij V_i V_j F pi^2 |x|^2, is never positive.
  *
  * Energy, J/m: with the elastic energy of eos.h, d e = p / rho^2 d rho, water-water pairs
- * exchange kinetic and elastic energy exactly: the terms (p_i + p_j) are antisymmetric. What a wall
+ * exchange kinetic and elastic energy exactly: the terms (p_i + p_j) are antisymmetric. So do the
+ * other pairs of forms that are adjoint (forms.h); what the rest make or take is the power of the
+ * pressure forces and the rate of the elastic energy, `pairs` of the budget. What a wall
  * particle w takes out is the power sum_i V_i sum_w V_w (p_w u_i + p_i u_w) . grad_i W_iw. It is
  * summed from the wall pairs alone, so that the closure of the budget checks the rest. */
 #include "sph/pair/rates.h"
 
 #include <math.h>
 
-#include "sph/pair/eos.h"
+#include "sph/fluid/energy.h"
+#include "sph/pair/continuity.h"
+#include "sph/pair/density.h"
+#include "sph/pair/derivative.h"
 #include "sph/pair/gradient.h"
 #include "sph/pair/loops.h"
+#include "sph/pair/momentum.h"
 #include "sph/treat/treat.h"
 
 static void pad_pressure(struct sph_particles *f) {
@@ -24,14 +30,13 @@ static void pad_pressure(struct sph_particles *f) {
 void sph_pack_water(struct sph *s) {
   if (s->stand_in) return;
   const struct sph_state *w = &s->f.w;
-  const enum sph_eos eos = s->scheme.eos;
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < s->f.n; i++) {
     s->pack[i].x = w->x[i];
     s->pack[i].y = w->y[i];
     s->pack[i].u = w->u[i];
     s->pack[i].v = w->v[i];
-    s->f.p[i] = s->pack[i].p = eos_pressure(eos, s->rho0, s->c0, w->rho[i]);
+    s->f.p[i] = s->pack[i].p = eos_driving(&s->eos, w->rho[i], w->y[i]);
     s->pack[i].V = s->f.m[i] / w->rho[i];
     s->pack[i].rho = w->rho[i];
   }
@@ -41,12 +46,19 @@ void sph_pack_water(struct sph *s) {
 
 void sph_pack_pressure(struct sph *s) {
   if (s->stand_in) return;
-  const enum sph_eos eos = (enum sph_eos)s->scheme.eos;
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < s->f.n; i++)
-    s->f.p[i] = s->pack[i].p = eos_pressure(eos, s->rho0, s->c0, s->f.w.rho[i]);
+    s->f.p[i] = s->pack[i].p = eos_driving(&s->eos, s->f.w.rho[i], s->f.w.y[i]);
   sph_period_fill(s);
   pad_pressure(&s->f);
+}
+
+void sph_pack_pressure_of_probes(struct sph *s) {
+  sph_pack_water(s);
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < s->f.n; i++)
+    s->pack[i].p = eos_pressure(&s->eos, s->pack[i].p, s->pack[i].y);
+  sph_period_fill(s);
 }
 
 struct sph_targets sph_targets_of(const struct sph *s, size_t cluster) {
@@ -84,6 +96,7 @@ struct evaluation {
  * the velocity, diffusion (kg m^-3 s^-1). */
 struct effects {
   double wall_x[SPH_LANES], wall_y[SPH_LANES], wall_div[SPH_LANES];
+  double water_x[SPH_LANES], water_y[SPH_LANES], water_div[SPH_LANES];
   double drag_x[SPH_LANES], drag_y[SPH_LANES];
   double ax[SPH_LANES], ay[SPH_LANES], div[SPH_LANES], D[SPH_LANES];
 };
@@ -102,11 +115,54 @@ static void effects_of(const struct sph *s, const double *rho, const struct sph_
     e->wall_div[l] = per_time * b->div[l];
     e->drag_x[l] = drag * (a->vx[l] + b->vx[l]) * per_rho;
     e->drag_y[l] = drag * (a->vy[l] + b->vy[l]) * per_rho;
-    e->ax[l] = e->wall_x[l] - force * a->px[l] * per_rho + e->drag_x[l];
-    e->ay[l] = e->wall_y[l] - force * a->py[l] * per_rho + e->drag_y[l] - s->g;
-    e->div[l] = per_time * a->div[l] + e->wall_div[l];
+    e->water_x[l] = -force * a->px[l] * per_rho;
+    e->water_y[l] = -force * a->py[l] * per_rho;
+    e->water_div[l] = per_time * a->div[l];
     e->D[l] = diffusion * (a->D[l] + b->D[l]);
   }
+}
+
+/* Pressure and divergence by a fit instead, which does not tell walls from water. */
+static void fit_effects(const struct sph *s, const struct sph_targets *i,
+                        const struct sph_near *water, const struct sph_near *walls,
+                        struct effects *e) {
+  const struct sph_slopes g = sph_slopes_of(s, i, water, walls);
+  for (int l = 0; l < SPH_LANES; l++) {
+    const double rho = momentum_density((enum sph_momentum)s->scheme.momentum, s->rho0, i->rho[l]);
+    e->wall_x[l] = e->wall_y[l] = e->wall_div[l] = 0;
+    e->water_x[l] = -g.px[l] / rho;
+    e->water_y[l] = -g.py[l] / rho;
+    e->water_div[l] = g.div[l];
+  }
+}
+
+static void add_effects(const struct sph *s, struct effects *e) {
+  const double gravity = eos_gravity(&s->eos);
+  for (int l = 0; l < SPH_LANES; l++) {
+    e->ax[l] = e->wall_x[l] + e->water_x[l] + e->drag_x[l];
+    e->ay[l] = e->wall_y[l] + e->water_y[l] + e->drag_y[l] - gravity;
+    e->div[l] = e->water_div[l] + e->wall_div[l];
+  }
+}
+
+/* The elastic energy of a particle of mass m, the stored density and its rate: d(m e) = elastic
+ * d rho_stored + lift dy. */
+struct stiffness {
+  double rho;     /* that the continuity equation multiplies the divergence with, kg m^-3 */
+  double elastic; /* J m^-1 per kg m^-3 */
+  double lift;    /* N m^-1 */
+  double pV;      /* J m^-1 s^-1 per 1/s of divergence */
+};
+
+static struct stiffness stiffness_of(const struct sph *s, size_t i) {
+  const double stored = s->f.w.rho[i], y = s->f.w.y[i], rho = eos_density(&s->eos, stored, y);
+  const double pV = eos_pressure(&s->eos, s->f.p[i], y) * s->f.m[i] / rho;
+  const double advected =
+      continuity_density((enum sph_continuity)s->scheme.continuity, s->rho0, rho);
+  return (struct stiffness){.rho = advected,
+                            .elastic = pV / rho,
+                            .lift = pV / rho * eos_density_rises(&s->eos),
+                            .pV = pV * (advected / rho)};
 }
 
 /* Powers that leave the water, and what bounds the step. */
@@ -114,16 +170,20 @@ static struct sph_totals totals_of(const struct sph *s, size_t at, const struct 
                                    const struct sph_rates_sums *a, const struct sph_rates_sums *b) {
   const struct sph_state *w = &s->f.w;
   struct sph_totals t = {0};
+  const double unbalanced = s->g - eos_gravity(&s->eos);
   double acceleration2 = 0, speed = 0;
   for (size_t l = 0; l < SPH_LANES; l++) {
-    const double m = s->f.m[at + l], rho = w->rho[at + l], u = w->u[at + l], v = w->v[at + l];
-    const double pV = s->f.p[at + l] * m / rho;
+    const double m = s->f.m[at + l], u = w->u[at + l], v = w->v[at + l];
+    const struct stiffness k = stiffness_of(s, at + l);
     t.viscosity -= m * (u * e->drag_x[l] + v * e->drag_y[l]);
-    t.diffusion -= pV / rho * e->D[l];
-    t.walls -= m * (u * e->wall_x[l] + v * e->wall_y[l]) - pV * e->wall_div[l];
+    t.diffusion -= k.elastic * e->D[l];
+    t.walls -= m * (u * e->wall_x[l] + v * e->wall_y[l]) - k.pV * e->wall_div[l];
+    t.pairs -= m * (u * e->water_x[l] + v * (e->water_y[l] + unbalanced)) + k.lift * v -
+               k.pV * e->water_div[l];
     acceleration2 = larger(e->ax[l] * e->ax[l] + e->ay[l] * e->ay[l], acceleration2);
     speed = larger(sqrt(u * u + v * v) + s->c0 * larger(a->pi_most[l], b->pi_most[l]), speed);
   }
+  if (s->adjoint) t.pairs = 0; /* but for rounding */
   t.acceleration2 = acceleration2;
   t.speed = speed;
   return t;
@@ -150,6 +210,8 @@ static void cluster_rates(struct sph *s, const struct evaluation *how, size_t cl
 
   struct effects e;
   effects_of(s, s->f.w.rho + at, &a, &b, &e);
+  if (s->scheme.derivative != SPH_DERIVATIVE_kernel) fit_effects(s, &i, &water, &walls, &e);
+  add_effects(s, &e);
   const struct sph_state *k = &s->f.k[how->stage];
   for (size_t l = 0; l < SPH_LANES; l++) {
     if (!how->diffuse) e.D[l] = s->f.D[at + l];
@@ -158,7 +220,7 @@ static void cluster_rates(struct sph *s, const struct evaluation *how, size_t cl
     k->y[at + l] = i.v[l];
     k->u[at + l] = e.ax[l];
     k->v[at + l] = e.ay[l];
-    k->rho[at + l] = e.D[l] - s->f.w.rho[at + l] * e.div[l];
+    k->rho[at + l] = e.D[l] - stiffness_of(s, at + l).rho * e.div[l];
   }
   s->cluster_totals[cluster] = totals_of(s, at, &e, &a, &b);
   sph_treat_rates(s, how->stage, cluster, &s->cluster_totals[cluster]);
@@ -178,6 +240,17 @@ static void add_totals(struct sph *s) {
   s->totals = t;
 }
 
+/* What the density jumps by at the start of a step, from where its rate has brought it, is the
+ * budget's, too. */
+static void sum_densities(struct sph *s, int stage) {
+  const double before = stage == 0 ? sph_energy(s).total : 0;
+  sph_density_sum(s);
+  sph_particles_pad(&s->f);
+  if (stage == 0) s->budget.pairs += before - sph_energy(s).total;
+  sph_pack_water(s);
+  s->wall->fill(s);
+}
+
 enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
   const struct evaluation how = {stage, diffuse && !s->split, bounds};
   if (s->stand_in) {
@@ -187,6 +260,7 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
   if (stage == 0) TRY(sph_neighbours_update(s));
   sph_pack_water(s);
   s->wall->fill(s);
+  if (continuity_sums((enum sph_continuity)s->scheme.continuity)) sum_densities(s, stage);
   if (how.diffuse && diffusion_needs_gradient(s->scheme.diffusion)) {
     sph_gradient(s);
     if (s->wall->fill_gradients) s->wall->fill_gradients(s);

@@ -12,3 +12,6 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds);
  * or the pressure alone, where volumes are to stay as they are. */
 void sph_pack_water(struct sph *s);
 void sph_pack_pressure(struct sph *s);
+
+/* sph_pack_water with the pressure itself where another drives the water (eos.h). */
+void sph_pack_pressure_of_probes(struct sph *s);

@@ -13,6 +13,11 @@ struct filling {
   struct flow_water water;
 };
 
+/* The density that evolves, from the head of the pressure. */
+static double density_of(const struct sph *s, double head, double y) {
+  return eos_stored(&s->eos, eos_driving_of(&s->eos, s->rho0 * s->g * head, y), y);
+}
+
 static enum status place(struct filling *w, const struct flow_point *p, double cell) {
   struct sph *s = w->s;
   struct sph_particles *f = &s->f;
@@ -24,7 +29,7 @@ static enum status place(struct filling *w, const struct flow_point *p, double c
   f->w.y[i] = p->y;
   f->w.u[i] = velocity[0];
   f->w.v[i] = velocity[1];
-  f->w.rho[i] = eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, s->rho0 * s->g * head);
+  f->w.rho[i] = density_of(s, head, p->y);
   f->m[i] = f->w.rho[i] * cell;
   return OK;
 }
@@ -75,10 +80,6 @@ done:
 
 /* ---- waves ---- */
 
-static double density_of(const struct sph *s, double head) {
-  return eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, s->rho0 * s->g * head);
-}
-
 /* A lattice at rest from the bed to half a spacing below the surface, which the wave moves. */
 static enum status fill_lattice(struct filling *w) {
   struct sph *s = w->s;
@@ -96,8 +97,8 @@ static enum status fill_lattice(struct filling *w) {
     s->f.w.y[i] = p.y;
     s->f.w.u[i] = p.u;
     s->f.w.v[i] = p.v;
-    s->f.w.rho[i] = density_of(s, p.head);
-    s->f.m[i] = density_of(s, p.rest) * dx * dy;
+    s->f.w.rho[i] = density_of(s, p.head, p.y);
+    s->f.m[i] = density_of(s, p.rest, Y) * dx * dy;
   }
   return OK;
 }

@@ -48,14 +48,15 @@ static void set_density(struct sph *s, const double *from, const double *more) {
  * times the change, an error of third order in a change that is some 1e-4. Added up in the order of
  * the clusters. */
 static double energy_lost(struct sph *s, const double *before) {
-  const enum sph_eos eos = (enum sph_eos)s->scheme.eos;
+  const struct eos *e = &s->eos;
   const size_t n_clusters = s->water_water.n_clusters;
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < n_clusters; c++) {
     double sum = 0;
     for (size_t i = c * SPH_LANES; i < (c + 1) * SPH_LANES && i < s->f.n; i++) {
-      const double rho = (before[i] + s->f.w.rho[i]) / 2;
-      sum += s->f.m[i] * eos_pressure(eos, s->rho0, s->c0, rho) / (rho * rho) *
+      const double stored = (before[i] + s->f.w.rho[i]) / 2, y = s->f.w.y[i];
+      const double rho = eos_density(e, stored, y);
+      sum += s->f.m[i] * eos_pressure(e, eos_driving(e, stored, y), y) / (rho * rho) *
              (before[i] - s->f.w.rho[i]);
     }
     s->cluster_totals[c].diffusion = sum;

@@ -56,7 +56,8 @@ SPECIALISE void add_vectors(const struct choice o, const struct targets *i,
     case TENSION: {
       const struct gradient_of_pair g = gradient_of(o.kernel, &q, j, cutoff2);
       const vec pj = vec_sources(j->p), most = vec_max(i->p, pj);
-      const vec p = momentum_pressure(o.momentum, i->p, pj) * crowding_of(&o, &q);
+      const vec ri = i->rho + (real)1, rj = vec_sources(j->rho) + (real)1;
+      const vec p = momentum_pressure(o.momentum, i->p, pj, ri, rj) * crowding_of(&o, &q);
       add_along(o.kernel, &q, &g, vec_where_less(p, most, zero), &a.x, &a.y);
       break;
     }

@@ -1,7 +1,5 @@
 #include "sph/treat/sums.h"
 
-#include "sph/pair/eos.h"
-
 /* The sums of one kind of neighbours: the loop counts velocities and pressures from the first. */
 static void add(const struct sph *s, const struct sph_targets *i, const struct sph_near *near,
                 struct sph_fit_sums *sums) {
@@ -37,14 +35,12 @@ struct sph_fit_sums sph_treat_sums(const struct sph *s, size_t cluster, unsigned
 }
 
 void sph_treat_carry_density(struct sph *s) {
-  const enum sph_eos eos = (enum sph_eos)s->scheme.eos;
 #pragma omp parallel
   {
 #pragma omp for schedule(static) nowait
     for (size_t i = 0; i < s->f.n; i++) s->pack[i].p = s->f.w.rho[i];
 #pragma omp for schedule(static)
-    for (size_t k = 0; k < s->w.n; k++)
-      s->w.pack[k].p = eos_density(eos, s->rho0, s->c0, s->w.pack[k].p);
+    for (size_t k = 0; k < s->w.n; k++) s->w.pack[k].p = s->w.pack[k].rho;
   }
   sph_period_fill(s);
 }

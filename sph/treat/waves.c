@@ -14,13 +14,14 @@ static double hydrostatic(const struct sph *s, size_t i, double level) {
 }
 
 double sph_treat_dynamic(const struct sph *s, size_t i, double level) {
-  return eos_pressure((enum sph_eos)s->scheme.eos, s->rho0, s->c0, s->f.w.rho[i]) -
+  const double y = s->f.w.y[i];
+  return eos_pressure(&s->eos, eos_driving(&s->eos, s->f.w.rho[i], y), y) -
          hydrostatic(s, i, level);
 }
 
 void sph_treat_set_dynamic(struct sph *s, size_t i, double level, double p) {
-  s->f.w.rho[i] =
-      eos_density((enum sph_eos)s->scheme.eos, s->rho0, s->c0, hydrostatic(s, i, level) + p);
+  const double y = s->f.w.y[i], pressure = hydrostatic(s, i, level) + p;
+  s->f.w.rho[i] = eos_stored(&s->eos, eos_driving_of(&s->eos, pressure, y), y);
 }
 
 bool sph_treat_has_grown(const struct sph *s) {

@@ -1,0 +1,27 @@
+#include "sph/pair/density.h"
+
+#include "sph/pair/continuity.h"
+#include "sph/pair/rates.h"
+#include "sph/treat/sums.h"
+
+/* sum m_j W_ij, or that over sum V_j W_ij. */
+static void sum_masses(struct sph *s, bool over_volumes) {
+  const double scale = kernel_value_scale((enum sph_kernel)s->scheme.kernel);
+  sph_treat_carry_density(s);
+#pragma omp parallel for schedule(static)
+  for (size_t c = 0; c < s->water_water.n_clusters; c++) {
+    const struct sph_fit_sums a = sph_treat_sums(s, c, SPH_TREAT_WATER | SPH_TREAT_WALLS);
+    for (size_t l = 0; l < SPH_LANES; l++)
+      s->f.w.rho[c * SPH_LANES + l] = over_volumes ? a.p[l] / a.w[l] : scale * a.p[l];
+  }
+}
+
+/* Shepard's quotient takes its volumes from the sums: with those of a quotient before, it would be
+ * one whatever the compression. */
+void sph_density_sum(struct sph *s) {
+  sum_masses(s, false);
+  if (s->scheme.continuity != SPH_CONTINUITY_shepard) return;
+  sph_pack_water(s);
+  s->wall->fill(s);
+  sum_masses(s, true);
+}

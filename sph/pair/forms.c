@@ -1,0 +1,141 @@
+#include "sph/pair/forms.h"
+
+#include "sph/pair/continuity.h"
+#include "sph/pair/derivative.h"
+#include "sph/pair/diffusion.h"
+#include "sph/pair/kernel.h"
+#include "sph/time/integrator.h"
+
+bool sph_forms_adjoint(const struct sph_scheme *o) {
+  if (o->derivative != SPH_DERIVATIVE_kernel) return false;
+  if (o->eos != SPH_EOS_linear && o->eos != SPH_EOS_tait) return false;
+  switch ((enum sph_momentum)o->momentum) {
+  case SPH_MOMENTUM_plus:
+    return o->continuity == SPH_CONTINUITY_divergence;
+  case SPH_MOMENTUM_mass:
+    return o->continuity == SPH_CONTINUITY_mass;
+  case SPH_MOMENTUM_neighbour:
+    return o->continuity == SPH_CONTINUITY_absolute;
+  case SPH_MOMENTUM_minus:
+  case SPH_MOMENTUM_reference:
+    return false;
+  }
+  __builtin_unreachable();
+}
+
+static bool shares_gravity(const struct sph_scheme *o) {
+  return o->eos == SPH_EOS_dynamic || o->eos == SPH_EOS_split;
+}
+
+static bool is_light_momentum(const struct sph_scheme *o) {
+  return shares_gravity(o) && o->momentum != SPH_MOMENTUM_reference;
+}
+
+static bool is_mixed_density(const struct sph_scheme *o) {
+  return shares_gravity(o) && o->continuity != SPH_CONTINUITY_divergence;
+}
+
+static bool is_curved_exponential(const struct sph_scheme *o) {
+  return !eos_is_linear((enum sph_eos)o->eos) && sph_integrators[sph_integrator_chosen(o)]->split;
+}
+
+static bool sums(const struct sph_scheme *o) {
+  return continuity_sums((enum sph_continuity)o->continuity);
+}
+
+static bool is_diffused_sum(const struct sph_scheme *o) {
+  return sums(o) && o->diffusion != SPH_DIFFUSION_none;
+}
+
+static bool is_treated_sum(const struct sph_scheme *o) {
+  return sums(o) && (o->every[SPH_TREATMENT_shepard] || o->every[SPH_TREATMENT_mls_volume] ||
+                     o->every[SPH_TREATMENT_mls_mass]);
+}
+
+static bool is_fitted(const struct sph_scheme *o) {
+  return o->derivative != SPH_DERIVATIVE_kernel;
+}
+
+static bool is_paired_fit(const struct sph_scheme *o) {
+  return is_fitted(o) && o->momentum != SPH_MOMENTUM_minus && o->momentum != SPH_MOMENTUM_reference;
+}
+
+static bool is_summed_fit(const struct sph_scheme *o) {
+  return is_fitted(o) && o->continuity != SPH_CONTINUITY_divergence &&
+         o->continuity != SPH_CONTINUITY_reference;
+}
+
+static bool is_wide_fit(const struct sph_scheme *o) {
+  const bool hat = o->derivative == SPH_DERIVATIVE_mls || o->derivative == SPH_DERIVATIVE_mueller;
+  return hat && o->derivative_radius > kernel_support((enum sph_kernel)o->kernel);
+}
+
+static bool is_narrow_fit(const struct sph_scheme *o) {
+  const bool hat = o->derivative == SPH_DERIVATIVE_mls || o->derivative == SPH_DERIVATIVE_mueller;
+  return hat && o->derivative_radius * o->h_over_dx < 1.45;
+}
+
+static bool is_relaxed_fit(const struct sph_scheme *o) {
+  return is_fitted(o) && o->strength[SPH_CORRECTION_tensile] > 0;
+}
+
+static const struct {
+  bool (*wrong)(const struct sph_scheme *o);
+  const char *key, *text; /* what follows "found " */
+} refusals[] = {
+    {is_light_momentum, "momentum",
+     "another form with an eos that takes gravity into the pressure or the density, where water at "
+     "rest is balanced with rho0 only (thesis, eqs. (4.19), (4.33)); allowed: reference; write "
+     "momentum: reference"},
+    {is_mixed_density, "continuity",
+     "another form with an eos that takes gravity into the pressure or the density, whose rate is "
+     "-rho div u (thesis, eqs. (4.36), (4.59)); allowed: divergence; leave the line out"},
+    {is_curved_exponential, "integrator",
+     "rk4-split, whose exponential is that of a linear equation of state, with another; allowed: "
+     "any other integrator; write integrator: rk4"},
+    {is_diffused_sum, "diffusion",
+     "a diffusion of densities that are sums over the neighbours at each instant, and forget it "
+     "(thesis, eqs. (2.16), (3.18)); allowed: none; write diffusion: none"},
+    {is_paired_fit, "momentum",
+     "a form that is a sum over pairs with a derivative that is a fit of differences (thesis, eqs. "
+     "(3.13), (4.13)); allowed: minus, with 1/rho_i, or reference, with 1/rho0; write momentum: "
+     "minus"},
+    {is_summed_fit, "continuity",
+     "a form that is a sum over pairs with a derivative that is a fit of differences (thesis, eqs. "
+     "(3.13), (4.14)); allowed: divergence, with rho_i, or reference, with rho0; leave the line "
+     "out"},
+    {is_wide_fit, "derivative_radius",
+     "more than the support of the kernel, within which neighbours are listed; allowed: at most "
+     "that; lower it"},
+    {is_narrow_fit, "derivative_radius",
+     "less than 1.45 particle spacings, within which the neighbours along a diagonal are missing; "
+     "allowed: at least that over h_over_dx; raise it"},
+    {is_relaxed_fit, "tensile",
+     "a correction of the forces of pairs with a derivative that is a fit and has none; allowed: "
+     "0; "
+     "leave the line out"},
+    {is_treated_sum, "continuity",
+     "densities that are sums over the neighbours at each instant, and forget the "
+     "re-initialisation that this run asks for; allowed: divergence, absolute, mass, reference; "
+     "take another or leave the re-initialisation out"},
+};
+
+void sph_forms_check(const struct case_run *r, struct problems *problems) {
+  for (size_t k = 0; k < sizeof refusals / sizeof *refusals; k++)
+    if (refusals[k].wrong(r->options))
+      problems_add(problems, case_run_line(r, refusals[k].key), "runs.%s.%s: found %s", r->name,
+                   refusals[k].key, refusals[k].text);
+}
+
+const char *sph_forms_warning(const struct sph_scheme *o) {
+  if (sums(o))
+    return "densities that are sums over neighbours are too low beside a free surface, where "
+           "the pressure then is -0.1 to -0.2 rho0 c0^2: the surface contracts with some tenths "
+           "of the speed of sound (thesis, 2.5.6)";
+  if (o->eos == SPH_EOS_dynamic)
+    return "eos dynamic has no dynamic pressure at a free surface, instead of no pressure: water "
+           "does not fall";
+  if (o->momentum == SPH_MOMENTUM_minus)
+    return "momentum minus imposes no pressure on a free surface";
+  return NULL;
+}

@@ -1,0 +1,23 @@
+/* What the forms of a scheme (momentum, continuity, equation of state) are together. */
+#pragma once
+#include "common/case/case.h"
+#include "sph/pair/momentum.h"
+#include "sph/sph.h"
+
+/* Whether the sums of momentum and continuity are adjoint, so that pairs of water exchange kinetic
+ * and elastic energy without loss, whatever the disorder. */
+bool sph_forms_adjoint(const struct sph_scheme *o);
+
+/* Refuses what makes no sense together, for a reason that the message gives. */
+void sph_forms_check(const struct case_run *r, struct problems *problems);
+
+/* What a user of these forms should know before the run; NULL when there is nothing. */
+const char *sph_forms_warning(const struct sph_scheme *o);
+
+/* Minus the gradient of the driving pressure in water at rest, Pa/m, by the momentum equation: from
+ * the density that evolves. */
+static inline double sph_weight(const struct sph *s, double stored, double y) {
+  const double rho = eos_density(&s->eos, stored, y);
+  return momentum_density((enum sph_momentum)s->scheme.momentum, s->rho0, rho) *
+         eos_gravity(&s->eos);
+}
