@@ -2,20 +2,7 @@
 
 #include <math.h>
 
-/* The zero of f between a and b, where its signs differ, to the last digits. */
-static double zero_between(double a, double b, double (*f)(const struct wave_mode *m, double at),
-                           const struct wave_mode *m) {
-  const bool rises = f(m, b) > 0;
-  for (int k = 0; k < 200 && a < b; k++) {
-    const double middle = (a + b) / 2;
-    if (middle == a || middle == b) break;
-    if ((f(m, middle) > 0) == rises)
-      b = middle;
-    else
-      a = middle;
-  }
-  return (a + b) / 2;
-}
+#include "common/base/root.h"
 
 static struct wave_mode mode_in(const struct wave_column *in, bool decays) {
   return (struct wave_mode){
@@ -23,7 +10,8 @@ static struct wave_mode mode_in(const struct wave_column *in, bool decays) {
 }
 
 /* (2.39), times its denominator. */
-static double decaying(const struct wave_mode *m, double mu) {
+static double decaying(double mu, const void *with) {
+  const struct wave_mode *m = with;
   const double k2 = m->in.wavenumber * m->in.wavenumber, d = m->delta, d2 = d * d;
   const double H = m->in.depth, a = mu * H, coth = a > 1e-8 ? a / tanh(a) : 1;
   return coth * (k2 + d2 - mu * mu) - d * H * (k2 - d2 + mu * mu);
@@ -32,7 +20,7 @@ static double decaying(const struct wave_mode *m, double mu) {
 struct wave_mode wave_mode_gravity(const struct wave_column *in) {
   struct wave_mode m = mode_in(in, true);
   const double k2 = in->wavenumber * in->wavenumber, d2 = m.delta * m.delta;
-  m.root = zero_between(0, sqrt(k2 + d2), decaying, &m);
+  m.root = root_between(decaying, &m, 0, sqrt(k2 + d2));
   /* omega^2 = g psi'(0)/psi(0), which loses no digits where c^2 (kappa^2 + delta^2 - mu^2) does */
   m.s = 1;
   m.omega = sqrt(in->gravity * wave_mode_slope(&m, 0));
@@ -40,7 +28,8 @@ struct wave_mode wave_mode_gravity(const struct wave_column *in) {
 }
 
 /* (2.57), times sin(nu H) over nu H and its denominator. */
-static double oscillating(const struct wave_mode *m, double nu) {
+static double oscillating(double nu, const void *with) {
+  const struct wave_mode *m = with;
   const double k2 = m->in.wavenumber * m->in.wavenumber, d = m->delta, d2 = d * d;
   const double H = m->in.depth, a = nu * H, sinc = a > 1e-8 ? sin(a) / a : 1;
   return cos(a) * (k2 + d2 + nu * nu) - sinc * d * H * (k2 - d2 - nu * nu);
@@ -49,7 +38,7 @@ static double oscillating(const struct wave_mode *m, double nu) {
 struct wave_mode wave_mode_acoustic(const struct wave_column *in, int n) {
   struct wave_mode m = mode_in(in, false);
   const double k2 = in->wavenumber * in->wavenumber, d2 = m.delta * m.delta;
-  m.root = zero_between(n * M_PI / in->depth, (n + 1) * M_PI / in->depth, oscillating, &m);
+  m.root = root_between(oscillating, &m, n * M_PI / in->depth, (n + 1) * M_PI / in->depth);
   m.omega = in->sound * sqrt(k2 + d2 + m.root * m.root);
   m.s = 2 * m.delta * m.root / (k2 + m.root * m.root - d2);
   return m;

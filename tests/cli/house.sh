@@ -28,7 +28,7 @@ exported() { # library, allowed prefixes
     grep -vE "^(_|\.)" | grep -vE "^($2)_" | sort -u)
   [ -z "$strangers" ] || complain "libplunge_$1 exports names without its prefix: $strangers"
 }
-exported common 'array|case|record|text|TEXT|file|result|health|guard|carry|geo|gauge|tank|flow|release|wave|progress|status|params?|problems|vtkhdf|xdmf|hdf|CASE'
+exported common 'array|case|record|text|TEXT|file|result|health|guard|carry|geo|gauge|tank|flow|release|root|wave|progress|status|params?|problems|vtkhdf|xdmf|hdf|CASE'
 exported sph 'sph'
 exported bem 'bem'
 exported exact 'exact'
