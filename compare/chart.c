@@ -5,21 +5,10 @@
 
 #include "compare/text.h"
 
-enum { WIDTH = 900, LEFT = 104, RIGHT = 20, TOP = 40, GAP = 18 };
-enum { KEY_LONGEST = 36, MOST_MARKS = 4 };
-#define LABEL_X 22.0 /* px: the middle of the label of the y axis */
+enum { MOST_MARKS = 4 };
 
 const struct cmp_run *cmp_run_or_ref(const struct comparison *c, size_t r) {
   return r == SIZE_MAX ? &c->ref : &c->run[r];
-}
-
-int cmp_key_columns(size_t longest, int width) {
-  int columns = width / (84 + 9 * (int)longest); /* a sample and text of 14 px */
-  return columns > 1 ? columns : 1;
-}
-
-int cmp_key_height(size_t n, int columns) {
-  return 70 + 19 * (int)((n + (size_t)columns - 1) / (size_t)columns);
 }
 
 double cmp_chart_time_end(const struct comparison *c, const struct cmp_chart_plan *plan) {
@@ -53,7 +42,7 @@ static void key_measure(const struct comparison *c, const struct cmp_chart_plan 
     n++;
     longest = longer(longest, ref->experiments[k].name);
   }
-  chart->columns = cmp_key_columns(longest + plan->note, WIDTH - 40);
+  chart->columns = cmp_key_columns(longest + plan->note, CMP_PANELS_WIDTH - 40);
   chart->bottom = cmp_key_height(n, chart->columns);
 }
 
@@ -61,10 +50,10 @@ enum status cmp_chart_begin(const struct comparison *c, struct cmp_figures *f,
                             const struct cmp_chart_plan *plan, struct cmp_chart *chart) {
   *chart = (struct cmp_chart){.c = c, .panels = plan->panels, .end = cmp_chart_time_end(c, plan)};
   key_measure(c, plan, chart);
-  int panels = (int)plan->panels;
-  int height = TOP + panels * plan->panel_height + GAP * (panels - 1) + chart->bottom;
+  int height = cmp_panels_height(plan->panels, plan->panel_height, chart->bottom);
   bool many = c->n_runs > CMP_NAMED; /* as vectors, a thousand curves are tens of megabytes */
-  TRY(cmp_figure_begin(f, plan->section, many, WIDTH, height, &chart->fig, "%s", plan->name));
+  TRY(cmp_figure_begin(f, plan->section, many, CMP_PANELS_WIDTH, height, &chart->fig, "%s",
+                       plan->name));
   TRY(cmp_figure_data(f, chart->fig, ".csv", &chart->table));
   fprintf(chart->table, "series,name,t_star [sqrt(H/g)],%s\n", plan->columns);
   if (many) {
@@ -148,52 +137,18 @@ static void instants_mark(const struct cmp_chart *chart, bool named) {
   }
 }
 
-/* About five ticks, at 1, 2 or 5 times a power of ten. */
-static double tick_step(const struct cmp_frame *frame) {
-  double rough = (frame->high - frame->low) / 5, power = pow(10, floor(log10(rough)));
-  double digit = rough / power;
-  return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
-}
-
-static double panel_height(const struct cmp_chart *chart) {
-  double panels = (double)chart->panels;
-  return (chart->fig->height - TOP - chart->bottom - GAP * (panels - 1)) / panels;
-}
-
-/* The label of the y axis has its place on the page: beside wide tick labels, gnuplot's own would
- * leave it. */
-static void panel_labels(const struct cmp_chart *chart, const char *label, const char *title) {
-  FILE *s = chart->fig->script;
-  fprintf(s, "set label '%s' at screen %.5f, graph 0.5 center rotate\n", label, LABEL_X / WIDTH);
-  if (!title) return;
-  fputs("set label ", s);
-  cmp_key_string(s, title, NULL);
-  fputs(" at graph 0, graph 1 offset character 0.7, character -0.9 left front boxed noenhanced "
-        "font small\n",
-        s);
+static struct cmp_panels panels_of(const struct cmp_chart *chart) {
+  return (struct cmp_panels){chart->fig, chart->panels, chart->bottom, chart->columns};
 }
 
 void cmp_chart_panel(struct cmp_chart *chart, size_t k, const struct cmp_frame *frame,
                      const char *label, const char *title) {
-  const struct cmp_figure *fig = chart->fig;
-  double height = panel_height(chart), top = TOP + (double)k * (height + GAP);
-  fprintf(fig->script,
-          "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
-          "set bmargin at screen %.5f\n",
-          (double)LEFT / fig->width, 1 - (double)RIGHT / fig->width, 1 - top / fig->height,
-          1 - (top + height) / fig->height);
-  if (k + 1 == chart->panels)
-    fprintf(fig->script,
-            "set format x\nset xlabel 't √(g/H)' offset 0, character 0.4\n"
-            "set key at screen 0.5, screen %.5f bottom center horizontal maxcols %d samplen 2.2 "
-            "reverse Left noenhanced\n",
-            8.0 / fig->height, chart->columns);
-  else
-    fputs("set format x ''\nunset xlabel\nunset key\n", fig->script);
+  struct cmp_panels panels = panels_of(chart);
+  cmp_panel_place(&panels, k, "t √(g/H)");
   instants_mark(chart, k == 0);
-  panel_labels(chart, label, title);
-  fprintf(fig->script, "set yrange [%.12g:%.12g]\nset ytics %.12g\n", frame->low, frame->high,
-          tick_step(frame));
+  cmp_panel_labels(&panels, label, title);
+  fprintf(chart->fig->script, "set yrange [%.12g:%.12g]\nset ytics %.12g\n", frame->low,
+          frame->high, cmp_tick_step(frame));
   chart->first = true;
   chart->marks[0] = chart->marks[1] = 0;
 }
@@ -202,7 +157,8 @@ static void extreme_mark(struct cmp_chart *chart, const struct cmp_extreme *x, b
                          const char *colour) {
   FILE *s = chart->fig->script;
   int *marks = &chart->marks[top ? 0 : 1];
-  double px = 1 / panel_height(chart); /* of the panel's height */
+  struct cmp_panels panels = panels_of(chart);
+  double px = 1 / cmp_panel_height(&panels); /* of the panel's height */
   double edge = top ? 1 : 0, inwards = top ? -px : px;
   if (!x->found) return;
   fprintf(s,
@@ -283,29 +239,4 @@ void cmp_chart_panel_end(struct cmp_chart *chart) {
 const char *cmp_dashes(const struct cmp_style *style) {
   static const char *const pattern[] = {"1", "(9,4)", "(2,3)", "(9,3,2,3)"};
   return pattern[style->dashes];
-}
-
-/* Bytes of the first `most` characters of UTF-8 text, and how many there are. */
-static size_t characters(const char *text, size_t most, size_t *n) {
-  size_t bytes = 0;
-  for (*n = 0; text[bytes]; bytes++) {
-    bool begins = (text[bytes] & 0xc0) != 0x80;
-    if (begins && *n == most) break;
-    *n += begins;
-  }
-  return bytes;
-}
-
-size_t cmp_key_length(const char *label) {
-  size_t n;
-  characters(label, KEY_LONGEST, &n);
-  return n;
-}
-
-void cmp_key_string(FILE *script, const char *label, const char *note) {
-  char text[4 * KEY_LONGEST + 96];
-  size_t n, bytes = characters(label, KEY_LONGEST, &n);
-  snprintf(text, sizeof text, "%.*s%s%s", (int)bytes, label, label[bytes] ? "…" : "",
-           note ? note : "");
-  cmp_gnuplot_string(script, text);
 }

@@ -4,15 +4,11 @@
 #include "compare/comparison.h"
 #include "compare/figure.h"
 #include "compare/frame.h"
+#include "compare/panels.h"
 #include "compare/pick.h"
 
 /* "run r" or, for SIZE_MAX, the reference. */
 const struct cmp_run *cmp_run_or_ref(const struct comparison *c, size_t r);
-
-/* Columns that a key of n labels, the longest of `longest` characters, takes in `width` px; and the
- * height (px) below the panels that holds it, tick labels and the axis label. */
-int cmp_key_columns(size_t longest, int width);
-int cmp_key_height(size_t n, int columns);
 
 struct cmp_chart {
   const struct comparison *c;
@@ -72,7 +68,5 @@ void cmp_chart_key_entry(struct cmp_chart *chart, size_t run,
                          const char *note); /* not drawn here */
 void cmp_chart_panel_end(struct cmp_chart *chart);
 
-/* gnuplot's name for a dash pattern, and a label short enough for a key. */
+/* gnuplot's name for a dash pattern. */
 const char *cmp_dashes(const struct cmp_style *style);
-void cmp_key_string(FILE *script, const char *label, const char *note);
-size_t cmp_key_length(const char *label); /* characters that it takes there */

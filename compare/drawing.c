@@ -90,10 +90,11 @@ static void complaint_read(const struct cmp_figures *f, const struct cmp_figure 
 static void drawing_check(const struct cmp_figures *f, struct cmp_figure *fig) {
   static const struct {
     const char *suffix, *end;
-  } formats[] = {{".svg", "</svg>"}, {".pdf", "%%EOF"}, {".png", "IEND"}};
+  } formats[] = {{"svg", "</svg>"}, {"pdf", "%%EOF"}, {"png", "IEND"}};
   for (size_t k = 0; k < sizeof formats / sizeof *formats; k++) {
     char name[128], path[PATH_MAX], tail[33] = "";
-    snprintf(name, sizeof name, "%s%s", fig->name, formats[k].suffix);
+    if (*fig->only && strcmp(fig->only, formats[k].suffix) != 0) continue;
+    snprintf(name, sizeof name, "%s.%s", fig->name, formats[k].suffix);
     FILE *file = cmp_path_join(f->temporary, name, path) == OK ? fopen(path, "rb") : NULL;
     size_t n = 0;
     if (file && fseek(file, -32, SEEK_END) == 0) n = fread(tail, 1, 32, file);

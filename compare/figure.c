@@ -56,10 +56,10 @@ static void leftovers_remove(const char *figures) {
 
 /* ---- the set of figures ---- */
 
-enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f) {
-  *f = (struct cmp_figures){.lock = -1};
-  TRY(cmp_path_join(out_dir, "figures", f->dir));
-  TRY(cmp_directory_make(f->dir));
+static const char *const formats[] = {"svg", "pdf", "png"};
+enum { FORMATS = sizeof formats / sizeof *formats };
+
+static enum status temporary_make(struct cmp_figures *f) {
   leftovers_remove(f->dir);
   TRY(cmp_path_join(f->dir, TEMPORARY "XXXXXX", f->temporary));
   if (!mkdtemp(f->temporary)) {
@@ -68,6 +68,35 @@ enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f) {
   }
   f->lock = folder_lock(f->temporary);
   return OK;
+}
+
+enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f) {
+  *f = (struct cmp_figures){.lock = -1};
+  TRY(cmp_path_join(out_dir, "figures", f->dir));
+  TRY(cmp_directory_make(f->dir));
+  return temporary_make(f);
+}
+
+/* What stands behind the dot of a file's name, if it is a format. */
+static const char *format_of(const char *name) {
+  const char *dot = strrchr(name, '.');
+  for (size_t k = 0; dot && k < FORMATS; k++)
+    if (!strcmp(dot + 1, formats[k])) return formats[k];
+  return NULL;
+}
+
+enum status cmp_figures_open_file(const char *path, struct cmp_figures *f) {
+  *f = (struct cmp_figures){.lock = -1};
+  const char *slash = strrchr(path, '/');
+  CHECK(format_of(slash ? slash : path), ERR_USAGE,
+        "%s is no name of a figure; allowed: NAME.svg, NAME.pdf, NAME.png", path);
+  int n = snprintf(f->target, sizeof f->target, "%s", path);
+  CHECK(n > 0 && n < PATH_MAX, ERR_IO, "the path %.100s... is too long", path);
+  if (slash)
+    snprintf(f->dir, sizeof f->dir, "%.*s", (int)(slash - path + 1), path);
+  else
+    snprintf(f->dir, sizeof f->dir, ".");
+  return temporary_make(f);
 }
 
 void cmp_figures_close(struct cmp_figures *f) {
@@ -117,6 +146,7 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
   struct cmp_figure *fig = &f->figure[f->n];
   *fig =
       (struct cmp_figure){.section = section, .raster = raster, .width = width, .height = height};
+  if (*f->target) snprintf(fig->only, sizeof fig->only, "%s", format_of(f->target));
   va_list args;
   va_start(args, name);
   vsnprintf(fig->name, sizeof fig->name, name, args);
@@ -134,7 +164,7 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
 
 void cmp_figure_formats(struct cmp_figure *fig) {
   fprintf(fig->script,
-          "do for [fmt in 'svg pdf png'] {\n"
+          "do for [fmt in '%s'] {\n"
           "if (fmt eq 'svg') { set terminal svg size %d,%d dynamic font 'sans-serif,14' "
           "background '#ffffff' linewidth 1.3 }\n"
           "if (fmt eq 'pdf') { set terminal pdfcairo size %.3fin,%.3fin font 'sans,10' "
@@ -147,8 +177,8 @@ void cmp_figure_formats(struct cmp_figure *fig) {
           "set border linewidth 0.7 linecolor '#444444'\n"
           "set tics nomirror scale 0.6 textcolor '#222222'\n"
           "set grid linetype 1 linecolor '#e4e4e4' linewidth 0.5\n",
-          fig->width, fig->height, fig->width / 100.0, fig->height / 100.0, 2 * fig->width,
-          2 * fig->height, fig->name);
+          *fig->only ? fig->only : "svg pdf png", fig->width, fig->height, fig->width / 100.0,
+          fig->height / 100.0, 2 * fig->width, 2 * fig->height, fig->name);
 }
 
 enum status cmp_figure_end(struct cmp_figure *fig) {
@@ -171,25 +201,33 @@ enum status cmp_figure_data_end(const struct cmp_figure *fig, FILE *stream) {
 
 static bool is_kept(const char *name) {
   const char *dot = strrchr(name, '.');
-  static const char *const kept[] = {".gp", ".csv", ".svg", ".pdf", ".png"};
-  for (size_t k = 0; dot && k < sizeof kept / sizeof *kept; k++)
-    if (!strcmp(dot, kept[k])) return !strstr(name, ".layer");
-  return false;
+  bool source = dot && (!strcmp(dot, ".gp") || !strcmp(dot, ".csv"));
+  return (source || format_of(name)) && !strstr(name, ".layer");
 }
 
 /* Pictures of an earlier report would pass for those that this one lacks. */
 static void earlier_remove(const struct cmp_figures *f, const struct cmp_figure *fig) {
-  static const char *const formats[] = {".svg", ".pdf", ".png"};
-  for (size_t k = 0; k < sizeof formats / sizeof *formats; k++) {
+  for (size_t k = 0; k < FORMATS; k++) {
     const char *dir[] = {f->dir, f->temporary};
     char name[128], path[PATH_MAX];
-    snprintf(name, sizeof name, "%s%s", fig->name, formats[k]);
+    snprintf(name, sizeof name, "%s.%s", fig->name, formats[k]);
     for (size_t i = 0; i < 2; i++)
       if (cmp_path_join(dir[i], name, path) == OK) unlink(path);
   }
 }
 
+static enum status target_publish(const struct cmp_figures *f) {
+  const struct cmp_figure *fig = &f->figure[0];
+  char name[128], from[PATH_MAX];
+  if (*fig->missing) return OK; /* the drawing says so */
+  snprintf(name, sizeof name, "%s.%s", fig->name, fig->only);
+  TRY(cmp_path_join(f->temporary, name, from));
+  CHECK(rename(from, f->target) == 0, ERR_IO, "cannot write %s: %s", f->target, strerror(errno));
+  return OK;
+}
+
 enum status cmp_figures_publish(struct cmp_figures *f) {
+  if (*f->target) return target_publish(f);
   for (size_t i = 0; i < f->n; i++)
     if (*f->figure[i].missing) earlier_remove(f, &f->figure[i]);
   DIR *dir = opendir(f->temporary);

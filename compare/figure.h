@@ -15,18 +15,22 @@ struct cmp_figure {
   bool raster;       /* heavy: the report shows the PNG, not the SVG */
   int width, height; /* px of a screen */
   FILE *script;      /* open between begin and end */
+  char only[4];      /* the one format that is drawn; "": all */
   char missing[256]; /* why it is not drawn; "" when it is */
 };
 
 struct cmp_figures {
   char dir[PATH_MAX], temporary[PATH_MAX];
-  int lock; /* on `temporary`, held while it is in use; -1: none */
+  char target[PATH_MAX]; /* the one file that is wanted; "": all, in `dir` */
+  int lock;              /* on `temporary`, held while it is in use; -1: none */
   size_t n, room;
   struct cmp_figure *figure;
 };
 
 /* Also removes what killed reports have left behind. */
 enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f);
+/* For one figure, which becomes the file `path`: .svg, .pdf or .png. ERR_USAGE when it is none. */
+enum status cmp_figures_open_file(const char *path, struct cmp_figures *f);
 /* Puts what there is into `dir`; of a figure that is missing, its script and data. */
 enum status cmp_figures_publish(struct cmp_figures *f);
 void cmp_figures_close(struct cmp_figures *f); /* removes what is temporary */

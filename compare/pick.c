@@ -33,14 +33,19 @@ void cmp_picked_say(const struct comparison *c, size_t most, const char *how, ch
              c->n_runs, most / 2, most - most / 2, c->n_runs - most, how);
 }
 
-struct cmp_style cmp_run_style(const struct comparison *c, size_t r) {
-  /* Okabe and Ito's colours, yellow left out: it is lost on white. The reference is black. */
+struct cmp_style cmp_style_of(size_t k) {
+  /* Okabe and Ito's colours, yellow left out: it is lost on white. */
   static const char *const palette[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                         "#e69f00", "#56b4e9", "#7f7f7f"};
-  enum { COLOURS = sizeof palette / sizeof *palette };
+  enum { COLOURS = sizeof palette / sizeof *palette, DASHES = 4 };
+  return (struct cmp_style){palette[k % COLOURS], (int)(k / COLOURS % DASHES)};
+}
+
+/* The reference is black. */
+struct cmp_style cmp_run_style(const struct comparison *c, size_t r) {
   if (r == SIZE_MAX) return (struct cmp_style){"#000000", 0};
   if (!cmp_run_is_picked(c, r, CMP_NAMED)) return (struct cmp_style){"#c4c4c4", 0};
   size_t k = 0;
   for (size_t q = 0; q < r; q++) k += cmp_run_is_picked(c, q, CMP_NAMED);
-  return (struct cmp_style){palette[k % COLOURS], (int)(k / COLOURS)};
+  return cmp_style_of(k);
 }

@@ -24,4 +24,5 @@ struct cmp_style {
   const char *colour; /* "#rrggbb", distinct for colour-blind readers */
   int dashes;         /* from 0, the solid line, to 3 */
 };
+struct cmp_style cmp_style_of(size_t k); /* the k-th: colours first, then dashes */
 struct cmp_style cmp_run_style(const struct comparison *c, size_t r); /* SIZE_MAX: the reference */

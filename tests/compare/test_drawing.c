@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "common/base/progress.h"
+#include "compare/graph.h"
 #include "compare/output.h"
 #include "tests/test.h"
 
@@ -168,6 +169,38 @@ static void test_signal_stops(void) {
   waitpid(sender, NULL, 0);
 }
 
+static const double rows[] = {0, 1, NAN, 1, 10, 2, 2, 1000, 4};
+static const struct cmp_graph_column columns[] = {
+    {.head = "x [1]", .label = "x"},
+    {.head = "y [1]", .label = "y", .log = true, .level = "10"},
+    {.head = "it's [1]", .label = "it's", .points = true, .panel = 1}};
+static const struct cmp_graph_curve curves[] = {{"one", 3, rows}, {"other's", 2, rows}};
+
+static enum status graph_draw(const char *name, const char *file) {
+  const struct cmp_graph graph = {name, "Title", 3, 2, columns, curves};
+  struct cmp_figures f;
+  char path[PATH_MAX];
+  path_in(file, path);
+  enum status status = cmp_figures_open_file(path, &f);
+  if (status == OK) status = cmp_graph_write(&graph, &f);
+  if (status == OK) status = cmp_figures_draw(&f, ample);
+  cmp_figures_close(&f);
+  return status;
+}
+
+/* One picture is all that is left of it; when it cannot be drawn, an earlier one stays. */
+static void test_one_file(void) {
+  EXPECT_OK(graph_draw("good", "it's.pdf"));
+  EXPECT(is_there("it's.pdf") && !is_there("it's.svg") && !is_there("good.pdf"));
+  EXPECT(!is_there("good.gp") && !is_there("good.csv") && !is_there("figures/good.pdf"));
+  EXPECT(graph_draw("bad", "it's.pdf") == ERR_IO);
+  EXPECT(strstr(status_message(), "line 7: undefined variable"));
+  EXPECT(is_there("it's.pdf"));
+  EXPECT(graph_draw("good", "it.s/picture.txt") == ERR_USAGE);
+  EXPECT(graph_draw("good", "picture.") == ERR_USAGE);
+  EXPECT(graph_draw("good", "nowhere/picture.svg") == ERR_IO);
+}
+
 static int entry_remove(const char *path, const struct stat *info, int kind, struct FTW *at) {
   (void)info, (void)kind, (void)at;
   return remove(path);
@@ -185,6 +218,7 @@ int main(void) {
   RUN(test_time_for_all_is_limited);
   RUN(test_stopped_figure_counts);
   RUN(test_leftovers_are_removed);
+  RUN(test_one_file);
   RUN(test_signal_stops);
   nftw(folder, entry_remove, 16, FTW_DEPTH | FTW_PHYS);
   return TEST_RESULT;

@@ -1,0 +1,35 @@
+/* A figure of curves that share an axis, from columns of numbers that no run has: panels above each
+ * other, a colour for each curve, dashes for the columns of a panel. */
+#pragma once
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "compare/figure.h"
+
+struct cmp_graph_column {
+  const char *head;  /* of the table: "a [c0]" */
+  const char *label; /* in the key, and on the axis where there is no other */
+  const char *axis;  /* on the axis of its panel; NULL: the label. Of its first column */
+  const char *level; /* a dashed line across its panel, as a number; NULL: none */
+  double top;        /* its panel goes no higher; 0: as high as its curves. Of its first column */
+  int panel;         /* from the top; the first column is the axis of all */
+  bool log, points, same; /* its axis; symbols, no line; alike in all curves, and drawn once */
+  bool undrawn;           /* only in the table */
+};
+
+struct cmp_graph_curve {
+  const char *name;
+  size_t n;
+  const double *row; /* [n][n_columns]; NaN breaks a line */
+};
+
+struct cmp_graph {
+  const char *name;  /* of its files */
+  const char *title; /* above the first panel */
+  size_t n_columns, n_curves;
+  const struct cmp_graph_column *column; /* [n_columns] */
+  const struct cmp_graph_curve *curve;   /* [n_curves] */
+};
+
+/* Writes its script and table; cmp_figures_draw makes the picture. */
+enum status cmp_graph_write(const struct cmp_graph *graph, struct cmp_figures *f);
