@@ -1,0 +1,92 @@
+/* The linearised schemes on a line of particles (T, table 3.1): perturbations e^(kappa x) obey
+ *     direct density   y' = v, v' = c^2 F^2 y        advanced   y' = v, v' = -c^2 F r, r' = -F v
+ * with F = sum_b dx W'(x_a - x_b) e^(kappa (x_b - x_a)), i sin(kh)/h and sinh(mu h)/h where dx = h.
+ * Both have the eigenvalues +- sqrt(c^2 F^2): waves are neutral, decaying modes grow. T's (3.31) to
+ * (3.33) have a factor h too many. */
+#include <math.h>
+
+#include "theory/linear.h"
+#include "theory/spline.h"
+#include "theory/theory.h"
+
+struct formulations {
+  double ratio, to;
+  int points;
+};
+
+static const struct param params[] = {
+    THEORY_REAL(formulations, ratio, 0.5, 10, "1", "h/dx"),
+    THEORY_REAL(formulations, to, PARAM_ABOVE_0, 30, "3.141592653589793", "largest kh and mu h"),
+    THEORY_POINTS(formulations),
+};
+static const struct theory_column columns[] = {
+    {.key = "kh", .unit = "1", .label = "k h or μ h", .help = "wavenumber times h"},
+    {.key = "symbol_oscillating",
+     .unit = "1/h",
+     .label = "F/i, waves",
+     .axis = "F h",
+     .help = "F/i for e^(i k x)"},
+    {.key = "symbol_decaying", .unit = "1/h", .label = "F, decaying", .help = "F for e^(mu x)"},
+    {.key = "direct",
+     .unit = "c/h",
+     .label = "frequency, waves",
+     .axis = "rate h/c",
+     .help = "largest imaginary part of an eigenvalue, waves",
+     .panel = 1},
+    {.key = "advanced",
+     .unit = "c/h",
+     .label = "frequency, advanced",
+     .help = "the same",
+     .panel = 1,
+     .undrawn = true},
+    {.key = "direct_growth",
+     .unit = "c/h",
+     .label = "growth, decaying",
+     .help = "largest real part of an eigenvalue, decaying modes",
+     .panel = 1},
+    {.key = "advanced_growth",
+     .unit = "c/h",
+     .label = "growth, advanced",
+     .help = "the same",
+     .panel = 1,
+     .undrawn = true},
+};
+
+/* The largest real and imaginary parts, in c/h. */
+static enum status rates(double complex f, bool advanced, double *growth, double *frequency) {
+  struct theory_matrix direct = {2, {{0, 1}, {f * f, 0}}};
+  struct theory_matrix three = {3, {{0, 1, 0}, {0, 0, -f}, {0, -f, 0}}};
+  double complex lambda[THEORY_LARGEST];
+  const struct theory_matrix *m = advanced ? &three : &direct;
+  TRY(theory_eigenvalues(m, lambda));
+  *growth = *frequency = 0;
+  for (int i = 0; i < m->n; i++) {
+    *growth = fmax(*growth, creal(lambda[i]));
+    *frequency = fmax(*frequency, cimag(lambda[i]));
+  }
+  return OK;
+}
+
+static enum status evaluate(const void *with, struct theory_curve *curve) {
+  const struct formulations *p = with;
+  for (int i = 0; i < p->points; i++) {
+    double k = theory_between(0, p->to, i, p->points), unused, frequency[2], growth[2];
+    double complex wave = theory_spline_slope_symbol(I * k, p->ratio);
+    double complex decaying = theory_spline_slope_symbol(k, p->ratio);
+    for (int advanced = 0; advanced < 2; advanced++) {
+      TRY(rates(wave, advanced, &unused, &frequency[advanced]));
+      TRY(rates(decaying, advanced, &growth[advanced], &unused));
+    }
+    TRY(THEORY_ROW(curve, k, cimag(wave), creal(decaying), frequency[0], frequency[1], growth[0],
+                   growth[1]));
+  }
+  return OK;
+}
+
+const struct theory_topic theory_formulations = {
+    .name = "formulations",
+    .help = "symbols and eigenvalues of the scheme with direct and advanced density (T, table 3.1)",
+    .params_size = sizeof(struct formulations),
+    THEORY_TABLES,
+    .evaluate = evaluate,
+};

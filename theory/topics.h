@@ -1,0 +1,27 @@
+/* The topics, in the order in which they are listed. */
+#pragma once
+
+#define THEORY_TOPICS(X)                                                                           \
+  X(dispersion)                                                                                    \
+  X(regime)                                                                                        \
+  X(diffusion)                                                                                     \
+  X(timestep)                                                                                      \
+  X(stability)                                                                                     \
+  X(amplification)                                                                                 \
+  X(kernel)                                                                                        \
+  X(surface)                                                                                       \
+  X(formulations)                                                                                  \
+  X(damping)                                                                                       \
+  X(viscosity)                                                                                     \
+  X(treatments)                                                                                    \
+  X(growth)                                                                                        \
+  X(oscillation)                                                                                   \
+  X(hydrostatic)                                                                                   \
+  X(smoothing)                                                                                     \
+  X(waves)                                                                                         \
+  X(roots)                                                                                         \
+  X(acoustic)                                                                                      \
+  X(profiles)                                                                                      \
+  X(orthogonality)                                                                                 \
+  X(projection)                                                                                    \
+  X(filter)

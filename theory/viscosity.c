@@ -1,0 +1,100 @@
+/* Artificial viscosity (T, section 3.4.4) in the midpoint step, on a line of particles with dx = h:
+ *     y' = v,  v' = -(c sin(kh)/h)^2 y + G v,   G = -(2 alpha c/h) sin^2(kh/2)
+ * for a viscosity that acts on both signs; where it acts on approaching pairs only, on one side of
+ * a particle, G = -alpha c (1 - e^(+-i kh))/(2 h). T prints a plus for e^(-i kh), a real part that
+ * would not damp. With s = mu_c sin kh and g = G dt the step's eigenvalues are
+ *     1 - s^2/2 + g/2 + g^2/4 +- (1/4) sqrt(-16 s^2 + 4 g^2 - 16 s^2 g - 4 s^2 g^2 + 4 g^3 + g^4),
+ * |lambda|^2 = 1 + s^4/4 + g (1 + s^2/2) + O(g^2): it does stabilise, which T denies. */
+#include <complex.h>
+#include <math.h>
+
+#include "theory/linear.h"
+#include "theory/theory.h"
+
+static const char *const pair_names[] = {"both", "one-side", NULL};
+static const char *const pair_helps[] = {"pairs that approach and that part (no switch)",
+                                         "one neighbour of the two, as with the switch"};
+
+struct viscosity {
+  double alpha, courant;
+  int pairs, points;
+};
+
+static const struct param params[] = {
+    THEORY_REAL(viscosity, alpha, 0, 100, "0, 0.01, 0.05", "coefficient of the viscosity"),
+    THEORY_REAL(viscosity, courant, PARAM_ABOVE_0, 10, "0.3", "mu_c = c dt/h"),
+    THEORY_CHOICE(viscosity, pairs, pair_names, pair_helps, "both", "on which pairs it acts"),
+    THEORY_POINTS(viscosity),
+};
+static const struct theory_column columns[] = {
+    {.key = "kh", .unit = "1", .label = "k h", .help = "wavenumber times h"},
+    {.key = "growth",
+     .unit = "1",
+     .label = "|λ| − 1",
+     .axis = "|λ| − 1 of a step",
+     .level = "0",
+     .help = "growth in a step"},
+};
+enum { WORST, WORST_AT, LIMIT };
+static const struct theory_value values[] = {
+    [WORST] = {"growth_most", "1", "largest growth in a step"},
+    [WORST_AT] = {"kh_most", "1", "k h of that"},
+    [LIMIT] = {"courant_most", "1", "Courant number up to which no wave grows"},
+};
+
+static enum status growth(const struct viscosity *p, double courant, double kh, double *excess) {
+  static const double midpoint[] = {1, 1, 1. / 2};
+  double s = courant * sin(kh);
+  double complex one_side = -p->alpha * courant * (1 - cexp(I * kh)) / 2;
+  double complex g = p->pairs ? one_side : -2 * p->alpha * courant * pow(sin(kh / 2), 2);
+  struct theory_matrix z = {2, {{0, 1}, {-s * s, g}}}, m = theory_polynomial(&z, 2, midpoint);
+  TRY(theory_radius(&m, excess));
+  *excess -= 1;
+  return OK;
+}
+
+/* Over all waves; those of k h = 0 and pi neither move nor grow. */
+static enum status worst(const struct viscosity *p, double courant, double *most, double *at) {
+  enum { WAVES = 720 };
+  *most = -INFINITY;
+  for (int i = 1; i < WAVES; i++) {
+    double kh = M_PI * i / WAVES, excess;
+    TRY(growth(p, courant, kh, &excess));
+    if (excess <= *most) continue;
+    *most = excess;
+    *at = kh;
+  }
+  return OK;
+}
+
+/* Short waves of a stable step decay; the longest are neutral but for rounding. */
+static enum status limit(const struct viscosity *p, double *courant) {
+  double low = 0, high = 4, most, at;
+  while (high - low > 1e-10) {
+    double middle = (low + high) / 2;
+    TRY(worst(p, middle, &most, &at));
+    *(most <= 1e-14 ? &low : &high) = middle;
+  }
+  *courant = p->alpha > 0 ? low : 0;
+  return OK;
+}
+
+static enum status evaluate(const void *with, struct theory_curve *curve) {
+  const struct viscosity *p = with;
+  for (int i = 0; i < p->points; i++) {
+    double kh = theory_between(0, M_PI, i, p->points), excess;
+    TRY(growth(p, p->courant, kh, &excess));
+    TRY(THEORY_ROW(curve, kh, excess));
+  }
+  TRY(worst(p, p->courant, &curve->value[WORST], &curve->value[WORST_AT]));
+  return limit(p, &curve->value[LIMIT]);
+}
+
+const struct theory_topic theory_viscosity = {
+    .name = "viscosity",
+    .help = "growth in a midpoint step with artificial viscosity (T, eqs 3.46-3.55, corrected)",
+    .params_size = sizeof(struct viscosity),
+    THEORY_TABLES,
+    THEORY_VALUES,
+    .evaluate = evaluate,
+};
