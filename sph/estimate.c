@@ -27,7 +27,7 @@ void sph_estimate(const struct case_file *c, const struct case_run *r, struct so
   double wall = length_of(&c->walls) * kernel_support((enum sph_kernel)o->kernel) * h / (dx * dx);
   double cells = (c->tank.max[0] - c->tank.min[0]) * (c->tank.max[1] - c->tank.min[1]) / (dx * dx);
   struct sph_bounds bounds;
-  double steps = c->end / (sph_courant_at_rest(o, &bounds) * h / o->c0);
+  double steps = c->end / (o->dt > 0 ? o->dt : sph_courant_at_rest(o, &bounds) * h / o->c0);
   double evaluations = steps * sph_integrators[sph_integrator_chosen(o)]->evaluations;
   e->points = case_water_area(c) / (dx * dx);
   e->unit = "particles";

@@ -99,6 +99,15 @@ const struct param sph_params[SPH_N_PARAMS] = {
      "factor of the bound from viscosity (paper, eq. 28)", NULL},
     {"cfl_acceleration", PARAM_REAL, QTY_NUMBER, AT(cfl_acceleration), 1e-3, 10, "0.25", NULL,
      "factor of the bound from acceleration (paper, eq. 28)", NULL},
+    {"dt", PARAM_REAL, QTY_TIME, AT(dt), 0, 1e6, "0", NULL,
+     "time step, or as much less as makes outputs a whole number of them apart; 0: the largest "
+     "that the bounds allow",
+     NULL},
+    {"damping", PARAM_REAL, QTY_NUMBER, AT(damping), 0, 1e6, "0", NULL,
+     "Gamma of the integrator damped-pc, du/dt = ... - Gamma u, 1/s (thesis, eqs. 3.36 to 3.45)",
+     NULL},
+    {"damping_end", PARAM_REAL, QTY_TIME, AT(damping_end), 0, 1e9, "0", NULL,
+     "until when it damps; 0: to the end", NULL},
 #define ROW(name, LIST, help)                                                                      \
   {#name,        PARAM_INT, QTY_NUMBER,       AT(every[SPH_TREATMENT_##name]), 0, 1e9, "0",        \
    name##_words, help,      name##_word_helps},

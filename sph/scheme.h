@@ -22,12 +22,14 @@ struct sph_scheme {
   double delta;             /* negative: the usual one of the diffusion */
   double alpha;
   double c0; /* m/s */
+  double dt; /* s; 0: what the factors of the bounds allow */
   double cfl_acoustic, cfl_diffusive, cfl_viscous, cfl_acceleration;
+  double damping, damping_end; /* 1/s, s: Gamma, until then; 0: to the end */
 };
 
 enum { SPH_PRECISION_single, SPH_PRECISION_double };
 
-enum { SPH_N_PARAMS = 20 + SPH_TREATMENT_PARAMS };
+enum { SPH_N_PARAMS = 23 + SPH_TREATMENT_PARAMS };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* delta; or, when it is negative, the usual one of the diffusion with P's kernel (diffusion.h),

@@ -110,13 +110,25 @@ static void check_step(const struct case_file *c, const struct case_run *r,
                        struct problems *problems) {
   const struct sph_scheme *o = r->options;
   struct sph_bounds b;
-  const double courant = sph_courant_at_rest(o, &b), h = o->h_over_dx * c->H / r->resolution;
+  const double h = o->h_over_dx * c->H / r->resolution, unit = h / o->c0;
+  const double courant = o->dt > 0 ? o->dt / unit : sph_courant_at_rest(o, &b);
+  struct sph_scheme scaled = *o;
   double stable;
-  if (sph_stable_courant(o, h / (o->c0 * c->end), &stable) != OK) {
+  scaled.damping *= unit;
+  if (sph_stable_courant(&scaled, unit / c->end, &stable) != OK) {
     problems->out_of_memory = true;
     return;
   }
   if (courant <= stable) return;
+  if (o->dt > 0) {
+    problems_add(
+        problems, case_run_line(r, "dt"),
+        "runs.%s.dt: found '%g s', which is %.3g h/c0, where waves on a lattice grow beyond "
+        "%.3g in the time of the run (%s); allowed: at most %.3g s; lower it",
+        r->name, o->dt, courant, stable, sph_integrator_names[sph_integrator_chosen(o)],
+        0.999 * stable * unit);
+    return;
+  }
   const bool viscous = b.viscous <= courant, acoustic = b.acoustic <= courant;
   const char *key = acoustic ? "cfl_acoustic" : viscous ? "cfl_viscous" : "cfl_diffusive";
   const double factor = acoustic ? o->cfl_acoustic : viscous ? o->cfl_viscous : o->cfl_diffusive;
@@ -128,6 +140,26 @@ static void check_step(const struct case_file *c, const struct case_run *r,
       r->name, key, factor, courant, stable, sph_scheme_name(o, "kernel"), o->h_over_dx,
       sph_integrator_names[sph_integrator_chosen(o)], sph_scheme_name(o, "diffusion"),
       sph_scheme_delta(o), o->alpha, 0.999 * factor * stable / courant);
+}
+
+/* Sound that grows in every step has no bound that a step could be taken from. */
+static void check_integrator(const struct case_run *r, struct problems *problems) {
+  const struct sph_scheme *o = r->options;
+  const struct sph_integrator *method = sph_integrators[sph_integrator_chosen(o)];
+  const char *name = sph_integrator_names[sph_integrator_chosen(o)];
+  if (method->acoustic == 0 && o->dt == 0)
+    problems_add(problems, case_run_line(r, "integrator"),
+                 "runs.%s.integrator: found '%s', which by itself lets sound grow in a step of any "
+                 "size (thesis, eqs. 2.246 to 2.268), so that no bound gives one; allowed: with "
+                 "dt; give it or "
+                 "take another",
+                 r->name, name);
+  if (o->damping > 0 && !method->damps)
+    problems_add(
+        problems, case_run_line(r, "damping"),
+        "runs.%s.damping: found '%g' with the integrator %s, which does not damp; allowed: "
+        "damped-pc; take that or leave the line out",
+        r->name, o->damping, name);
 }
 
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
@@ -142,6 +174,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  "in each of its stages; allowed: any other; take rk4-frozen or leave the line out",
                  r->name, sph_integrator_names[sph_integrator_chosen(o)]);
   sph_forms_check(r, problems);
+  check_integrator(r, problems);
   if (!c->rectangular)
     problems_add(
         problems, case_run_line(r, "solver"),

@@ -5,10 +5,10 @@
 #include "sph/pair/eos.h"
 
 const struct solver_term sph_terms[SPH_TERM_COUNT] = {
-#define X(name, help) {#name, help},
-    SPH_PAIR_POWERS(X)
+#define X(name, help) [SPH_TERM_##name] = {#name, help},
+    SPH_PAIR_POWERS(X) SPH_STEP_TERMS(X)
 #undef X
-#define X(name, ...) {#name, "energy taken out so far by the treatment " #name},
+#define X(name, ...) [SPH_TERM_##name] = {#name, "energy taken out so far by the treatment " #name},
         SPH_CORRECTIONS(X) SPH_TREATMENTS(X)
 #undef X
 };

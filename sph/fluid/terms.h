@@ -15,6 +15,9 @@
 /* All that an evaluation of the rates finds as powers, W/m, and the integrator adds up. */
 #define SPH_POWERS(X) SPH_PAIR_POWERS(X) SPH_CORRECTIONS(X)
 
+/* Those that an integrator takes by itself. */
+#define SPH_STEP_TERMS(X) X(damping, "energy taken out so far by the damping of the integrator")
+
 /* And one for each treatment between steps, which is what the energy fell by while it was applied.
  */
-#define SPH_TERMS(X) SPH_POWERS(X) SPH_TREATMENTS(X)
+#define SPH_TERMS(X) SPH_POWERS(X) SPH_STEP_TERMS(X) SPH_TREATMENTS(X)

@@ -28,3 +28,14 @@ struct sph_chebyshev sph_chebyshev_of(double Z) {
   for (int k = 1; k <= p.degree && k <= SPH_CHEBYSHEV_MOST; k++) p.c[k] /= slope;
   return p;
 }
+
+double sph_chebyshev_value(const struct sph_chebyshev *p, double z) {
+  double before = 0, now = 2 * z / p->Z, sum = p->c[1] * now;
+  for (int k = 2; k <= p->degree; k++) {
+    double next = 2 * now - before + 4 * z / p->Z * (1 + now);
+    before = now;
+    now = next;
+    sum += p->c[k] * now;
+  }
+  return 1 + sum;
+}

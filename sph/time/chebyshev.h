@@ -20,3 +20,6 @@ struct sph_chebyshev {
  * decay exactly at their rate, as polynomials of the degree can. Whatever is constant stays to
  * rounding. For Z beyond what the largest degree serves, degree is SPH_CHEBYSHEV_MOST + 1. */
 struct sph_chebyshev sph_chebyshev_of(double Z);
+
+/* What is left of a mode that decays by exp(z). */
+double sph_chebyshev_value(const struct sph_chebyshev *p, double z);

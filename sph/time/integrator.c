@@ -29,6 +29,11 @@ int sph_integrator_chosen(const struct sph_scheme *o) {
                                                                 : SPH_INTEGRATOR_rk4_frozen;
 }
 
+double sph_damping(const struct sph *s) {
+  const double end = s->scheme.damping_end;
+  return end == 0 || s->t < end * (1 - 1e-9) ? s->scheme.damping : 0;
+}
+
 static void copy_state(size_t n, const struct sph_state *to, const struct sph_state *from) {
 #pragma omp parallel for simd schedule(static)
   for (size_t i = 0; i < n; i++) {

@@ -102,3 +102,11 @@ const struct sph_integrator sph_tvd_rk3 = {.order = 3,
                                            .diffusive = 2.513 / 2.785,
                                            .table = &shu_osher,
                                            .step = sph_rk_step};
+
+static const struct rk_table forward = {.stages = 1, .b = {1}};
+const struct sph_integrator sph_euler = {
+    .order = 1, .evaluations = 1, .diffusive = 2 / 2.785, .table = &forward, .step = sph_rk_step};
+
+static const struct rk_table heun = {.stages = 2, .a = {{0}, {1}}, .b = {1. / 2, 1. / 2}};
+const struct sph_integrator sph_predictor_corrector = {
+    .order = 2, .evaluations = 2, .diffusive = 2 / 2.785, .table = &heun, .step = sph_rk_step};

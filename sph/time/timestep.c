@@ -26,14 +26,19 @@ struct sph_bounds sph_timestep_bounds(const struct sph *s) {
 }
 
 bool sph_timestep_is_cut(const struct sph *s) {
+  if (s->scheme.dt > 0) return false;
   struct sph_bounds b = sph_timestep_bounds(s);
   double at_rest = b.acoustic * (1 + s->totals.speed / s->c0);
   return fmin(b.acceleration, b.acoustic) < 0.1 * fmin(fmin(b.diffusive, b.viscous), at_rest);
 }
 
-double sph_timestep(const struct sph *s, double next) {
+static double largest(const struct sph *s) {
   struct sph_bounds b = sph_timestep_bounds(s);
-  double dt = fmin(fmin(b.diffusive, b.viscous), fmin(b.acceleration, b.acoustic));
+  return fmin(fmin(b.diffusive, b.viscous), fmin(b.acceleration, b.acoustic));
+}
+
+double sph_timestep(const struct sph *s, double next) {
+  double dt = s->scheme.dt > 0 ? s->scheme.dt : largest(s);
   double left = next - s->t;
   return left / fmax(1, ceil(left / dt * (1 - 1e-12)));
 }

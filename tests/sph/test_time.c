@@ -1,13 +1,12 @@
 /* Integrators and time steps. */
 #include "tests/test.h"
 
-#include <complex.h>
-
 #include "sph/pair/diffuse.h"
 #include "sph/pair/kernel.h"
 #include "sph/time/chebyshev.h"
 #include "sph/time/integrator.h"
-#include "sph/time/rk.h"
+#include "sph/time/linear.h"
+#include "sph/time/stages.h"
 #include "sph/time/timestep.h"
 #include "tests/sph/pool.h"
 
@@ -15,11 +14,11 @@
  * and the measured order is the method's. */
 static struct sph *cluster(int integrator, struct case_file **c) {
   char run[200];
+  const struct sph_integrator *m = sph_integrators[integrator];
   snprintf(run, sizeof run,
-           "resolution: 4, h_over_dx: 2, diffusion: %s, alpha: 0.1, integrator: %s, "
-           "precision: double",
-           sph_integrators[integrator]->split ? "molteni" : "antuono",
-           sph_integrator_names[integrator]);
+           "resolution: 4, h_over_dx: 2, diffusion: %s, alpha: 0.1, integrator: %s, dt: 1e-6, "
+           "damping: %d, precision: double",
+           m->split ? "molteni" : "antuono", sph_integrator_names[integrator], m->damps ? 20 : 0);
   *c = pool_case(
       "title: sixteen\nscales: {H: 1}\ntank: {walls: [[[0, 30], [0, 0], [30, 0], [30, 30]]]}\n"
       "water: {regions: [[[14, 14], [15, 14], [15, 15], [14, 15]]], pressure: "
@@ -96,41 +95,38 @@ static void test_time_step_obeys_every_bound(void) {
   /* equal steps to the next output, rather than one tiny one */
   EXPECT_NEAR(sph_timestep(s, 2.5 * dt), 2.5 * dt / 3, 1e-14);
   EXPECT_NEAR(sph_timestep(s, 0.1 * dt), 0.1 * dt, 1e-14);
+  s->scheme.dt = 3 * dt; /* or the one that is given */
+  EXPECT_NEAR(sph_timestep(s, 60 * dt), 3 * dt, 1e-14);
   sph_destroy(s);
   case_destroy(c);
 }
 
-/* |1 + z b.(1 + z A 1 + ...)|: how much dw/dt = lambda w grows in a step, z = lambda dt. */
-static double growth(const struct sph_integrator *m, double complex z) {
-  double complex k[SPH_MAX_STAGES], sum = 1;
-  for (int r = 0; r < m->table->stages; r++) {
-    double complex w = 1;
-    for (int q = 0; q < r; q++) w += m->table->a[r][q] * k[q];
-    k[r] = z * w;
-    sum += m->table->b[r] * k[r];
-  }
-  return cabs(sum);
-}
-
-/* First z = direction * distance at which the method amplifies, by steps of 1e-3. Next to z = 0 it
- * does so by rounding at most. */
-static double stable_up_to(const struct sph_integrator *m, double complex direction) {
-  double distance = 1e-3;
-  while (growth(m, distance * direction) <= 1 + 1e-12) distance += 1e-3;
-  return distance;
+/* First dt at which the method amplifies the wave, by steps of 1e-3. Next to 0 it does so by
+ * rounding at most. */
+static double stable_up_to(const struct sph_integrator *m, const struct sph_linear *p) {
+  double dt = 0, growth;
+  do {
+    dt += 1e-3;
+    if (sph_linear_growth(m, p, dt, &growth) != OK) exit(1);
+  } while (growth <= 1 + 1e-12);
+  return dt;
 }
 
 /* Sound and convection lie on the imaginary axis, diffusion on the negative real one; P found its
  * factors for classic RK4. Within the steps of the search. */
 static void test_time_step_factors_are_the_limits_of_stability(void) {
-  const struct sph_integrator *rk4 = sph_integrators[0];
+  const struct sph_linear sound = sph_linear_sound(1), decay = {.rate = 1};
+  const double acoustic = stable_up_to(&sph_rk4, &sound);
+  const double diffusive = stable_up_to(&sph_rk4, &decay);
+  EXPECT_NEAR(acoustic, sqrt(8), 1e-3);
   for (int k = 0; k < SPH_INTEGRATOR_COUNT; k++) {
-    const struct sph_integrator *m = sph_integrators[k];
-    EXPECT_NEAR(m->acoustic, stable_up_to(m, I) / stable_up_to(rk4, I), 1e-3);
-    if (m->split)
-      EXPECT(isinf(m->diffusive));
+    struct sph_integrator m = *sph_integrators[k];
+    m.frozen = false; /* what that costs depends on the term */
+    EXPECT_NEAR(m.acoustic, stable_up_to(&m, &sound) / acoustic, 1e-3);
+    if (m.split)
+      EXPECT(isinf(m.diffusive));
     else
-      EXPECT_NEAR(m->diffusive, stable_up_to(m, -1) / stable_up_to(rk4, -1), 1e-3);
+      EXPECT_NEAR(m.diffusive, stable_up_to(&m, &decay) / diffusive, 1e-3);
   }
 }
 
@@ -160,18 +156,6 @@ static void lattice_wave(enum sph_diffusion d, double kx, double ky, double *ome
   *rate = sum;
 }
 
-/* What is left of a mode that decays by exp(z) in a step. */
-static double chebyshev_growth(const struct sph_chebyshev *p, double z) {
-  double before = 0, now = 2 * z / p->Z, sum = p->c[1] * now;
-  for (int k = 2; k <= p->degree; k++) {
-    double next = 2 * now - before + 4 * z / p->Z * (1 + now);
-    before = now;
-    now = next;
-    sum += p->c[k] * now;
-  }
-  return 1 + sum;
-}
-
 /* Every mode decays, none by much less or more than it should, and the slow ones at their rate. */
 static void test_exponential_of_the_diffusion_lets_every_mode_decay(void) {
   EXPECT(sph_chebyshev_of(1e9).degree == SPH_CHEBYSHEV_MOST + 1);
@@ -179,48 +163,22 @@ static void test_exponential_of_the_diffusion_lets_every_mode_decay(void) {
     const struct sph_chebyshev p = sph_chebyshev_of(Z);
     double most = 0, off = 0;
     for (int k = 1; k <= 1000; k++) {
-      const double z = -Z * k / 1000, g = chebyshev_growth(&p, z);
+      const double z = -Z * k / 1000, g = sph_chebyshev_value(&p, z);
       most = fmax(most, fabs(g));
       off = fmax(off, fabs(g - exp(z)));
     }
     EXPECT(most < 1);
     EXPECT(off < 0.03);
-    EXPECT_NEAR((1 - chebyshev_growth(&p, -1e-6 * Z)) / (1e-6 * Z), 1, 2e-6 * (1 + Z));
+    EXPECT_NEAR((1 - sph_chebyshev_value(&p, -1e-6 * Z)) / (1e-6 * Z), 1, 2e-6 * (1 + Z));
   }
 }
 
-/* The factors by which a step of dt = 1 changes the two waves of rho' = i omega u - rate rho, u' =
- * i omega rho. */
-static void wave_factors(const struct sph_integrator *m, double omega, double rate, double fastest,
-                         double complex factor[2]) {
-  double complex G[2][2], k[SPH_MAX_STAGES][2];
-  for (int c = 0; c < 2; c++) {
-    double complex start[2] = {c == 0, c == 1};
-    for (int q = 0; q < 2; q++) G[q][c] = start[q];
-    for (int r = 0; r < m->table->stages; r++) {
-      double complex w[2] = {start[0], start[1]};
-      for (int l = 0; l < r; l++)
-        for (int q = 0; q < 2; q++) w[q] += m->table->a[r][l] * k[l][q];
-      k[r][0] = I * omega * w[1];
-      if (!m->split) k[r][0] -= rate * (m->frozen ? start[0] : w[0]);
-      k[r][1] = I * omega * w[0];
-      for (int q = 0; q < 2; q++) G[q][c] += m->table->b[r] * k[r][q];
-    }
-    if (!m->split) continue;
-    const struct sph_chebyshev p = sph_chebyshev_of(fastest);
-    G[0][c] *= chebyshev_growth(&p, -rate);
-  }
-  double complex half = (G[0][0] + G[1][1]) / 2;
-  double complex root = csqrt(half * half - (G[0][0] * G[1][1] - G[0][1] * G[1][0]));
-  factor[0] = half + root;
-  factor[1] = half - root;
-}
-
-static double wave_growth(const struct sph_integrator *m, double omega, double rate,
-                          double fastest) {
-  double complex factor[2];
-  wave_factors(m, omega, rate, fastest, factor);
-  return fmax(cabs(factor[0]), cabs(factor[1]));
+/* rho' = i omega u - rate rho, u' = i omega rho. */
+static struct sph_linear damped_sound(double omega, double rate, double fastest) {
+  struct sph_linear p = sph_linear_sound(omega);
+  p.rate = rate;
+  p.fastest = fastest;
+  return p;
 }
 
 /* Sound and diffusion together, in every wave that a lattice carries along its rows and diagonals,
@@ -230,6 +188,7 @@ static void test_default_steps_are_stable_with_every_diffusion(void) {
   for (int d = 1; d < SPH_DIFFUSION_COUNT; d++)
     for (int k = 0; k < SPH_INTEGRATOR_COUNT; k++) {
       if (sph_integrators[k]->split && diffusion_needs_gradient((enum sph_diffusion)d)) continue;
+      if (sph_integrators[k]->acoustic == 0) continue; /* has no step of its own */
       struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, c0: 50");
       struct sph_scheme o = *(const struct sph_scheme *)c->runs[0].options;
       o.diffusion = d;
@@ -242,10 +201,11 @@ static void test_default_steps_are_stable_with_every_diffusion(void) {
       double fastest = sph_diffuse(s, s->f.k[1].rho) * s->dx / s->c0;
       for (int n = 1; n <= 32; n++)
         for (int diagonal = 0; diagonal < 2; diagonal++) {
-          double omega, rate, wave = M_PI * n / 32;
+          double omega, rate, growth, wave = M_PI * n / 32;
           lattice_wave((enum sph_diffusion)d, wave, wave * diagonal, &omega, &rate);
-          most = fmax(most, wave_growth(sph_integrators[k], omega * dt, rate * s->scheme.delta * dt,
-                                        fastest * dt));
+          const struct sph_linear p = damped_sound(omega, rate * s->scheme.delta, fastest);
+          EXPECT_OK(sph_linear_growth(sph_integrators[k], &p, dt, &growth));
+          most = fmax(most, growth);
         }
       EXPECT(most <= 1 + 1e-9);
       sph_destroy(s);
@@ -260,15 +220,16 @@ static double sound_error(enum sph_diffusion d, double delta, const struct sph_i
                           double fastest, double dt) {
   double worst = 0;
   for (int n = 1; n <= 6; n++) {
-    double omega, rate;
-    double complex factor[2];
+    double omega, rate, off = INFINITY;
+    double complex G[SPH_LINEAR][SPH_LINEAR], factor[SPH_LINEAR];
     lattice_wave(d, M_PI * n / 32, 0, &omega, &rate);
     rate *= delta;
-    wave_factors(m, omega * dt, rate * dt, fastest * dt, factor);
+    const struct sph_linear p = damped_sound(omega, rate, fastest);
+    sph_linear_step(m, &p, dt, G);
+    EXPECT_OK(sph_linear_factors(G, factor));
     const double complex exact = -rate / 2 + I * csqrt(omega * omega - rate * rate / 4);
-    const double complex forth = clog(factor[0]) / dt, back = clog(factor[1]) / dt;
-    const double complex made = cimag(forth) > cimag(back) ? forth : back;
-    worst = fmax(worst, cabs(made - exact) / omega);
+    for (int k = 0; k < SPH_LINEAR; k++) off = fmin(off, cabs(clog(factor[k]) / dt - exact));
+    worst = fmax(worst, off / omega);
   }
   return worst;
 }
@@ -280,6 +241,7 @@ static void test_split_steps_carry_sound_better_than_frozen_ones(void) {
   for (int k = 0; k < 2; k++) {
     double error[SPH_INTEGRATOR_COUNT], dt[SPH_INTEGRATOR_COUNT];
     for (int m = 0; m < SPH_INTEGRATOR_COUNT; m++) {
+      if (sph_integrators[m]->acoustic == 0) continue; /* has no step of its own */
       struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, c0: 50");
       struct sph_scheme o = *(const struct sph_scheme *)c->runs[0].options;
       o.diffusion = of[k];
@@ -349,16 +311,21 @@ static void test_acoustic_bound_sees_velocity_gradients(void) {
   case_destroy(c);
 }
 
-/* A Runge-Kutta table is consistent when its weights sum to one; stages are explicit. */
-static void test_tables_are_explicit_and_consistent(void) {
+/* A state at the end of a step is one step on: rates weigh one in all. */
+static void test_stages_are_consistent(void) {
   for (int k = 0; k < SPH_INTEGRATOR_COUNT; k++) {
-    const struct sph_integrator *m = sph_integrators[k];
-    double sum = 0;
-    for (int r = 0; r < m->table->stages; r++) {
-      sum += m->table->b[r];
-      for (int q = r; q < SPH_MAX_STAGES; q++) EXPECT(m->table->a[r][q] == 0);
+    const struct sph_stages s = sph_stages_of(sph_integrators[k], 0);
+    const struct sph_row *end = &s.row[s.n];
+    double x = end->own, u = 0, rho = 0;
+    for (int r = 0; r < s.n; r++) {
+      x += end->x[r];
+      u += end->u[r];
+      rho += end->rho[r];
     }
-    EXPECT_NEAR(sum, 1, 1e-15);
+    EXPECT(end->keep == 1 && s.row[0].keep == 1 && s.n == sph_integrators[k]->evaluations);
+    EXPECT_NEAR(x, 1, 1e-15);
+    EXPECT_NEAR(u, 1, 1e-15);
+    EXPECT_NEAR(rho, 1, 1e-15);
   }
 }
 
@@ -400,7 +367,7 @@ int main(void) {
   RUN(test_auto_freezes_only_what_is_stable_frozen);
   RUN(test_time_step_bounds_know_the_integrator_and_the_diffusion);
   RUN(test_acoustic_bound_sees_velocity_gradients);
-  RUN(test_tables_are_explicit_and_consistent);
+  RUN(test_stages_are_consistent);
   RUN(test_steps_beyond_the_lists_are_done_again);
   return TEST_RESULT;
 }
