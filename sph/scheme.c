@@ -3,6 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "sph/domain/fitted.h"
 #include "sph/domain/wall.h"
 #include "sph/pair/continuity.h"
 #include "sph/pair/derivative.h"
@@ -28,6 +29,7 @@ FAMILY(momentum, SPH_MOMENTUMS)
 FAMILY(continuity, SPH_CONTINUITIES)
 FAMILY(viscosity, SPH_VISCOSITIES)
 FAMILY(diffusion, SPH_DIFFUSIONS)
+FAMILY(free_surface, SPH_FREE_SURFACES)
 #define CHOICE(key, LIST, first, help) FAMILY(key, LIST)
 SPH_TREATMENT_CHOICES(CHOICE)
 #undef CHOICE
@@ -78,6 +80,8 @@ const struct param sph_params[SPH_N_PARAMS] = {
     {"c0", PARAM_REAL, QTY_VELOCITY, AT(c0), 1e-6, 1e6, "20 sqrt(gH)", NULL,
      "speed of sound; at least 10 times the largest velocity, about 2 sqrt(gH) in a dam break",
      NULL},
+    {"free_surface", PARAM_CHOICE, QTY_NUMBER, AT(free_surface), 0, 0, "natural",
+     free_surface_names, "condition on the free surface", free_surface_helps},
     {"integrator", PARAM_CHOICE, QTY_NUMBER, AT(integrator), 0, 0, "auto", sph_integrator_names,
      "time integration (paper, IV; rk4-frozen is eq. 25)", sph_integrator_helps},
     {"walls", PARAM_CHOICE, QTY_NUMBER, AT(walls), 0, 0, "ghost", sph_wall_names,

@@ -7,7 +7,9 @@
 #include "common/base/geometry_check.h"
 #include "common/base/progress.h"
 #include "common/case/case.h"
+#include "common/flow/flow.h"
 #include "common/result/result.h"
+#include "sph/domain/fitted.h"
 #include "sph/estimate.h"
 #include "sph/fluid/energy.h"
 #include "sph/observe/output.h"
@@ -175,6 +177,12 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  r->name, sph_integrator_names[sph_integrator_chosen(o)]);
   sph_forms_check(r, problems);
   check_integrator(r, problems);
+  if (o->free_surface == SPH_FREE_SURFACE_fitted && !flow_is_wave(c->flow))
+    problems_add(
+        problems, case_run_line(r, "free_surface"),
+        "runs.%s.free_surface: found 'fitted' with regions of water, whose outline no row of "
+        "particles follows; allowed: with water.wave; leave the line out",
+        r->name);
   if (!c->rectangular)
     problems_add(
         problems, case_run_line(r, "solver"),

@@ -205,6 +205,7 @@ done:
 void sph_destroy(struct sph *s) {
   if (!s) return;
   sph_treat_destroy(s);
+  free(s->fitted);
   sph_wall_destroy(s);
   sph_period_destroy(s);
   sph_particles_destroy(&s->f);

@@ -109,6 +109,9 @@ struct sph {
   const struct sph_stand_in *stand_in; /* NULL for water */
 
   struct sph_period period;
+  unsigned char
+      *fitted; /* [f.n at t = 0], by id: whether in the first row (fitted.h), or NULL; owned */
+
   const struct sph_wall *wall;
   struct sph_wall_particles w;
 

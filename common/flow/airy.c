@@ -139,7 +139,7 @@ static enum status head(const struct flow_water *w, const struct flow_point *p, 
 static void start(const struct flow_water *w, double X, double Y, struct flow_start *out) {
   const struct wave *wave = w->own;
   const struct form *f = w->c->form;
-  const double g = w->c->gravity, c = w->use.sound, theta = phase(w, X, 0);
+  const double theta = phase(w, X, 0);
   double along, across, u[2];
   profile(w, Y, &along, &across);
   velocity(w, X, Y, 0, u);
@@ -148,8 +148,8 @@ static void start(const struct flow_water *w, double X, double Y, struct flow_st
                              .y = Y + zeta,
                              .u = u[0],
                              .v = u[1],
-                             .head = wave_round_head(g, c, wave->top - Y - zeta, push(w, X, Y, 0)),
-                             .rest = wave_round_head(g, c, wave->top - Y, 0)};
+                             .head = wave_round_head(w, wave->top - Y - zeta, push(w, X, Y, 0)),
+                             .rest = wave_round_head(w, wave->top - Y, 0)};
 }
 
 /* Linear waves have as much of both: g a^2/4 for each metre. */

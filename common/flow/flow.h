@@ -30,6 +30,7 @@ struct flow_use {
   int order;      /* of the theory, as a run of `exact` asks; 0: nothing but t = 0 is wanted */
   double spacing; /* of the particles, m; 0: neither `head` nor `start` is wanted */
   double sound; /* speed of it where the water is compressible, m/s; 0: nothing of that is wanted */
+  bool even;    /* compressible water weighs, in its momentum equation, as if it were not */
 };
 
 /* How a particle of compressible water starts, in place of `flow_velocity` and `flow_head`. */

@@ -49,10 +49,10 @@ static void velocity(const struct flow_water *w, double x, double y, double t, d
 
 static void start(const struct flow_water *w, double X, double Y, struct flow_start *out) {
   const struct form *f = w->c->form;
-  const double g = w->c->gravity, c = w->use.sound, depth = elevation(w, X, 0) - Y;
+  const double depth = elevation(w, X, 0) - Y;
   const double more = f->strength * cos(2 * M_PI / f->wavelength * (X - w->c->tank.min[0])) *
                       exp(-depth / f->decay);
-  const double rest = wave_round_head(g, c, depth, 0);
+  const double rest = wave_round_head(w, depth, 0);
   *out = (struct flow_start){.x = X, .y = Y, .head = rest + more, .rest = rest};
 }
 

@@ -15,7 +15,9 @@ void wave_round_check(const struct case_file *c, struct case_draft *d, double wa
 }
 
 /* rho/rho0 - 1 over g/c^2. */
-double wave_round_head(double gravity, double sound, double depth, double push) {
+double wave_round_head(const struct flow_water *w, double depth, double push) {
+  const double gravity = w->c->gravity, sound = w->use.sound;
+  if (w->use.even) return depth + push / gravity;
   const double per_length = gravity / (sound * sound), at_rest = expm1(per_length * depth);
   return (at_rest + (1 + at_rest) * push / (sound * sound)) / per_length;
 }
@@ -33,12 +35,12 @@ struct wave_motion wave_round_motion(const struct flow_water *w, const struct wa
  * of the water, which is large, where it is. */
 void wave_round_start(const struct flow_water *w, const struct wave_mode *m, double amplitude,
                       double X, double Y, struct flow_start *start) {
-  const double g = w->c->gravity, c = w->use.sound, top = surface(w, m);
+  const double top = surface(w, m);
   const struct wave_motion motion = wave_round_motion(w, m, amplitude, X, Y, 0);
   *start = (struct flow_start){.x = X + motion.xi,
                                .y = Y + motion.zeta,
                                .u = motion.u,
                                .v = motion.v,
-                               .head = wave_round_head(g, c, top - Y - motion.zeta, motion.push),
-                               .rest = wave_round_head(g, c, top - Y, 0)};
+                               .head = wave_round_head(w, top - Y - motion.zeta, motion.push),
+                               .rest = wave_round_head(w, top - Y, 0)};
 }

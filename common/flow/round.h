@@ -14,8 +14,8 @@
 void wave_round_check(const struct case_file *c, struct case_draft *d, double wavelength);
 
 /* p/(rho g) where water at rest has the density rho0 exp(g depth/c^2), and the pressure over that
- * density is `push` (m^2 s^-2) more. */
-double wave_round_head(double gravity, double sound, double depth, double push);
+ * density is `push` (m^2 s^-2) more; or the depth and that, where the use is `even`. */
+double wave_round_head(const struct flow_water *w, double depth, double push);
 
 /* The linear wave of a mode (modes.h), in the
  * places of the case; and how a particle starts in it. */

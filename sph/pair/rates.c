@@ -14,6 +14,7 @@
 
 #include <math.h>
 
+#include "sph/domain/fitted.h"
 #include "sph/fluid/energy.h"
 #include "sph/pair/continuity.h"
 #include "sph/pair/density.h"
@@ -222,6 +223,7 @@ static void cluster_rates(struct sph *s, const struct evaluation *how, size_t cl
     k->v[at + l] = e.ay[l];
     k->rho[at + l] = e.D[l] - stiffness_of(s, at + l).rho * e.div[l];
   }
+  sph_fitted_rates(s, how->stage, cluster);
   s->cluster_totals[cluster] = totals_of(s, at, &e, &a, &b);
   sph_treat_rates(s, how->stage, cluster, &s->cluster_totals[cluster]);
 }

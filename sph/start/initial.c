@@ -3,7 +3,8 @@
 #include <stdlib.h>
 
 #include "common/flow/flow.h"
-#include "sph/pair/eos.h"
+#include "sph/domain/fitted.h"
+#include "sph/pair/momentum.h"
 #include "sph/start/cells.h"
 
 /* Water being placed. */
@@ -80,13 +81,35 @@ done:
 
 /* ---- waves ---- */
 
-/* A lattice at rest from the bed to half a spacing below the surface, which the wave moves. */
+/* Rows of particles in water of this depth: the first half a spacing below the surface, or on it.
+ */
+struct rows {
+  size_t n;
+  double height; /* of a row, m; the first lies half of it above the bed */
+  bool fitted;
+};
+
+static struct rows rows_in(const struct sph *s, double depth) {
+  const bool fitted = s->scheme.free_surface == SPH_FREE_SURFACE_fitted;
+  const size_t n = geo_intervals(depth + (fitted ? s->dx / 2 : 0), s->dx);
+  return (struct rows){n, depth / ((double)n - (fitted ? 0.5 : 0)), fitted};
+}
+
+static enum status mark_first_row(struct sph *s, const struct rows *rows) {
+  if (!rows->fitted) return OK;
+  TRY(sph_allocate(s->f.n, sizeof *s->fitted, &s->fitted));
+  for (size_t i = 0; i < s->f.n; i++) s->fitted[s->f.id[i]] = i % rows->n == rows->n - 1;
+  return OK;
+}
+
+/* A lattice at rest from the bed to the surface, which the wave moves. */
 static enum status fill_lattice(struct filling *w) {
   struct sph *s = w->s;
   const double *corner = s->tank.box.min, depth = w->c->flow->scale(w->c).depth;
   const double width = tank_size(&s->tank, 0);
-  const size_t nx = geo_intervals(width, s->dx), ny = geo_intervals(depth, s->dx);
-  const double dx = width / (double)nx, dy = depth / (double)ny;
+  const struct rows rows = rows_in(s, depth);
+  const size_t nx = geo_intervals(width, s->dx), ny = rows.n;
+  const double dx = width / (double)nx, dy = rows.height;
   TRY(sph_particles_create(&s->f, nx * ny));
   for (size_t i = 0; i < nx * ny; i++) {
     struct flow_start p;
@@ -100,7 +123,7 @@ static enum status fill_lattice(struct filling *w) {
     s->f.w.rho[i] = density_of(s, p.head, p.y);
     s->f.m[i] = density_of(s, p.rest, Y) * dx * dy;
   }
-  return OK;
+  return mark_first_row(s, &rows);
 }
 
 /* Column by column, each as many particles high, stretched from the bed to the elevation. */
@@ -108,26 +131,29 @@ static enum status fill_columns(struct filling *w) {
   struct sph *s = w->s;
   const double *corner = s->tank.box.min, depth = w->c->flow->scale(w->c).depth;
   double width = s->tank.box.max[0] - corner[0];
-  size_t nx = geo_intervals(width, s->dx), ny = geo_intervals(depth, s->dx);
+  const struct rows rows = rows_in(s, depth);
+  size_t nx = geo_intervals(width, s->dx), ny = rows.n;
   TRY(sph_particles_create(&s->f, nx * ny));
   s->f.n = 0;
   double dx = width / (double)nx;
   for (size_t i = 0; i < nx; i++) {
     double x = corner[0] + ((double)i + 0.5) * dx;
-    double dy = (flow_elevation(&w->water, x, 0) - corner[1]) / (double)ny;
+    double dy = (flow_elevation(&w->water, x, 0) - corner[1]) / (depth / rows.height);
     for (size_t j = 0; j < ny; j++) {
       double up = (double)j + 0.5;
-      const struct flow_point p = {x, corner[1] + up * dy, corner[1] + up * depth / (double)ny};
+      const struct flow_point p = {x, corner[1] + up * dy, corner[1] + up * rows.height};
       TRY(place(w, &p, dx * dy));
     }
   }
-  return OK;
+  return mark_first_row(s, &rows);
 }
 
 enum status sph_initial_fill(struct sph *s, const struct case_file *c) {
   struct filling w = {.s = s, .c = c};
   enum status status = OK;
-  ATTEMPT(flow_open(c, (struct flow_use){.spacing = s->dx, .sound = s->c0}, &w.water));
+  const bool even = s->scheme.momentum == SPH_MOMENTUM_reference; /* thesis, eq. (4.27) */
+  const struct flow_use use = {.spacing = s->dx, .sound = s->c0, .even = even};
+  ATTEMPT(flow_open(c, use, &w.water));
   ATTEMPT(c->flow->start          ? fill_lattice(&w)
           : flow_is_wave(c->flow) ? fill_columns(&w)
                                   : fill_regions(&w));
@@ -136,6 +162,7 @@ done:
   TRY(status);
   CHECK(s->f.n > 0, ERR_INPUT,
         "no particle of spacing %g m fits into the water: raise the resolution", s->dx);
+  sph_fitted_set(s);
   sph_particles_pad(&s->f);
   return OK;
 }

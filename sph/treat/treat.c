@@ -1,6 +1,7 @@
 #include "sph/treat/treat.h"
 
 #include "common/case/case.h"
+#include "sph/domain/fitted.h"
 #include "sph/domain/wall.h"
 #include "sph/fluid/energy.h"
 #include "sph/pair/rates.h"
@@ -68,6 +69,7 @@ static enum status apply(struct sph *s, int treatment) {
   s->wall->fill(s);
   const double before = sph_energy(s).total;
   TRY(treatments[treatment]->apply(s));
+  sph_fitted_set(s);
   sph_particles_pad(&s->f);
   *(double *)((char *)&s->budget + terms[treatment]) += before - sph_energy(s).total;
   return OK;

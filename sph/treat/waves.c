@@ -6,6 +6,7 @@
 #include "sph/pair/eos.h"
 
 double sph_treat_level(const struct sph *s) {
+  if (s->fitted) return s->eos.level; /* the first row's volumes reach above it */
   return s->tank.box.min[1] + sph_volume(s) / tank_size(&s->tank, 0);
 }
 
