@@ -1,6 +1,7 @@
 #include <jansson.h>
 #include <math.h>
 
+#include "revision.h"
 #include "theory/theory.h"
 
 /* jansson takes a NULL value as a failure and frees what it was given: a failure anywhere makes
@@ -69,6 +70,7 @@ static json_t *result_object(struct maker *m, const struct theory_result *r) {
   json_t *object = json_object(), *columns = json_object(), *values = json_object(),
          *curves = json_array();
   const struct theory_topic *t = r->topic;
+  set(m, object, "plunge", json_string(PLUNGE_VERSION " (" PLUNGE_REVISION ")"));
   set(m, object, "topic", json_string(t->name));
   set(m, object, "help", json_string(t->help));
   for (size_t k = 0; k < t->n_columns; k++)
