@@ -7,7 +7,8 @@
 
 /* Measured: one matrix of 8 n^2 bytes; nodes 1.14 times those of even spacing on a column of
  * H by H, and twice as many when the water has run along a tank of two to three columns. The clock,
- * for dam breaks of 40 and 90 nodes per H to t = 6.5 sqrt(H/g): 3.7 and 29 s (docs/accuracy.md). */
+ * for dam breaks of 40 and 90 nodes per H to t = 6.5 sqrt(H/g): 3.7 and 29 s (docs/accuracy.md), on
+ * one thread and on two. */
 static const double BYTES_ALONE = 40e6, MORE_NODES = 1.14, GROWTH = 2;
 static const double SECONDS_OF_137 = 0.57, POWER = 2.5; /* per sqrt(H/g), with 137 nodes */
 

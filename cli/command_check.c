@@ -1,5 +1,6 @@
 #include <argp.h>
 #include <math.h>
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +18,7 @@ static void print_estimates(const struct case_file *c) {
     struct solver_estimate e = {0};
     char time[32];
     r->solver->estimate(c, r, &e);
-    progress_format_time(time, sizeof time, fmax(1, e.seconds));
+    progress_format_time(time, sizeof time, fmax(1, solver_seconds(&e, omp_get_max_threads())));
     printf("  %-*s  %.0f %s, %.0f MB of memory, roughly %s\n", width, r->name, e.points, e.unit,
            1e-6 * e.bytes, time);
   }

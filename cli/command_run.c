@@ -4,6 +4,7 @@
 #include <limits.h>
 #include <math.h>
 #include <omp.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,21 +12,31 @@
 #include <unistd.h>
 
 #include "cli/command.h"
+#include "cli/jobs.h"
 #include "cli/room.h"
 #include "cli/traps.h"
+#include "common/base/array.h"
 #include "common/result/health.h"
 
 struct run_arguments {
   const char *case_path, *out;
   char *only;
   struct command_set set;
-  int threads;
+  int threads, jobs;
   bool force, quiet, wait;
 };
 
+/* How many of something an option asks for. */
+static int parse_count(const char *option, const char *arg, struct argp_state *state) {
+  char *end;
+  long n = strtol(arg, &end, 10);
+  if (end == arg || *end || n < 1 || n > 1024)
+    argp_error(state, "--%s %s: give a whole number from 1 to 1024", option, arg);
+  return (int)n;
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct run_arguments *a = state->input;
-  char *end;
   switch (key) {
   case 'o':
     a->out = arg;
@@ -35,13 +46,12 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case 's':
     return command_set_add(&a->set, arg, state);
-  case 't': {
-    long threads = strtol(arg, &end, 10);
-    if (end == arg || *end || threads < 1 || threads > 1024)
-      argp_error(state, "--threads %s: give a whole number from 1 to 1024", arg);
-    a->threads = (int)threads;
+  case 't':
+    a->threads = parse_count("threads", arg, state);
     return 0;
-  }
+  case 'j':
+    a->jobs = parse_count("jobs", arg, state);
+    return 0;
   case 'f':
     a->force = true;
     return 0;
@@ -111,35 +121,50 @@ static enum status end_result(struct result *out, enum status status, struct hea
 static enum status tell_health(const struct case_run *r, const struct health *h,
                                struct progress *progress) {
   if (h->verdict == HEALTH_SOUND)
-    progress_say(progress, "           sound: %s", *h->facts ? h->facts : "nothing to judge by");
+    progress_say(progress, "%-10s sound: %s", r->name,
+                 *h->facts ? h->facts : "nothing to judge by");
   if (h->verdict == HEALTH_DOUBTFUL) command_warn("run %s is doubtful: %s", r->name, h->reasons);
   CHECK(h->verdict != HEALTH_FAILED, ERR_DIVERGED, "its result is not to be believed: %s",
         h->reasons);
   return OK;
 }
 
-static enum status run_one(const struct case_file *c, const struct case_run *r, const char *path,
-                           struct progress *progress) {
+struct running {
+  const struct case_file *c;
+  const char *folder;
+  struct progress *progress;
+};
+
+static enum status run_one(const struct running *g, const struct case_run *r) {
   struct result *out = NULL;
   struct health health = {0};
+  char path[PATH_MAX];
   enum status status;
-  progress_begin(progress, r->name, c->end, sqrt(c->H / c->gravity));
-  ATTEMPT(result_create(path, c, r, &out));
+  progress_begin(g->progress, r->name, g->c->end, sqrt(g->c->H / g->c->gravity));
+  ATTEMPT(result_path(g->folder, r, path));
+  ATTEMPT(result_create(path, g->c, r, &out));
   traps_enable();
-  status = r->solver->run(c, r, out, progress);
+  status = r->solver->run(g->c, r, out, g->progress);
   traps_disable();
   status = end_result(out, status, &health);
 done:
   result_destroy(out);
   if (status == OK) {
-    progress_end(progress, "done");
-    status = tell_health(r, &health, progress);
+    progress_end(g->progress, "done");
+    status = tell_health(r, &health, g->progress);
   } else if (status == INTERRUPTED)
-    progress_end(progress, "stopped; its file holds every output so far");
+    progress_end(g->progress, "stopped; its file holds every output so far");
   else
-    progress_end(progress, "FAILED");
-  if (status != OK && status != INTERRUPTED) status_context(status, "run %s: ", r->name);
+    progress_end(g->progress, "FAILED");
   return status;
+}
+
+/* Run `i` in a process of its own; returns its exit code. */
+static int run_job(void *data, size_t i) {
+  const struct running *g = data;
+  enum status status = run_one(g, &g->c->runs[i]);
+  if (status == OK || status == INTERRUPTED) return status_exit_code(status);
+  return command_fail(status_context(status, "run %s: ", g->c->runs[i].name));
 }
 
 /* In what the file of run r belongs to another case than this one is now; NULL when in nothing. */
@@ -248,19 +273,28 @@ static enum status skip_finished(const struct run_arguments *a, const struct cas
   return OK;
 }
 
-/* Every chosen run, also after one that failed. INTERRUPTED ends it. */
-static enum status run_chosen(const struct case_file *c, const char *folder, const bool *chosen,
-                              struct progress *progress, int *exit_code) {
-  for (size_t i = 0; i < c->n_runs; i++) {
-    char path[PATH_MAX];
+/* Every chosen run, also after one that failed; several at a time when they are done sooner by
+ * that. INTERRUPTED ends it. */
+static enum status run_chosen(const struct run_arguments *a, struct running *g, const bool *chosen,
+                              int *exit_code) {
+  struct job *job = NULL;
+  size_t n = 0;
+  enum status status;
+  ATTEMPT(array_create(&job, g->c->n_runs, "runs"));
+  for (size_t i = 0; i < g->c->n_runs; i++) {
+    const struct case_run *r = &g->c->runs[i];
     if (!chosen[i]) continue;
-    TRY(result_path(folder, &c->runs[i], path));
-    enum status status = run_one(c, &c->runs[i], path, progress);
-    if (status == INTERRUPTED) return status;
-    if (progress_is_stopped()) return status_raise(INTERRUPTED, "stopped");
-    if (status != OK) *exit_code = command_fail(status);
+    job[n] = (struct job){.name = r->name, .item = i};
+    r->solver->estimate(g->c, r, &job[n++].estimate);
   }
-  return OK;
+  struct job_plan plan = {.threads = omp_get_max_threads(), .room = room_for_all()};
+  plan.most = a->jobs ? (size_t)a->jobs : omp_get_proc_bind() == omp_proc_bind_false ? SIZE_MAX : 1;
+  plan.exactly = a->jobs > 0;
+  jobs_plan(n, job, &plan);
+  status = jobs_run(n, job, &plan, run_job, g, g->progress, exit_code);
+done:
+  free(job);
+  return status;
 }
 
 static int run_case(const struct run_arguments *a, const struct case_file *c,
@@ -278,7 +312,7 @@ static int run_case(const struct run_arguments *a, const struct case_file *c,
   exit_code = command_check_room(c, chosen, a->set.n, a->set.item);
   if (exit_code != EXIT_FINE) goto done;
   ATTEMPT(room_take_for_blas());
-  ATTEMPT(run_chosen(c, folder, chosen, progress, &exit_code));
+  ATTEMPT(run_chosen(a, &(struct running){c, folder, progress}, chosen, &exit_code));
   if (c->compare.reference < c->n_runs) {
     int compared = report(c, folder, progress);
     if (exit_code == EXIT_FINE) exit_code = compared;
@@ -297,6 +331,8 @@ int command_run(int argc, char **argv) {
       {"only", 'r', "RUN[,RUN]", 0, "only these runs of the case", 0},
       {"set", 's', "PATH=VALUE", 0, "override a value, as in runs.NAME.alpha=0 or time.end=1.2", 0},
       {"threads", 't', "N", 0, "threads (default: OMP_NUM_THREADS, else every core)", 0},
+      {"jobs", 'j', "N", 0,
+       "so many runs side by side, if there is memory (default: as is estimated to be fastest)", 0},
       {"force", 'f', NULL, 0, "run again even what is there for the same inputs", 0},
       {"quiet", 'q', NULL, 0, "no progress; errors and the verdict only", 0},
       {"wait", 'w', NULL, 0, "wait for another plunge that is at work in the folder", 0},

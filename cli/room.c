@@ -54,6 +54,10 @@ double room_available(const char **limit) {
   return least;
 }
 
+double room_for_all(void) {
+  return fmin(free_memory(), group_memory());
+}
+
 void room_check(const struct case_run *r, const struct solver_estimate *e,
                 struct problems *problems) {
   const char *limit;

@@ -6,6 +6,9 @@
 /* Memory that this process may still take, bytes, and in words what sets that limit. */
 double room_available(const char **limit);
 
+/* Memory that this process and its children may still take together, bytes. */
+double room_for_all(void);
+
 /* Adds a problem when run `r` needs more than that. */
 void room_check(const struct case_run *r, const struct solver_estimate *e,
                 struct problems *problems);

@@ -18,8 +18,15 @@ struct solver_estimate {
   double points;    /* how many, at the start */
   const char *unit; /* what they are: "particles", "nodes" */
   double bytes;     /* most memory at once */
-  double seconds;   /* of the clock, with as many threads as OpenMP will use */
+  double seconds;   /* of the clock, on one thread */
+  double shared;    /* the part of them that threads share, 0 to 1 */
+  double joining;   /* s more on two threads or more: they start and wait for each other */
 };
+
+/* Of the clock, on so many threads. */
+static inline double solver_seconds(const struct solver_estimate *e, int threads) {
+  return e->seconds * (1 - e->shared + e->shared / threads) + (threads > 1 ? e->joining : 0);
+}
 
 /* What a solver's water has lost or gained, as one column of /series/energy (J/m). */
 struct solver_term {

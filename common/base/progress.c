@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -14,6 +15,7 @@
 struct progress {
   enum progress_mode mode;
   bool terminal, line_open;
+  int notes; /* where the live line goes instead of the terminal; -1: nowhere else */
   char name[64];
   double end, time_scale; /* s; time_scale = sqrt(H/g) */
   double began, last_shown;
@@ -38,14 +40,42 @@ static void on_signal(int number) {
   stop_requested = 1;
 }
 
+static const int stopping[] = {SIGINT, SIGTERM, SIGHUP};
+
 void progress_catch_signals(void) {
-  static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
   struct sigaction action = {.sa_handler = on_signal}, before;
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-    if (numbers[i] != SIGHUP || (!sigaction(SIGHUP, NULL, &before) && before.sa_handler != SIG_IGN))
-      sigaction(numbers[i], &action, NULL); /* nohup stays what it is */
+  for (size_t i = 0; i < sizeof stopping / sizeof *stopping; i++)
+    if (stopping[i] != SIGHUP ||
+        (!sigaction(SIGHUP, NULL, &before) && before.sa_handler != SIG_IGN))
+      sigaction(stopping[i], &action, NULL); /* nohup stays what it is */
+}
+
+/* What the parent orders, it also reports. */
+static void on_order(int number) {
+  (void)number;
+  if (stop_requested || !is_asked) _exit(EXIT_STOPPED);
+  stop_requested = 1;
+}
+
+void progress_obey_parent(void) {
+  stop_requested = is_asked = 0;
+  sigaction(PROGRESS_STOP, &(struct sigaction){.sa_handler = on_order, .sa_flags = SA_RESTART},
+            NULL);
+  for (size_t i = 0; i < sizeof stopping / sizeof *stopping; i++) signal(stopping[i], SIG_IGN);
+}
+
+void progress_hold_signals(bool hold) {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, PROGRESS_STOP);
+  for (size_t i = 0; i < sizeof stopping / sizeof *stopping; i++) sigaddset(&set, stopping[i]);
+  sigprocmask(hold ? SIG_BLOCK : SIG_UNBLOCK, &set, NULL);
+}
+
+void progress_ask_no_more(void) {
+  is_asked = 0;
 }
 
 bool progress_is_stopped(void) {
@@ -68,6 +98,7 @@ struct progress *progress_create(enum progress_mode mode) {
   if (!p) return NULL;
   const char *term = getenv("TERM");
   p->mode = mode;
+  p->notes = -1;
   p->terminal = isatty(STDERR_FILENO) && !(term && !strcmp(term, "dumb"));
   return p;
 }
@@ -98,6 +129,48 @@ void progress_format_time(char *out, size_t size, double seconds) {
     snprintf(out, size, "%.1f h", seconds / 3600);
 }
 
+void progress_send(struct progress *p, int notes) {
+  p->notes = notes;
+}
+
+bool progress_is_live(const struct progress *p) {
+  return p->terminal && p->mode != PROGRESS_QUIET;
+}
+
+static void close_line(struct progress *p) {
+  if (p->line_open) fputs("\r\033[K", stderr);
+  p->line_open = false;
+}
+
+/* Columns of the terminal, less the one that would break the line. */
+static int line_width(void) {
+  struct winsize size;
+  return !ioctl(STDERR_FILENO, TIOCGWINSZ, &size) && size.ws_col > 20 ? size.ws_col - 1 : 200;
+}
+
+void progress_show(struct progress *p, const struct progress_note *note, size_t n) {
+  char line[2048] = "";
+  if (!progress_is_live(p) || !n) return;
+  for (size_t i = 0, at = 0; i < n && at < sizeof line; i++) {
+    char left[32];
+    progress_format_time(left, sizeof left, note[i].left);
+    at += (size_t)snprintf(line + at, sizeof line - at, "%s%s %.0f%% %s", i ? "   " : "",
+                           note[i].name, note[i].percent, left);
+  }
+  fprintf(stderr, "\r\033[K%.*s", line_width(), n > 1 ? line : note->line);
+  fflush(stderr);
+  p->line_open = true;
+}
+
+static void note_publish(struct progress *p, const struct progress_note *note) {
+  if (!p->terminal)
+    fprintf(stderr, "%s\n", note->line);
+  else if (p->notes < 0)
+    progress_show(p, note, 1);
+  else if (write(p->notes, note, sizeof *note) < 0)
+    return; /* the reader has more than enough */
+}
+
 void progress_step(struct progress *p, size_t step, double time, double dt, double units_of_work,
                    const char *unit, double energy_drift) {
   if (p->mode == PROGRESS_QUIET) return;
@@ -115,21 +188,18 @@ void progress_step(struct progress *p, size_t step, double time, double dt, doub
   }
   p->last_shown = now;
 
+  struct progress_note note = {.percent = p->end > 0 ? 100 * time / p->end : 0,
+                               .left = (p->end - time) * p->pace};
   char left[32], drift[48] = "";
-  progress_format_time(left, sizeof left, (p->end - time) * p->pace);
+  progress_format_time(left, sizeof left, note.left);
   if (!isnan(energy_drift)) snprintf(drift, sizeof drift, "  energy %+.1e", energy_drift);
   double elapsed = now - p->began;
-  fprintf(stderr, "%s%-10s %3.0f%%  step %zu  t*=%.3f of %.2f  dt*=%.1e  %.2g %s/s  %s left%s%s",
-          p->terminal ? "\r\033[K" : "", p->name, p->end > 0 ? 100 * time / p->end : 0, step,
-          time / p->time_scale, p->end / p->time_scale, dt / p->time_scale,
-          elapsed > 0 ? units_of_work / elapsed : 0, unit, left, drift, p->terminal ? "" : "\n");
-  fflush(stderr);
-  p->line_open = p->terminal;
-}
-
-static void close_line(struct progress *p) {
-  if (p->line_open) fputs("\r\033[K", stderr);
-  p->line_open = false;
+  memcpy(note.name, p->name, sizeof note.name);
+  snprintf(note.line, sizeof note.line,
+           "%-10s %3.0f%%  step %zu  t*=%.3f of %.2f  dt*=%.1e  %.2g %s/s  %s left%s", p->name,
+           note.percent, step, time / p->time_scale, p->end / p->time_scale, dt / p->time_scale,
+           elapsed > 0 ? units_of_work / elapsed : 0, unit, left, drift);
+  note_publish(p, &note);
 }
 
 void progress_end(struct progress *p, const char *outcome) {
@@ -150,4 +220,9 @@ void progress_say(struct progress *p, const char *format, ...) {
   if (text) text_show(stderr, text, "");
   fputc('\n', stderr);
   free(text);
+}
+
+void progress_forward(struct progress *p, const char *text, size_t n) {
+  close_line(p);
+  fwrite(text, 1, n, stderr);
 }

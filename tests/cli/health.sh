@@ -23,7 +23,7 @@ grep -q usual err && fail "the sound run is blamed: $(cat err)"
 "$program" run --out out case.yaml 2>err >said
 [ $? = 3 ] || fail "exit code when it is there already"
 "$program" run --out out --only usual --force case.yaml 2>err >said
-grep -q "^ *sound: .*budget" err || fail "no facts of the sound run: $(cat err)"
+grep -q "^usual *sound: .*budget" err || fail "no facts of the sound run: $(cat err)"
 
 "$program" info out/slow.h5 | grep -A2 "^health *failed: .*volume" | grep -q "speeds reach" || fail "info of slow"
 "$program" info out/usual.h5 | grep -q "^health *sound: " || fail "info of usual"

@@ -45,7 +45,7 @@ done
 pid=$!
 most=0
 while kill -0 $pid 2>/dev/null; do
-  now=$(awk '/^VmHWM/ { print $2 }' /proc/$pid/status 2>/dev/null)
+  now=$(awk '/^VmHWM/ { print $2 }' "/proc/$(pgrep -P $pid)/status" 2>/dev/null) # the run's own process
   [ "${now:-0}" -gt $most ] && most=$now
   sleep 0.05
 done
