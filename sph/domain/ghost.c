@@ -141,7 +141,8 @@ static enum status ghosts_create(struct sph *s, const struct geo_lines *walls) {
     if (i >= n) continue;
     s->w.x[i] = x[o];
     s->w.y[i] = y[o];
-    s->w.pack[i] = (struct sph_pack){.x = x[o], .y = y[o], .V = fabs(t->dx * t->dy)};
+    s->w.pack[i] =
+        (struct sph_pack){.x = x[o], .y = y[o], .V = fabs(t->dx * t->dy), .rho = s->rho0};
   }
 done:
   free(x);

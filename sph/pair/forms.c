@@ -1,5 +1,6 @@
 #include "sph/pair/forms.h"
 
+#include "sph/domain/fitted.h"
 #include "sph/pair/continuity.h"
 #include "sph/pair/derivative.h"
 #include "sph/pair/diffusion.h"
@@ -135,7 +136,11 @@ const char *sph_forms_warning(const struct sph_scheme *o) {
   if (o->eos == SPH_EOS_dynamic)
     return "eos dynamic has no dynamic pressure at a free surface, instead of no pressure: water "
            "does not fall";
+  if (is_fitted(o) && o->free_surface == SPH_FREE_SURFACE_natural)
+    return "a fitted derivative imposes no pressure on a free surface: violent flow is thrown "
+           "about; "
+           "waves want free_surface: fitted";
   if (o->momentum == SPH_MOMENTUM_minus)
-    return "momentum minus imposes no pressure on a free surface";
+    return "momentum minus imposes no pressure on a free surface: violent flow is thrown about";
   return NULL;
 }
