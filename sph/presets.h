@@ -2,6 +2,6 @@
 #pragma once
 #include "common/base/params.h"
 
-enum { SPH_N_PRESETS = 3 };
+enum { SPH_N_PRESETS = 8 };
 extern const struct param_preset sph_presets[SPH_N_PRESETS];
 extern const char *const sph_preset_names[]; /* NULL at the end */
