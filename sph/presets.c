@@ -14,31 +14,32 @@
   X(ferrari, "ferrari", SET("diffusion", "ferrari"),                                               \
     "delta-sph with D of P eq. (10), psi = (rho_j - rho_i) |r|/2h")                                \
   X(ma_sph, "ma-sph",                                                                              \
-    T_SCHEME SET("eos", "tait") SET("momentum", "mass") SET("continuity", "mass")                  \
+    T_SPLINE SET("eos", "tait") SET("momentum", "mass") SET("continuity", "mass")                  \
         SET("mls_volume", "20"),                                                                   \
     "T eqs. (2.15), (3.20): du/dt = -sum m_j (p_i/rho_i^2 + p_j/rho_j^2) gradW + g, drho/dt = "    \
     "-sum m_j (u_j - u_i).gradW, Tait's p, densities re-initialised by MLS")                       \
-  X(msph, "msph", T_SCHEME SET("momentum", "reference") SET("smoothing", "auto"),                  \
+  X(msph, "msph", T_SPLINE SET("momentum", "reference") SET("smoothing", "auto"),                  \
     "T eqs. (4.40), (4.41), (4.51), (4.52): du/dt = -(1/rho0) sum (p_j + p_i) V_j gradW + g, "     \
     "drho/dt = -rho sum (u_j - u_i).gradW V_j, velocity and density smoothed")                     \
   X(msph_dynamic, "msph-dynamic",                                                                  \
-    T_SCHEME SET("eos", "dynamic") SET("momentum", "reference") SET("smoothing", "auto")           \
+    T_SPLINE SET("eos", "dynamic") SET("momentum", "reference") SET("smoothing", "auto")           \
         SET("smoothing_of", "excess"),                                                             \
     "T eqs. (4.34), (4.35): msph driven by p_d = c0^2 (rho - rho0) + rho0 g y in place of p and "  \
     "g; for water that keeps its level")                                                           \
   X(msph_split, "msph-split",                                                                      \
-    T_SCHEME SET("eos", "split") SET("momentum", "reference") SET("smoothing", "auto"),            \
+    T_SPLINE SET("eos", "split") SET("momentum", "reference") SET("smoothing", "auto"),            \
     "T eqs. (4.57) to (4.60): msph with p = c0^2 (rho_s - rho0) - rho0 g y, where rho_s is rho0 "  \
     "in water at rest")                                                                            \
   X(hsph, "hsph",                                                                                  \
-    T_SCHEME SET("momentum", "reference") SET("continuity", "reference") SET("derivative", "mls")  \
-        SET("projection", "15"),                                                                   \
+    T_SCHEME SET("kernel", "quintic") SET("h_over_dx", "1") SET("momentum", "reference")           \
+        SET("continuity", "reference") SET("derivative", "mls") SET("free_surface", "fitted")      \
+            SET("projection", "15"),                                                               \
     "T eqs. (4.1), (4.2): du/dt = -grad p/rho0 + g, dp/dt = -rho0 c0^2 div u, derivatives by "     \
-    "MLS, waves re-projected; in a periodic tank")
+    "MLS, p = 0 on the first row, waves re-projected; in a periodic tank")
 
 #define SET(key, value) {key, value},
+#define T_SPLINE        T_SCHEME SET("kernel", "cubic")
 #define T_SCHEME                                                                                   \
-  SET("kernel", "cubic")                                                                           \
   SET("diffusion", "none") SET("alpha", "0") SET("integrator", "rk4") SET("walls", "mirror")
 
 #define VALUES(variant, name, values, help)                                                        \
