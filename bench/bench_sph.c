@@ -1,6 +1,6 @@
 /* Speed of the SPH solver: nanoseconds per particle of water for one evaluation of the right-hand
- * side, on the dam break of Buchner's tank some time after release, by resolution, diffusion or
- * kernel, and number of threads; and what the phases of an evaluation cost.
+ * side, on the dam break of Buchner's tank some time after release, by resolution, diffusion,
+ * kernel or named scheme, and number of threads; and what the phases of an evaluation cost.
  *
  *   bench_sph [largest H/dx, default 200]
  *
@@ -24,10 +24,12 @@
 #include "sph/pair/gradient.h"
 #include "sph/pair/rates.h"
 #include "sph/pair/vec.h"
+#include "sph/presets.h"
 #include "sph/solver.h"
 #include "sph/sph.h"
 #include "sph/time/integrator.h"
 #include "sph/time/timestep.h"
+#include "sph/treat/treat.h"
 
 enum { REPEATS = 15, CHAINS = 12, ROUNDS = 20000 };
 
@@ -79,6 +81,7 @@ static enum status lists(struct sph *s) {
 }
 
 static enum status step(struct sph *s) {
+  TRY(sph_treat(s));
   TRY(sph_rates(s, 0, true, true));
   return sph_step(s, 1e-9);
 }
@@ -100,12 +103,12 @@ static double measure(struct sph *s, enum status (*what)(struct sph *), double *
   return median(t);
 }
 
-/* Buchner's dam break with one run for each diffusion, and at the lowest resolution for each
- * kernel. */
-static struct case_file *dam_break(double resolution, bool kernels) {
+/* Buchner's dam break with one run for each diffusion, and at the lowest resolution for each kernel
+ * and named scheme. */
+static struct case_file *dam_break(double resolution, bool all) {
   static const struct solver *const solvers[] = {&sph_solver};
   const struct registry registry = {.solvers = solvers, .n_solvers = 1};
-  char text[2000];
+  char text[4000];
   int at = snprintf(text, sizeof text,
                     "title: speed\nscales: {H: 0.6}\n"
                     "tank: {walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]}\n"
@@ -121,10 +124,17 @@ static struct case_file *dam_break(double resolution, bool kernels) {
   at += snprintf(text + at, sizeof text - (size_t)at,                                              \
                  "  - {name: %s, solver: sph, resolution: %g, kernel: %s}\n", #name, resolution,   \
                  #name);
-  if (kernels) {
+  if (all) {
     SPH_KERNELS(X)
   }
 #undef X
+  for (size_t k = 0; all && k < SPH_N_PRESETS; k++) { /* but those are there, or need a period */
+    const struct param_preset *p = &sph_presets[k];
+    if (!param_preset_value(p, "walls") || param_preset_value(p, "projection")) continue;
+    at += snprintf(text + at, sizeof text - (size_t)at,
+                   "  - {name: %s, solver: sph, resolution: %g, scheme: %s}\n", p->name, resolution,
+                   p->name);
+  }
   struct problems problems = {0};
   struct case_file *c;
   if (case_parse("bench", text, &registry, &problems, &c) != OK) {
@@ -167,7 +177,7 @@ static void bench(const struct case_file *c, const struct case_run *r) {
     double per_evaluation, per_step;
     const double evaluation = measure(s, evaluate, &per_evaluation);
     const double whole = measure(s, step, &per_step);
-    printf("%5g %7zu  %-11s %7d %9.1f %6.0f %9.1f %6.0f %7.1f %7.1f %9.1f %7.1f %8.1f\n",
+    printf("%5g %7zu  %-12s %7d %9.1f %6.0f %9.1f %6.0f %7.1f %7.1f %9.1f %7.1f %8.1f\n",
            resolution, s->f.n, r->name, threads, evaluation, per_evaluation, whole, per_step,
            measure(s, pack, NULL), measure(s, walls, NULL), measure(s, gradient, NULL),
            measure(s, lists, NULL),
