@@ -33,6 +33,11 @@ struct solver_term {
   const char *name, *help;
 };
 
+/* A column of /series/diagnostics. */
+struct solver_diagnostic {
+  const char *name, *units, *help;
+};
+
 struct solver {
   const char *name, *help;
   const struct param *params; /* the keys a run of this solver may have, [n_params] */
@@ -42,6 +47,8 @@ struct solver {
   size_t options_size;             /* bytes of the struct that the table fills (zeroed first) */
   const struct solver_term *terms; /* of the budget of energy (result.h), [n_terms] */
   size_t n_terms;                  /* at most RESULT_TERMS */
+  const struct solver_diagnostic *diagnostics; /* that a run may write, [n_diagnostics] */
+  size_t n_diagnostics;                        /* at most RESULT_DIAGNOSTICS */
 
   /* Adds to `problems` whatever this solver cannot do with a case that is valid as such
    * (tank not rectangular, resolution too coarse for the tank ...). May be NULL. */

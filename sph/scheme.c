@@ -110,6 +110,10 @@ const struct param sph_params[SPH_N_PARAMS] = {
     {"damping", PARAM_REAL, QTY_NUMBER, AT(damping), 0, 1e6, "0", NULL,
      "Gamma of the integrator damped-pc, du/dt = ... - Gamma u, 1/s (thesis, eqs. 3.36 to 3.45)",
      NULL},
+    {"diagnostics", PARAM_BOOL, QTY_NUMBER, AT(diagnostics), 0, 0, "false", NULL,
+     "whether noise, shaking, compression and momenta are written as series; takes half an "
+     "evaluation a sample",
+     NULL},
     {"damping_end", PARAM_REAL, QTY_TIME, AT(damping_end), 0, 1e9, "0", NULL,
      "until when it damps; 0: to the end", NULL},
 #define ROW(name, LIST, help)                                                                      \

@@ -24,12 +24,13 @@ struct sph_scheme {
   double c0; /* m/s */
   double dt; /* s; 0: what the factors of the bounds allow */
   double cfl_acoustic, cfl_diffusive, cfl_viscous, cfl_acceleration;
+  bool diagnostics;            /* written (observe/diagnose.h) */
   double damping, damping_end; /* 1/s, s: Gamma, until then; 0: to the end */
 };
 
 enum { SPH_PRECISION_single, SPH_PRECISION_double };
 
-enum { SPH_N_PARAMS = 24 + SPH_TREATMENT_PARAMS };
+enum { SPH_N_PARAMS = 25 + SPH_TREATMENT_PARAMS };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* delta; or, when it is negative, the usual one of the diffusion with P's kernel (diffusion.h),

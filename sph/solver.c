@@ -12,6 +12,7 @@
 #include "sph/domain/fitted.h"
 #include "sph/estimate.h"
 #include "sph/fluid/energy.h"
+#include "sph/observe/diagnose.h"
 #include "sph/observe/output.h"
 #include "sph/observe/watch.h"
 #include "sph/pair/diffusion.h"
@@ -35,6 +36,7 @@ static enum status march(const struct case_file *c, struct sph *s, struct sph_ou
     TRY(sph_remove_outside(s));
     TRY(sph_treat(s));
     TRY(sph_rates(s, 0, true, true));
+    TRY(sph_output_rates(output, s));
     double next = sph_output_next(output), dt = sph_timestep(s, next);
     TRY(sph_watch_step(s, dt, next - s->t));
     TRY(sph_step(s, dt));
@@ -210,6 +212,8 @@ const struct solver sph_solver = {
     .n_presets = SPH_N_PRESETS,
     .terms = sph_terms,
     .n_terms = SPH_TERM_COUNT,
+    .diagnostics = sph_diagnostics,
+    .n_diagnostics = SPH_DIAGNOSTIC_COUNT,
     .options_size = sizeof(struct sph_scheme),
     .check = check,
     .estimate = sph_estimate,

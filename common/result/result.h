@@ -22,7 +22,7 @@ struct result;
   X(total, "kinetic + potential + internal")                                                       \
   X(removed, "energy of water taken out of the computation so far")
 
-enum { RESULT_TERMS = 32 }; /* a solver's own, at most */
+enum { RESULT_TERMS = 32, RESULT_DIAGNOSTICS = 32 }; /* a solver's own, at most */
 
 struct result_energy {
   double time; /* s */
@@ -67,6 +67,8 @@ enum status result_energy(struct result *w, const struct result_energy *row);
 enum status result_step(struct result *w, const struct result_step *row);
 enum status result_probe(struct result *w, size_t probe, double time, double pressure);  /* Pa */
 enum status result_gauge(struct result *w, size_t gauge, double time, double elevation); /* m */
+/* A row of the solver's diagnostics (solver.h), which the file has from the first one on. */
+enum status result_diagnostics(struct result *w, double time, const double *values);
 enum status result_event(struct result *w, const char *name, double time, double x, double y);
 enum status result_statistic(struct result *w, const char *name, double value, const char *units,
                              const char *help);
@@ -137,6 +139,8 @@ struct result_file {
 
   size_t n_probes, n_gauges, n_events, n_experiments, n_statistics;
   struct result_series *probes, *gauges;
+  size_t n_diagnostics;
+  struct result_series *diagnostics; /* on the same times; units are their own */
   struct result_event_read *events;
   struct case_experiment *experiments;
   struct result_statistic_read *statistics;

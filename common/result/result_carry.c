@@ -103,6 +103,7 @@ static enum status carry_tables(struct carrier *c, struct result_file *f) {
   TRY(carry_array(c, &f->n_steps, &f->steps));
   TRY(carry_each(c, &f->n_probes, &f->probes, carry_series));
   TRY(carry_each(c, &f->n_gauges, &f->gauges, carry_series));
+  TRY(carry_each(c, &f->n_diagnostics, &f->diagnostics, carry_series));
   TRY(carry_each(c, &f->n_events, &f->events, carry_event));
   TRY(carry_each(c, &f->n_experiments, &f->experiments, carry_experiment));
   return carry_each(c, &f->n_statistics, &f->statistics, carry_statistic);

@@ -179,6 +179,7 @@ enum status result_info(const char *path, FILE *out) {
   }
   say_series(out, "probes", f->n_probes, f->probes);
   say_series(out, "gauges", f->n_gauges, f->gauges);
+  say_series(out, "diagnostics", f->n_diagnostics, f->diagnostics);
   if (f->n_experiments) say(out, "experiments", "%zu series to compare with", f->n_experiments);
   say_events(out, f, scale);
   say_statistics(out, f);

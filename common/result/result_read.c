@@ -224,6 +224,44 @@ static enum status read_gauge(hid_t parent, const char *link, void *element) {
   return read_series(parent, link, "elevation", "m", element);
 }
 
+/* One column of a group that has a time for all. */
+static enum status read_diagnostic(hid_t group, const char *link, struct result_series *s) {
+  s->x = s->y = s->size = NAN;
+  s->name = strdup(link);
+  CHECK(s->name, ERR_MEMORY, "no memory for a name");
+  hid_t set = H5Dopen2(group, link, H5P_DEFAULT);
+  if (set < 0) return hdf_raise(ERR_INPUT, "its diagnostic %s cannot be read", link);
+  enum status status = hdf_get_string(set, "units", &s->units);
+  H5Dclose(set);
+  TRY(status);
+  return read_columns(group, "/series/diagnostics", link, &s->n, &s->t, &s->value);
+}
+
+/* Older files, and most others, have none. */
+static enum status read_diagnostics(hid_t file, struct result_file *f) {
+  hid_t group = -1;
+  size_t n_links = 0;
+  char **links = NULL;
+  enum status status = OK;
+  if (!hdf_has(file, "series/diagnostics")) return OK;
+  ATTEMPT(hdf_open_group(file, "series/diagnostics", &group));
+  ATTEMPT(hdf_list(group, &n_links, &links));
+  f->diagnostics = calloc(n_links + 1, sizeof *f->diagnostics);
+  if (!f->diagnostics || n_links > 1 + RESULT_DIAGNOSTICS) {
+    status = f->diagnostics
+                 ? status_raise(ERR_INPUT, "it has more than %d diagnostics", RESULT_DIAGNOSTICS)
+                 : status_raise(ERR_MEMORY, "no memory for %zu diagnostics", n_links);
+    goto done;
+  }
+  for (size_t k = 0; k < n_links; k++)
+    if (strcmp(links[k], "time"))
+      ATTEMPT(read_diagnostic(group, links[k], &f->diagnostics[f->n_diagnostics++]));
+done:
+  hdf_list_destroy(n_links, links);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
 static enum status read_event(hid_t parent, const char *link, void *element) {
   struct result_event_read *e = element;
   hid_t group = -1;
@@ -357,6 +395,7 @@ static enum status read_all(hid_t file, struct result_file *f) {
                                           &f->n_probes, &memory_)));
   TRY(array_lend(&f->gauges, read_members(file, "series/gauges", sizeof *f->gauges, read_gauge,
                                           &f->n_gauges, &memory_)));
+  TRY(read_diagnostics(file, f));
   TRY(array_lend(&f->events, read_members(file, "events", sizeof *f->events, read_event,
                                           &f->n_events, &memory_)));
   TRY(array_lend(&f->experiments, read_members(file, "experiments", sizeof *f->experiments,
@@ -430,6 +469,7 @@ void result_file_destroy(struct result_file *f) {
   free(f->steps);
   series_destroy(f->n_probes, f->probes);
   series_destroy(f->n_gauges, f->gauges);
+  series_destroy(f->n_diagnostics, f->diagnostics);
   for (size_t i = 0; i < f->n_events; i++) free(f->events[i].name);
   free(f->events);
   for (size_t i = 0; i < f->n_experiments; i++) {

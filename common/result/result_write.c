@@ -35,7 +35,8 @@ struct result {
   struct {
     struct hdf_column *time, *first_piece, *first_point, *closed, *points;
   } surface;
-  struct series energy, steps;
+  struct series energy, steps, diagnostics;
+  const struct solver *solver; /* borrowed */
   size_t n_probes, n_gauges;
   struct series *probes, *gauges; /* [n_probes], [n_gauges], owned */
   struct health_watch watch;      /* over what is written */
@@ -327,6 +328,7 @@ enum status result_create(const char *path, const struct case_file *c, const str
     status = status_raise(ERR_MEMORY, "no memory to write %s", path);
     goto done;
   }
+  w->solver = r->solver;
   w->n_probes = c->n_probes;
   w->n_gauges = c->n_gauges;
   health_watch_begin(&w->watch, case_rest_potential(c),
@@ -406,6 +408,34 @@ enum status result_probe(struct result *w, size_t probe, double time, double pre
 
 enum status result_gauge(struct result *w, size_t gauge, double time, double elevation) {
   return guard(w, series_add(&w->gauges[gauge], (double[]){time, elevation}));
+}
+
+/* Their datasets, when the first row comes. */
+static enum status create_diagnostics(struct result *w) {
+  const struct solver *solver = w->solver;
+  struct result_column columns[1 + RESULT_DIAGNOSTICS] = {{"time", "s", "physical time"}};
+  hid_t group = -1;
+  assert(solver->n_diagnostics <= RESULT_DIAGNOSTICS);
+  for (size_t k = 0; k < solver->n_diagnostics; k++)
+    columns[1 + k] = (struct result_column){
+        solver->diagnostics[k].name, solver->diagnostics[k].units, solver->diagnostics[k].help};
+  enum status status = hdf_open_group(w->file, "series", &group);
+  if (status == OK)
+    status = create_columns(w, group, "diagnostics", 1 + solver->n_diagnostics, columns,
+                            &w->diagnostics);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status add_diagnostics(struct result *w, double time, const double *values) {
+  double row[1 + RESULT_DIAGNOSTICS] = {time};
+  if (!w->diagnostics.n_columns) TRY(create_diagnostics(w));
+  memcpy(row + 1, values, w->solver->n_diagnostics * sizeof *values);
+  return series_add(&w->diagnostics, row);
+}
+
+enum status result_diagnostics(struct result *w, double time, const double *values) {
+  return guard(w, add_diagnostics(w, time, values));
 }
 
 static enum status add_event(struct result *w, const char *name, double time, double x, double y) {

@@ -6,6 +6,7 @@
 #include "common/base/progress.h"
 #include "common/result/record.h"
 #include "sph/fluid/energy.h"
+#include "sph/observe/diagnose.h"
 #include "sph/observe/gauge.h"
 #include "sph/observe/probe.h"
 #include "sph/observe/surface.h"
@@ -22,6 +23,7 @@ struct sph_output {
   double started;                    /* wall clock, s */
   size_t n_every, n_sample;          /* multiples written so far */
   double budget0, available, budget; /* J/m */
+  bool diagnose;                     /* the rates of a sample are still to come */
   bool dry[2];                       /* left and right wall: its wall_impact is still to come */
   size_t room;
   double *x, *y, *u, *v, *rho, *p, *m, *V; /* [room], in the order of the particles' ids */
@@ -211,6 +213,7 @@ enum status sph_output_step(struct sph_output *o, struct sph *s, double dt) {
     if (o->dry[side]) TRY(write_impact(o, s, side));
   if (s->t >= (double)o->n_sample * c->sample - late) {
     TRY(write_series(o, s, dt));
+    o->diagnose = true;
     o->n_sample = (size_t)floor((s->t + late) / c->sample) + 1;
   }
   if (s->t >= (double)o->n_every * c->every - late || s->t >= c->end - late) {
@@ -218,6 +221,14 @@ enum status sph_output_step(struct sph_output *o, struct sph *s, double dt) {
     o->n_every++;
   }
   return OK;
+}
+
+enum status sph_output_rates(struct sph_output *o, struct sph *s) {
+  double value[SPH_DIAGNOSTIC_COUNT];
+  if (!o->diagnose || !s->scheme.diagnostics) return OK;
+  o->diagnose = false;
+  sph_diagnose(s, o->c->H, value);
+  return result_diagnostics(o->result, s->t, value);
 }
 
 double sph_output_next(const struct sph_output *o) {

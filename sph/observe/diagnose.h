@@ -1,0 +1,34 @@
+/* Numbers that tell how noisy a run is, found at the sampling interval from the state and the rates
+ * of the evaluation that a step begins with. Each is a line here and a series of the result file:
+ * X(name, unit, help). */
+#pragma once
+#include "common/solver.h"
+#include "sph/sph.h"
+
+/* Inner particles: those with sum V W > 0.9 over the water. The noise of a field is the root mean
+ * square, over them, of the field less its mean weighted by V W. */
+#define SPH_DIAGNOSTICS(X)                                                                         \
+  X(shaking, "1",                                                                                  \
+    "sum |du/dt|^2 over N g^2 (thesis, eq. (4.56)); water that falls freely counts 1")             \
+  X(inner, "1", "share of particles inside the water, sum V W > 0.9 (its walls left out)")         \
+  X(noise_u, "1", "rms of u less its kernel mean, inside, over sqrt(gH)")                          \
+  X(noise_v, "1", "rms of v less its kernel mean, inside, over sqrt(gH)")                          \
+  X(noise_p, "1", "rms of the pressure less its kernel mean, inside, over rho g H")                \
+  X(noise_ax, "1", "rms of du/dt less its kernel mean, inside, over g")                            \
+  X(noise_ay, "1", "rms of dv/dt less its kernel mean, inside, over g")                            \
+  X(compressed, "1", "share of particles whose density is off rho0 by more than 1 %")              \
+  X(momentum_x, "kg/s", "sum m u")                                                                 \
+  X(momentum_y, "kg/s", "sum m v")                                                                 \
+  X(angular_momentum, "kg m/s", "sum m (x v - y u), about x = y = 0")
+
+enum {
+#define X(name, unit, help) SPH_DIAGNOSTIC_##name,
+  SPH_DIAGNOSTICS(X)
+#undef X
+      SPH_DIAGNOSTIC_COUNT
+};
+extern const struct solver_diagnostic sph_diagnostics[SPH_DIAGNOSTIC_COUNT];
+
+/* After sph_rates(s, 0, ...), of water that is H (m) high. The same bits for any number of threads.
+ */
+void sph_diagnose(struct sph *s, double H, double value[SPH_DIAGNOSTIC_COUNT]);
