@@ -103,6 +103,11 @@ SPECIALISE double eos_density_rises(const struct eos *e) {
   return e->law == SPH_EOS_split ? -e->rho0 * e->g / (e->c0 * e->c0) : 0;
 }
 
+/* Whether the density that evolves is the density, and the pressure that drives the pressure. */
+SPECIALISE bool eos_is_plain(enum sph_eos law) {
+  return law == SPH_EOS_linear || law == SPH_EOS_tait;
+}
+
 /* Whether the pressure that drives is c0^2 times the stored density, but for a constant. */
 SPECIALISE bool eos_is_linear(enum sph_eos law) {
   return law != SPH_EOS_tait;

@@ -9,7 +9,7 @@
 
 bool sph_forms_adjoint(const struct sph_scheme *o) {
   if (o->derivative != SPH_DERIVATIVE_kernel) return false;
-  if (o->eos != SPH_EOS_linear && o->eos != SPH_EOS_tait) return false;
+  if (!eos_is_plain((enum sph_eos)o->eos)) return false;
   switch ((enum sph_momentum)o->momentum) {
   case SPH_MOMENTUM_plus:
     return o->continuity == SPH_CONTINUITY_divergence;

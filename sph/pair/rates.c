@@ -146,41 +146,51 @@ static void add_effects(const struct sph *s, struct effects *e) {
   }
 }
 
-/* The elastic energy of a particle of mass m, the stored density and its rate: d(m e) = elastic
+/* The elastic energy of particles of mass m, the stored density and its rate: d(m e) = elastic
  * d rho_stored + lift dy. */
 struct stiffness {
-  double rho;     /* that the continuity equation multiplies the divergence with, kg m^-3 */
-  double elastic; /* J m^-1 per kg m^-3 */
-  double lift;    /* N m^-1 */
-  double pV;      /* J m^-1 s^-1 per 1/s of divergence */
+  double rho[SPH_LANES]; /* that multiplies the divergence in the continuity equation, kg m^-3 */
+  double elastic[SPH_LANES]; /* J m^-1 per kg m^-3 */
+  double lift[SPH_LANES];    /* N m^-1 */
+  double pV[SPH_LANES];      /* J m^-1 s^-1 per 1/s of divergence */
 };
 
-static struct stiffness stiffness_of(const struct sph *s, size_t i) {
-  const double stored = s->f.w.rho[i], y = s->f.w.y[i], rho = eos_density(&s->eos, stored, y);
-  const double pV = eos_pressure(&s->eos, s->f.p[i], y) * s->f.m[i] / rho;
-  const double advected =
-      continuity_density((enum sph_continuity)s->scheme.continuity, s->rho0, rho);
-  return (struct stiffness){.rho = advected,
-                            .elastic = pV / rho,
-                            .lift = pV / rho * eos_density_rises(&s->eos),
-                            .pV = pV * (advected / rho)};
+/* The usual case by itself, for speed. */
+static void find_stiffness(const struct sph *s, size_t at, struct stiffness *k) {
+  const enum sph_continuity c = (enum sph_continuity)s->scheme.continuity;
+  const double rises = eos_density_rises(&s->eos);
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    k->rho[l] = s->f.w.rho[at + l];
+    k->pV[l] = s->f.p[at + l] * s->f.m[at + l] / k->rho[l];
+    k->elastic[l] = k->pV[l] / k->rho[l];
+    k->lift[l] = 0;
+  }
+  if (eos_is_plain(s->eos.law) && c != SPH_CONTINUITY_reference) return;
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    const double y = s->f.w.y[at + l], rho = eos_density(&s->eos, s->f.w.rho[at + l], y);
+    const double pV = eos_pressure(&s->eos, s->f.p[at + l], y) * s->f.m[at + l] / rho;
+    k->rho[l] = continuity_density(c, s->rho0, rho);
+    k->pV[l] = pV * (k->rho[l] / rho);
+    k->elastic[l] = pV / rho;
+    k->lift[l] = pV / rho * rises;
+  }
 }
 
 /* Powers that leave the water, and what bounds the step. */
-static struct sph_totals totals_of(const struct sph *s, size_t at, const struct effects *e,
-                                   const struct sph_rates_sums *a, const struct sph_rates_sums *b) {
+static struct sph_totals totals_of(const struct sph *s, size_t at, const struct stiffness *k,
+                                   const struct effects *e, const struct sph_rates_sums *a,
+                                   const struct sph_rates_sums *b) {
   const struct sph_state *w = &s->f.w;
   struct sph_totals t = {0};
   const double unbalanced = s->g - eos_gravity(&s->eos);
   double acceleration2 = 0, speed = 0;
   for (size_t l = 0; l < SPH_LANES; l++) {
     const double m = s->f.m[at + l], u = w->u[at + l], v = w->v[at + l];
-    const struct stiffness k = stiffness_of(s, at + l);
     t.viscosity -= m * (u * e->drag_x[l] + v * e->drag_y[l]);
-    t.diffusion -= k.elastic * e->D[l];
-    t.walls -= m * (u * e->wall_x[l] + v * e->wall_y[l]) - k.pV * e->wall_div[l];
-    t.pairs -= m * (u * e->water_x[l] + v * (e->water_y[l] + unbalanced)) + k.lift * v -
-               k.pV * e->water_div[l];
+    t.diffusion -= k->elastic[l] * e->D[l];
+    t.walls -= m * (u * e->wall_x[l] + v * e->wall_y[l]) - k->pV[l] * e->wall_div[l];
+    t.pairs -= m * (u * e->water_x[l] + v * (e->water_y[l] + unbalanced)) + k->lift[l] * v -
+               k->pV[l] * e->water_div[l];
     acceleration2 = larger(e->ax[l] * e->ax[l] + e->ay[l] * e->ay[l], acceleration2);
     speed = larger(sqrt(u * u + v * v) + s->c0 * larger(a->pi_most[l], b->pi_most[l]), speed);
   }
@@ -213,6 +223,8 @@ static void cluster_rates(struct sph *s, const struct evaluation *how, size_t cl
   effects_of(s, s->f.w.rho + at, &a, &b, &e);
   if (s->scheme.derivative != SPH_DERIVATIVE_kernel) fit_effects(s, &i, &water, &walls, &e);
   add_effects(s, &e);
+  struct stiffness stiff;
+  find_stiffness(s, at, &stiff);
   const struct sph_state *k = &s->f.k[how->stage];
   for (size_t l = 0; l < SPH_LANES; l++) {
     if (!how->diffuse) e.D[l] = s->f.D[at + l];
@@ -221,10 +233,10 @@ static void cluster_rates(struct sph *s, const struct evaluation *how, size_t cl
     k->y[at + l] = i.v[l];
     k->u[at + l] = e.ax[l];
     k->v[at + l] = e.ay[l];
-    k->rho[at + l] = e.D[l] - stiffness_of(s, at + l).rho * e.div[l];
+    k->rho[at + l] = e.D[l] - stiff.rho[l] * e.div[l];
   }
   sph_fitted_rates(s, how->stage, cluster);
-  s->cluster_totals[cluster] = totals_of(s, at, &e, &a, &b);
+  s->cluster_totals[cluster] = totals_of(s, at, &stiff, &e, &a, &b);
   sph_treat_rates(s, how->stage, cluster, &s->cluster_totals[cluster]);
 }
 
