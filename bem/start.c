@@ -78,6 +78,11 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
         "open at the top, down the left side, along a flat bed, up the right side; take another "
         "solver",
         r->name);
+  if (!(c->gravity > 0))
+    problems_add(problems, case_run_line(r, "solver"),
+                 "runs.%s.solver: found 'bem' without gravity; allowed: gravity, which its scales "
+                 "are made of; set fluid.gravity or take another solver",
+                 r->name);
   if (c->periodic[0])
     problems_add(
         problems, case_run_line(r, "solver"),

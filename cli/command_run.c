@@ -140,7 +140,7 @@ static enum status run_one(const struct running *g, const struct case_run *r) {
   struct health health = {0};
   char path[PATH_MAX];
   enum status status;
-  progress_begin(g->progress, r->name, g->c->end, sqrt(g->c->H / g->c->gravity));
+  progress_begin(g->progress, r->name, g->c->end, sqrt(g->c->H / g->c->g));
   ATTEMPT(result_path(g->folder, r, path));
   ATTEMPT(result_create(path, g->c, r, &out));
   traps_enable();

@@ -56,7 +56,8 @@ struct case_file {
   char *text; /* the case as run: the file with the overrides applied, still valid YAML */
   char *title;
   double density; /* rho_0, kg m^-3 */
-  double gravity; /* g, m s^-2, downwards (0, -g) */
+  double gravity; /* m s^-2, downwards (0, -gravity) */
+  double g;       /* of the scales, m s^-2: gravity, or where there is none what the case says */
   double H; /* scale of length, m; times are reported as t sqrt(g/H), pressures as p/(rho g H) */
 
   struct geo_lines walls; /* water lies on the left of every wall (down the left side, along the

@@ -77,11 +77,12 @@ static void check_probe(struct case_draft *d, size_t i, int item, const char *pa
   size_t piece = 0;
   char full[CASE_PATH + 8], found[96], todo[96];
   double distance = geo_lines_distance(&c->walls, p->x, p->y, nearest, &piece);
-  if (c->periodic[0] && p->y > c->tank.min[1] + case_near(c)) {
+  if (c->periodic[1] || (c->periodic[0] && p->y > c->tank.min[1] + case_near(c))) {
     snprintf(full, sizeof full, "%s.at", path);
-    snprintf(found, sizeof found, "(%.6g, %.6g) m, where periodic sides leave no wall", p->x, p->y);
+    snprintf(found, sizeof found, "(%.6g, %.6g) m, where a periodic tank has no wall", p->x, p->y);
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "at"), full, found,
-                     "a point on the bed", "move the probe");
+                     c->periodic[1] ? "no probe" : "a point on the bed",
+                     c->periodic[1] ? "remove the probe" : "move the probe");
   } else if (distance > 1e-6 * case_tank_size(c)) {
     snprintf(full, sizeof full, "%s.at", path);
     snprintf(found, sizeof found, "(%.6g, %.6g) m, %.3g m from the nearest wall", p->x, p->y,

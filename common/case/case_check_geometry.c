@@ -178,6 +178,9 @@ static void check_tank_of_wave(struct case_draft *d) {
                       "change tank.walls or give water.regions");
     return;
   }
+  if (!(c->gravity > 0))
+    case_flow_problem(d, "kind", "a wave without gravity", "a wave that gravity brings back",
+                      "set fluid.gravity or give water.regions");
   if (c->flow->round && !c->periodic[0]) {
     snprintf(found, sizeof found, "'%s' between walls", flow_name(c->flow));
     case_flow_problem(d, "kind", found, "a wave that walls keep, standing",
@@ -223,6 +226,11 @@ void case_check_geometry(struct case_draft *d) {
   size_t faults = d->doc.faults;
   if (d->good.tank) check_walls(d);
   if (d->good.tank) c->rectangular = tank_is_rectangular(&c->walls, case_near(c));
+  if (d->good.tank && c->periodic[1] && (!c->periodic[0] || c->gravity > 0))
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.tank, "bed"), "tank.bed",
+                     c->gravity > 0 ? "'periodic' with gravity" : "'periodic' between walls",
+                     "a periodic bed between periodic sides, without gravity",
+                     c->gravity > 0 ? "set fluid.gravity to 0" : "write sides: periodic");
   if (d->good.tank && c->periodic[0] && !c->rectangular)
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.tank, "sides"), "tank.sides",
                      "'periodic' in a tank that is not rectangular",

@@ -122,8 +122,8 @@ enum status case_read_experiment(struct case_draft *d, struct case_experiment *e
     return OK;
   }
   TRY(status);
-  double rho_g_H = c->density * c->gravity * c->H;
-  status = read_rows(d, e, text, shown, line, path, sqrt(c->H / c->gravity),
+  double rho_g_H = c->density * c->g * c->H;
+  status = read_rows(d, e, text, shown, line, path, sqrt(c->H / c->g),
                      target == TARGET_PRESSURE ? rho_g_H : c->H);
   free(text);
   return status;

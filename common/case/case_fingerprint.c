@@ -18,7 +18,7 @@ static void write_lines(FILE *out, const char *name, const struct geo_lines *l) 
 
 static void write_inputs(FILE *out, const struct case_file *c, const struct case_run *r) {
   fprintf(out, "plunge %s %s\n", PLUNGE_VERSION, PLUNGE_REVISION);
-  fprintf(out, "fluid %.17g %.17g\nH %.17g\n", c->density, c->gravity, c->H);
+  fprintf(out, "fluid %.17g %.17g\nH %.17g\ng %.17g\n", c->density, c->gravity, c->H, c->g);
   write_lines(out, "wall", &c->walls);
   fprintf(out, "periodic %d %d\n", c->periodic[0], c->periodic[1]);
   write_lines(out, "water", &c->water);
@@ -75,6 +75,8 @@ static void write_water(FILE *out, const struct case_file *c) {
   write_rounded(out, "scales", 3, scales);
   write_rounded_lines(out, "wall", &c->walls);
   if (c->periodic[0]) fputs("periodic sides\n", out);
+  if (c->periodic[1]) fputs("periodic bed\n", out);
+  if (c->gravity == 0) fprintf(out, "g %.12g\n", c->g);
   if (flow_is_wave(c->flow)) {
     fprintf(out, "wave %zu\n", 1 + flow_place(c->flow));
     write_form(out, c->flow, c->form);

@@ -76,23 +76,29 @@ static enum status read_lines(struct case_doc *doc, int node, const char *path, 
 static const struct param fluid_rows[] = {
     REAL(struct case_file, density, QTY_DENSITY, PARAM_ABOVE_0, 1e6, "1000",
          "density of the fluid"),
-    REAL(struct case_file, gravity, QTY_ACCELERATION, PARAM_ABOVE_0, 1e6, "9.81",
-         "acceleration of gravity, downwards"),
+    REAL(struct case_file, gravity, QTY_ACCELERATION, 0, 1e6, "9.81",
+         "acceleration of gravity, downwards; 0: none, in SPH alone"),
 };
 
 static const struct param scales_rows[] = {
     REAL(struct case_file, H, QTY_LENGTH, PARAM_ABOVE_0, 1e6, "",
          "scale of length; default: the height of the water above the bed"),
+    REAL(struct case_file, g, QTY_ACCELERATION, PARAM_ABOVE_0, 1e6, "",
+         "acceleration of the units sqrt(H/g) and sqrt(gH) where there is no gravity"),
 };
 
 struct tank_section {
-  int walls, sides;
+  int walls, sides, bed;
 };
 enum { SIDES_WALLS, SIDES_PERIODIC };
 static const char *const sides_names[] = {"walls", "periodic", NULL};
 static const char *const sides_helps[] = {
     "water ends there",
     "what leaves through one comes in through the other: only the bed is a wall"};
+static const char *const bed_names[] = {"wall", "periodic", NULL};
+static const char *const bed_helps[] = {
+    "water ends there", "what leaves through it comes in at the height of the sides: there are no "
+                        "walls, and no gravity"};
 static const struct param tank_rows[] = {
     NODE(struct tank_section, walls, NULL, "a list of walls, each a list of points [x, y]"),
     {.key = "sides",
@@ -102,6 +108,13 @@ static const struct param tank_rows[] = {
      .value = "walls",
      .help = "what the upright sides of a rectangular tank are",
      .helps = sides_helps},
+    {.key = "bed",
+     .type = PARAM_CHOICE,
+     .offset = offsetof(struct tank_section, bed),
+     .choices = bed_names,
+     .value = "wall",
+     .help = "what its bed is",
+     .helps = bed_helps},
 };
 
 struct water_section {
@@ -174,6 +187,7 @@ static enum status read_tank(struct case_draft *d) {
   if (d->at.tank && case_read_section(d, d->at.tank, "tank", tank_rows, ROWS(tank_rows), &s))
     TRY(read_lines(&d->doc, s.walls, "tank.walls", 2, false, &d->c->walls));
   d->c->periodic[0] = s.sides == SIDES_PERIODIC;
+  d->c->periodic[1] = s.bed == SIDES_PERIODIC;
   d->good.tank = d->at.tank && d->doc.faults == faults;
   d->c->tank = geo_lines_box(&d->c->walls);
   return OK;
@@ -317,6 +331,19 @@ const struct case_table case_section_tables[] = {
     {0},
 };
 
+/* That of the scales is gravity, where there is any. */
+static void choose_g(struct case_draft *d) {
+  const struct case_file *c = d->c;
+  if (!(c->gravity > 0) == (c->g > 0)) return;
+  int line = d->at.scales ? case_doc_member_line(&d->doc, d->at.scales, "g")
+                          : case_doc_line(&d->doc, d->at.fluid);
+  case_doc_problem(&d->doc, line, "scales.g",
+                   c->g > 0 ? "another acceleration than gravity" : "nothing, and no gravity",
+                   "an acceleration where fluid.gravity is 0, and only there",
+                   c->g > 0 ? "remove it" : "add it: units of time and velocity need one");
+  d->good.scales = false;
+}
+
 enum status case_read_sections(struct case_draft *d) {
 #define SECTION(name, def, text)                                                                   \
   {                                                                                                \
@@ -325,8 +352,8 @@ enum status case_read_sections(struct case_draft *d) {
   }
   static const struct param section_rows[] = {
       SECTION(fluid, "", "a mapping with density, gravity"),
-      SECTION(scales, "", "a mapping with H"),
-      SECTION(tank, NULL, "a mapping with walls, sides"),
+      SECTION(scales, "", "a mapping with H, g"),
+      SECTION(tank, NULL, "a mapping with walls, sides, bed"),
       SECTION(water, NULL, "a mapping with regions or wave"),
       SECTION(time, NULL, "a mapping with end, every, sample"),
       SECTION(probes, "", "a list of probes"),
@@ -347,8 +374,11 @@ enum status case_read_sections(struct case_draft *d) {
   if (!case_read_section(d, d->at.fluid, "fluid", fluid_rows, ROWS(fluid_rows), c) &&
       !(c->gravity > 0))
     c->gravity = 9.81; /* the fault is noted; this one keeps units meaningful for what follows */
-  doc->scales.g = c->gravity;
+  doc->scales.g = c->gravity > 0 ? c->gravity : NAN;
   d->good.scales = case_read_section(d, d->at.scales, "scales", scales_rows, ROWS(scales_rows), c);
+  if (d->good.scales) choose_g(d);
+  if (!(c->g > 0)) c->g = c->gravity > 0 ? c->gravity : 1;
+  doc->scales.g = c->g;
   if (!d->good.scales && !(c->H > 0)) c->H = 1; /* likewise */
   if (!(c->H > 0)) TRY(find_H(d));
   doc->scales.H = c->H;

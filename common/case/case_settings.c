@@ -13,7 +13,7 @@ enum { MOST_BYTES = 1 << 20 };
 
 static enum status take_frame(struct case_file *c, const struct case_frame *frame) {
   c->H = frame->H;
-  c->gravity = frame->gravity;
+  c->gravity = c->g = frame->gravity;
   c->tank = frame->tank;
   TRY(array_create(&c->runs, frame->n_runs, "entries of the case"));
   for (size_t i = 0; i < frame->n_runs; i++) {

@@ -75,7 +75,8 @@ struct flow {
   double (*potential)(const struct flow_water *w, double x, double y, double t);
   void (*velocity)(const struct flow_water *w, double x, double y, double t, double velocity[2]);
 
-  /* What compressible water starts with: p/(rho g), m. NULL: the depth below the elevation. */
+  /* What compressible water starts with: p/(rho g), m, with the g of the scales. NULL: the depth
+   * below the elevation. */
   enum status (*head)(const struct flow_water *w, const struct flow_point *p, double *head);
 
   /* Of a small wave that moves particles of a lattice from where they rest, (X, Y), with the mass

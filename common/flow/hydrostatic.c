@@ -23,7 +23,7 @@ static enum status head(const struct flow_water *w, const struct flow_point *p, 
   const double near = case_near(c);
   TRY(geo_lines_cut(&c->water, 0, p->x, near, w->own));
   const double *span = geo_cut_span(w->own, p->y);
-  bool stands = span && fabs(span[0] - c->tank.min[1]) <= near;
+  bool stands = c->gravity > 0 && span && fabs(span[0] - c->tank.min[1]) <= near;
   *out = stands ? fmax(span[1] - p->y, 0) : 0;
   return OK;
 }

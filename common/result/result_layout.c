@@ -21,7 +21,8 @@ const struct result_column result_step_columns[RESULT_STEP_COLUMNS] = {
 
 const struct result_scale result_scales[RESULT_SCALES] = {
     {"H", "m", "scale of length", offsetof(struct result_file, H)},
-    {"g", "m/s^2", "gravity, downwards", offsetof(struct result_file, g)},
+    {"g", "m/s^2", "that of the scales: gravity, or scales.g where there is none",
+     offsetof(struct result_file, g)},
     {"density", "kg/m^3", "density of the water at rest", offsetof(struct result_file, density)},
     {"spacing", "m", "particle or node spacing", offsetof(struct result_file, spacing)},
     {"rest_potential", "J/m", "potential energy of the same water at rest in the tank",

@@ -86,7 +86,7 @@ static enum status write_attributes(hid_t file, const struct case_file *c,
   TRY(hdf_set_integers(file, "format_version", 1, (int64_t[]){RESULT_FORMAT_VERSION}));
   TRY(hdf_set_integers(file, "complete", 1, (int64_t[]){0}));
   struct result_file scales = {.H = c->H,
-                               .g = c->gravity,
+                               .g = c->g,
                                .density = c->density,
                                .spacing = c->H / r->resolution,
                                .rest_potential = case_rest_potential(c)};
@@ -331,8 +331,7 @@ enum status result_create(const char *path, const struct case_file *c, const str
   w->solver = r->solver;
   w->n_probes = c->n_probes;
   w->n_gauges = c->n_gauges;
-  health_watch_begin(&w->watch, case_rest_potential(c),
-                     c->density * c->gravity * c->H * c->H * c->H);
+  health_watch_begin(&w->watch, case_rest_potential(c), c->density * c->g * c->H * c->H * c->H);
   ATTEMPT(hdf_columns_create(&w->columns));
   ATTEMPT(result_store_create(path, &w->store));
   ATTEMPT(result_store_open(w->store, &w->file));

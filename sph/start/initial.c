@@ -15,8 +15,9 @@ struct filling {
 };
 
 /* The density that evolves, from the head of the pressure. */
-static double density_of(const struct sph *s, double head, double y) {
-  return eos_stored(&s->eos, eos_driving_of(&s->eos, s->rho0 * s->g * head, y), y);
+static double density_of(const struct filling *w, double head, double y) {
+  const struct sph *s = w->s;
+  return eos_stored(&s->eos, eos_driving_of(&s->eos, s->rho0 * w->c->g * head, y), y);
 }
 
 static enum status place(struct filling *w, const struct flow_point *p, double cell) {
@@ -30,7 +31,7 @@ static enum status place(struct filling *w, const struct flow_point *p, double c
   f->w.y[i] = p->y;
   f->w.u[i] = velocity[0];
   f->w.v[i] = velocity[1];
-  f->w.rho[i] = density_of(s, head, p->y);
+  f->w.rho[i] = density_of(w, head, p->y);
   f->m[i] = f->w.rho[i] * cell;
   return OK;
 }
@@ -120,8 +121,8 @@ static enum status fill_lattice(struct filling *w) {
     s->f.w.y[i] = p.y;
     s->f.w.u[i] = p.u;
     s->f.w.v[i] = p.v;
-    s->f.w.rho[i] = density_of(s, p.head, p.y);
-    s->f.m[i] = density_of(s, p.rest, Y) * dx * dy;
+    s->f.w.rho[i] = density_of(w, p.head, p.y);
+    s->f.m[i] = density_of(w, p.rest, Y) * dx * dy;
   }
   return mark_first_row(s, &rows);
 }

@@ -54,7 +54,7 @@ static inline struct case_file *sample_case(void) {
   c->text = "title: sample\nfluid: {density: 1000}\n";
   c->title = "A sample of é, ≤ and \"quotes\"";
   c->density = 998.2;
-  c->gravity = 9.80665;
+  c->gravity = c->g = 9.80665;
   c->H = 0.6;
   double walls[][2] = {{0, 1.8}, {0, 0}, {3.2196, 0}, {3.2196, 1.8}};
   double water[][2] = {{0, 0}, {1.2, 0}, {1.2, 0.6}, {0, 0.6}};
