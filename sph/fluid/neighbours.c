@@ -104,9 +104,11 @@ SPECIALISE bool is_near(const struct cluster *c, double x, double y, vec limit) 
   return any;
 }
 
-/* Appends the sources of cells [from, to) that are near one of the cluster's points. */
-static enum status append(struct sph_chunk *k, size_t *n, size_t from, size_t to,
-                          const struct cluster *c, const struct sph_points *s, double reach) {
+/* Appends the sources of cells [from, to) that are near one of the cluster's points. By itself, so
+ * that the cluster stays in registers: lists take a third of the time that way. */
+__attribute__((noinline)) static enum status append(struct sph_chunk *k, size_t *n, size_t from,
+                                                    size_t to, const struct cluster *c,
+                                                    const struct sph_points *s, double reach) {
   if (*n + (to - from) > k->room) {
     size_t room = 2 * (*n + (to - from));
     uint32_t *j = realloc(k->j, room * sizeof *j);
@@ -114,12 +116,15 @@ static enum status append(struct sph_chunk *k, size_t *n, size_t from, size_t to
     k->j = j;
     k->room = room;
   }
+  const struct cluster t = *c; /* out of the reach of what is written */
+  const double *x = s->x, *y = s->y;
   const vec limit = vec_of((real)(reach * reach * rounding));
+  const uint32_t first = s->first;
   uint32_t *out = k->j;
   size_t at = *n;
   for (size_t j = from; j < to; j++) {
-    out[at] = s->first + (uint32_t)j;
-    at += is_near(c, s->x[j], s->y[j], limit);
+    out[at] = first + (uint32_t)j;
+    at += is_near(&t, x[j], y[j], limit);
   }
   *n = at;
   return OK;
