@@ -59,34 +59,53 @@ SPECIALISE void add_rates(const struct rates_choice o, const struct targets *i,
   *sums = a;
 }
 
-/* Each diffusion, with and without viscosity and bounds, has a loop of its own: choices inside one
- * loop need more registers than there are. Forms other than the paper's are chosen inside one. */
+/* With the paper's forms each kernel and diffusion, with and without viscosity and bounds, has a
+ * loop of its own, and a function of its own around it: what else a function does takes registers
+ * from its loop. Other forms are chosen inside one loop. */
+typedef void add_rates_function(real soft2, const struct targets *i, const struct turn *block,
+                                const struct turn_gradients *G, size_t n, struct rates *sums);
+
+#define OWN(kernel_, diffusion_, viscous_, bounds_)                                                \
+  __attribute__((noinline)) static void add_##kernel_##_##diffusion_##_##viscous_##bounds_(        \
+      real soft2, const struct targets *i, const struct turn *block,                               \
+      const struct turn_gradients *G, size_t n, struct rates *sums) {                              \
+    const struct rates_choice o = {.kernel = SPH_KERNEL_##kernel_,                                 \
+                                   .momentum = SPH_MOMENTUM_plus,                                  \
+                                   .continuity = SPH_CONTINUITY_divergence,                        \
+                                   .viscosity = SPH_VISCOSITY_artificial,                          \
+                                   .diffusion = SPH_DIFFUSION_##diffusion_,                        \
+                                   .viscous = viscous_,                                            \
+                                   .bounds = bounds_,                                              \
+                                   .soft2 = soft2};                                                \
+    add_rates(o, i, block, G, n, sums);                                                            \
+  }
+#define OWN_OF_DIFFUSION(d, help, k) OWN(k, d, 0, 0) OWN(k, d, 0, 1) OWN(k, d, 1, 0) OWN(k, d, 1, 1)
+#define OWN_OF_KERNEL(k, help)       SPH_DIFFUSIONS(OWN_OF_DIFFUSION, k)
+SPH_KERNELS(OWN_OF_KERNEL)
+
+/* By kernel, diffusion, viscosity and bounds. */
+#define ROW_OF_DIFFUSION(d, help, k)                                                               \
+  [SPH_DIFFUSION_##                                                                                \
+      d] = {{add_##k##_##d##_00, add_##k##_##d##_01}, {add_##k##_##d##_10, add_##k##_##d##_11}},
+#define ROW_OF_KERNEL(k, help) [SPH_KERNEL_##k] = {SPH_DIFFUSIONS(ROW_OF_DIFFUSION, k)},
+static add_rates_function *const own_loop[SPH_KERNEL_COUNT][SPH_DIFFUSION_COUNT][2][2] = {
+    SPH_KERNELS(ROW_OF_KERNEL)};
+#undef OWN
+#undef OWN_OF_DIFFUSION
+#undef OWN_OF_KERNEL
+#undef ROW_OF_DIFFUSION
+#undef ROW_OF_KERNEL
+
 SPECIALISE void choose_rates(struct rates_choice o, const struct targets *i,
                              const struct turn *block, const struct turn_gradients *G, size_t n,
                              struct rates *sums) {
-  if (o.momentum != SPH_MOMENTUM_plus || o.continuity != SPH_CONTINUITY_divergence ||
-      o.viscosity != SPH_VISCOSITY_artificial) {
-    o.viscous = o.bounds = true;
-    add_rates(o, i, block, G, n, sums);
+  if (o.momentum == SPH_MOMENTUM_plus && o.continuity == SPH_CONTINUITY_divergence &&
+      o.viscosity == SPH_VISCOSITY_artificial) {
+    own_loop[o.kernel][o.diffusion][o.viscous][o.bounds](o.soft2, i, block, G, n, sums);
     return;
   }
-  o.momentum = SPH_MOMENTUM_plus;
-  o.continuity = SPH_CONTINUITY_divergence;
-  o.viscosity = SPH_VISCOSITY_artificial;
-#define ONE(is_viscous, has_bounds)                                                                \
-  if (o.viscous == is_viscous && o.bounds == has_bounds) {                                         \
-    o.viscous = is_viscous;                                                                        \
-    o.bounds = has_bounds;                                                                         \
-    add_rates(o, i, block, G, n, sums);                                                            \
-    return;                                                                                        \
-  }
-#define CASE(name, help)                                                                           \
-  case SPH_DIFFUSION_##name:                                                                       \
-    o.diffusion = SPH_DIFFUSION_##name;                                                            \
-    ONE(true, true) ONE(true, false) ONE(false, true) ONE(false, false) break;
-  switch (o.diffusion) { SPH_DIFFUSIONS(CASE) }
-#undef CASE
-#undef ONE
+  o.viscous = o.bounds = true;
+  add_rates(o, i, block, G, n, sums);
 }
 
 SPECIALISE void sum_rates(enum sph_kernel kernel, const struct sph *s,
