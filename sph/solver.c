@@ -177,6 +177,13 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  "runs.%s.integrator: found '%s' with a diffusion that needs the density gradient, "
                  "in each of its stages; allowed: any other; take rk4-frozen or leave the line out",
                  r->name, sph_integrator_names[sph_integrator_chosen(o)]);
+  if (o->integrator != SPH_INTEGRATOR_AUTO && sph_integrators[o->integrator]->frozen &&
+      (o->diffusion == SPH_DIFFUSION_none || o->delta == 0))
+    problems_add(problems, case_run_line(r, "integrator"),
+                 "runs.%s.integrator: found '%s', which freezes a diffusion that there is none of "
+                 "(paper, eq. (25)); allowed: any other; take rk4, which it is then, or leave the "
+                 "line out",
+                 r->name, sph_integrator_names[o->integrator]);
   sph_forms_check(r, problems);
   check_integrator(r, problems);
   if (o->free_surface == SPH_FREE_SURFACE_fitted && !flow_is_wave(c->flow))
