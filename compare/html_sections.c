@@ -222,8 +222,7 @@ void cmp_html_jets(struct page *p, const struct comparison *c) {
   cmp_page_element(
       p, "p", "soft",
       "A time with ± was read off the sequence of surfaces; ± holds the interval between outputs "
-      "and "
-      "how far the instant moves when the surface does by half a particle spacing: a face that "
+      "and how far the instant moves when the surface does by half a particle spacing: a face that "
       "stands near the vertical for long has no sharp instant. One without was located by the "
       "solver.");
   cmp_page_element(p, "h3", NULL, "Shape");

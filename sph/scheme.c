@@ -95,8 +95,7 @@ const struct param sph_params[SPH_N_PARAMS] = {
      NULL},
     {"cfl_diffusive", PARAM_REAL, QTY_NUMBER, AT(cfl_diffusive), 1e-3, 10, "0.44", NULL,
      "factor of the bound from diffusion (paper, eq. 27): of rk4 with the gaussian kernel and h/dx "
-     "= "
-     "4/3, scaled for others as decay on a lattice is; molteni and ferrari take 0.72 of it in "
+     "= 4/3, scaled for others as decay on a lattice is; molteni and ferrari take 0.72 of it in "
      "rk4-frozen",
      NULL},
     {"cfl_viscous", PARAM_REAL, QTY_NUMBER, AT(cfl_viscous), 1e-3, 10, "0.125", NULL,

@@ -39,8 +39,7 @@ static const char *const integrator_helps[] = {
     INTEGRATORS(X)
 #undef X
         "y to second order, v by the mean of both accelerations (T, eqs 2.256-2.259); with "
-        "advanced "
-        "density it is Heun's (2.267)",
+        "advanced density it is Heun's (2.267)",
     "kick, drift, kick: density and position by the velocity of the middle"};
 static const double polynomials[][5] = {
 #define X(variant, name, help, ...) {__VA_ARGS__},

@@ -9,8 +9,7 @@
   X(natural, "what the sums over pairs impose by themselves", ##__VA_ARGS__)                       \
   X(fitted,                                                                                        \
     "a first row of particles on the surface, which keep p = 0 (thesis, 2.6.5, 4.2.3): waves "     \
-    "that "                                                                                        \
-    "do not break",                                                                                \
+    "that do not break",                                                                           \
     ##__VA_ARGS__)
 SPH_FAMILY(sph_free_surface, SPH_FREE_SURFACE, SPH_FREE_SURFACES);
 

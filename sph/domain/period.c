@@ -65,8 +65,11 @@ enum status sph_period_list(struct sph *s, double least) {
   return make_room_for_packs(s);
 }
 
+/* The three that follow are called in every stage; a parallel loop over nothing takes as long as
+ * one over a few thousand particles. */
 void sph_period_move(struct sph *s) {
   struct sph_period *p = &s->period;
+  if (!p->copies.n) return;
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < p->copies.n; k++) {
     const struct sph_copy *c = &p->copies.copy[k];
@@ -78,6 +81,7 @@ void sph_period_move(struct sph *s) {
 
 void sph_period_fill(struct sph *s) {
   const struct sph_period *p = &s->period;
+  if (!p->copies.n) return;
   sph_period_move(s);
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < p->copies.n; k++) {
@@ -90,6 +94,7 @@ void sph_period_fill(struct sph *s) {
 
 void sph_period_fill_gradients(struct sph *s) {
   const struct sph_copies *c = &s->period.copies;
+  if (!c->n) return;
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < c->n; k++) s->G[s->f.room + k] = s->G[c->copy[k].of];
 }

@@ -12,7 +12,7 @@ const struct solver_diagnostic sph_diagnostics[SPH_DIAGNOSTIC_COUNT] = {
 #undef X
 };
 
-static const double INNER = 0.9; /* of sum V W; gallery of T 4-20 to 4-44 */
+static const double INNER = 0.9; /* of sum V W */
 
 /* Squares of what fields are off their means, summed over the inner particles of a cluster. */
 struct noise {
@@ -76,11 +76,10 @@ static void sum_over_particles(const struct sph *s, double *value) {
     value[SPH_DIAGNOSTIC_momentum_y] += m * w->v[i];
     value[SPH_DIAGNOSTIC_angular_momentum] += m * (w->x[i] * w->v[i] - w->y[i] * w->u[i]);
   }
-  value[SPH_DIAGNOSTIC_shaking] /= (double)s->f.n * s->g * s->g;
   value[SPH_DIAGNOSTIC_compressed] /= (double)s->f.n;
 }
 
-void sph_diagnose(struct sph *s, double H, double value[SPH_DIAGNOSTIC_COUNT]) {
+void sph_diagnose(struct sph *s, double H, double g, double value[SPH_DIAGNOSTIC_COUNT]) {
   for (int k = 0; k < SPH_DIAGNOSTIC_COUNT; k++) value[k] = 0;
   sum_over_particles(s, value);
   sph_pack_water(s);
@@ -88,11 +87,12 @@ void sph_diagnose(struct sph *s, double H, double value[SPH_DIAGNOSTIC_COUNT]) {
   put_accelerations(s);
   const struct noise rates = noise_of(s);
   sph_pack_water(s);
-  const double speed = sqrt(s->g * H), pressure = s->rho0 * s->g * H;
+  const double speed = sqrt(g * H), pressure = s->rho0 * g * H;
+  value[SPH_DIAGNOSTIC_shaking] /= (double)s->f.n * g * g;
   value[SPH_DIAGNOSTIC_inner] = state.n / (double)s->f.n;
   value[SPH_DIAGNOSTIC_noise_u] = rms(state.u, state.n, speed);
   value[SPH_DIAGNOSTIC_noise_v] = rms(state.v, state.n, speed);
   value[SPH_DIAGNOSTIC_noise_p] = rms(state.p, state.n, pressure);
-  value[SPH_DIAGNOSTIC_noise_ax] = rms(rates.u, rates.n, s->g);
-  value[SPH_DIAGNOSTIC_noise_ay] = rms(rates.v, rates.n, s->g);
+  value[SPH_DIAGNOSTIC_noise_ax] = rms(rates.u, rates.n, g);
+  value[SPH_DIAGNOSTIC_noise_ay] = rms(rates.v, rates.n, g);
 }

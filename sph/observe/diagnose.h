@@ -29,6 +29,6 @@ enum {
 };
 extern const struct solver_diagnostic sph_diagnostics[SPH_DIAGNOSTIC_COUNT];
 
-/* After sph_rates(s, 0, ...), of water that is H (m) high. The same bits for any number of threads.
- */
-void sph_diagnose(struct sph *s, double H, double value[SPH_DIAGNOSTIC_COUNT]);
+/* After sph_rates(s, 0, ...), in the scales H (m) and g (m s^-2) of the case, whose water may have
+ * no gravity. The same bits for any number of threads. */
+void sph_diagnose(struct sph *s, double H, double g, double value[SPH_DIAGNOSTIC_COUNT]);

@@ -227,7 +227,7 @@ enum status sph_output_rates(struct sph_output *o, struct sph *s) {
   double value[SPH_DIAGNOSTIC_COUNT];
   if (!o->diagnose || !s->scheme.diagnostics) return OK;
   o->diagnose = false;
-  sph_diagnose(s, o->c->H, value);
+  sph_diagnose(s, o->c->H, o->c->g, value);
   return result_diagnostics(o->result, s->t, value);
 }
 

@@ -26,8 +26,7 @@
     ##__VA_ARGS__)                                                                                 \
   X(mueller,                                                                                       \
     "[sum r_ji r_ji]^-1 sum (f_j - f_i) r_ji within derivative_radius, unit weights (thesis, "     \
-    "eqs. "                                                                                        \
-    "(3.13), (3.14)); with momentum minus or reference",                                           \
+    "eqs. (3.13), (3.14)); with momentum minus or reference",                                      \
     ##__VA_ARGS__)
 SPH_FAMILY(sph_derivative, SPH_DERIVATIVE, SPH_DERIVATIVES);
 

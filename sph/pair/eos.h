@@ -19,14 +19,12 @@
     ##__VA_ARGS__)                                                                                 \
   X(dynamic,                                                                                       \
     "p_d = c0^2 (rho - rho0) + rho0 g y drives the water, y from the level of rest, in place of "  \
-    "p "                                                                                           \
-    "and g (thesis, eqs. (4.32) to (4.36)); with momentum: reference. A free surface has p_d = 0 " \
-    "instead of p = 0: for water that keeps its level",                                            \
+    "p and g (thesis, eqs. (4.32) to (4.36)); with momentum: reference. A free surface has "       \
+    "p_d = 0 instead of p = 0: for water that keeps its level",                                    \
     ##__VA_ARGS__)                                                                                 \
   X(split,                                                                                         \
     "p = c0^2 (rho - rho0) of rho = rho_s - rho0 g y/c0^2, where rho_s starts as rho0, evolves "   \
-    "and "                                                                                         \
-    "gives the volumes (thesis, eqs. (4.57) to (4.60)); with momentum: reference",                 \
+    "and gives the volumes (thesis, eqs. (4.57) to (4.60)); with momentum: reference",             \
     ##__VA_ARGS__)
 SPH_FAMILY(sph_eos, SPH_EOS, SPH_EOS);
 

@@ -113,8 +113,7 @@ static const struct {
      "allowed: at least that over h_over_dx; raise it"},
     {is_relaxed_fit, "tensile",
      "a correction of the forces of pairs with a derivative that is a fit and has none; allowed: "
-     "0; "
-     "leave the line out"},
+     "0; leave the line out"},
     {is_treated_sum, "continuity",
      "densities that are sums over the neighbours at each instant, and forget the "
      "re-initialisation that this run asks for; allowed: divergence, absolute, mass, reference; "
@@ -138,8 +137,7 @@ const char *sph_forms_warning(const struct sph_scheme *o) {
            "does not fall";
   if (is_fitted(o) && o->free_surface == SPH_FREE_SURFACE_natural)
     return "a fitted derivative imposes no pressure on a free surface: violent flow is thrown "
-           "about; "
-           "waves want free_surface: fitted";
+           "about; waves want free_surface: fitted";
   if (o->momentum == SPH_MOMENTUM_minus)
     return "momentum minus imposes no pressure on a free surface: violent flow is thrown about";
   return NULL;
