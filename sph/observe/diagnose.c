@@ -4,7 +4,7 @@
 
 #include "sph/pair/kernel.h"
 #include "sph/pair/rates.h"
-#include "sph/treat/sums.h"
+#include "sph/pair/sums.h"
 
 const struct solver_diagnostic sph_diagnostics[SPH_DIAGNOSTIC_COUNT] = {
 #define X(name, unit, help) {#name, unit, help},
@@ -20,7 +20,7 @@ struct noise {
 };
 
 static struct noise cluster_noise(const struct sph *s, size_t cluster) {
-  const struct sph_fit_sums a = sph_treat_sums(s, cluster, SPH_TREAT_WATER);
+  const struct sph_fit_sums a = sph_sums_around(s, cluster, SPH_OF_WATER);
   const double scale = kernel_value_scale((enum sph_kernel)s->scheme.kernel);
   struct noise sum = {0};
   for (size_t l = 0; l < SPH_LANES && cluster * SPH_LANES + l < s->f.n; l++) {

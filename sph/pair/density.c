@@ -2,15 +2,15 @@
 
 #include "sph/pair/continuity.h"
 #include "sph/pair/rates.h"
-#include "sph/treat/sums.h"
+#include "sph/pair/sums.h"
 
 /* sum m_j W_ij, or that over sum V_j W_ij. */
 static void sum_masses(struct sph *s, bool over_volumes) {
   const double scale = kernel_value_scale((enum sph_kernel)s->scheme.kernel);
-  sph_treat_carry_density(s);
+  sph_sums_carry_density(s);
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) {
-    const struct sph_fit_sums a = sph_treat_sums(s, c, SPH_TREAT_WATER | SPH_TREAT_WALLS);
+    const struct sph_fit_sums a = sph_sums_around(s, c, SPH_OF_WATER | SPH_OF_WALLS);
     for (size_t l = 0; l < SPH_LANES; l++)
       s->f.w.rho[c * SPH_LANES + l] = over_volumes ? a.p[l] / a.w[l] : scale * a.p[l];
   }

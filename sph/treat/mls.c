@@ -14,7 +14,7 @@
 #include <stdlib.h>
 
 #include "sph/pair/moments.h"
-#include "sph/treat/sums.h"
+#include "sph/pair/sums.h"
 #include "sph/treat/treat.h"
 
 static const double smallest_spread = 0.05; /* h^2 */
@@ -32,15 +32,15 @@ static double plane_at_origin(const struct sph_fit_sums *a, int l) {
 static void fit_densities(struct sph *s, unsigned sources) {
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) {
-    const struct sph_fit_sums a = sph_treat_sums(s, c, sources);
+    const struct sph_fit_sums a = sph_sums_around(s, c, sources);
     for (int l = 0; l < SPH_LANES; l++)
       s->f.w.rho[c * SPH_LANES + (size_t)l] = plane_at_origin(&a, l);
   }
 }
 
 static enum status volume_apply(struct sph *s) {
-  sph_treat_carry_density(s);
-  fit_densities(s, SPH_TREAT_WATER | SPH_TREAT_WALLS);
+  sph_sums_carry_density(s);
+  fit_densities(s, SPH_OF_WATER | SPH_OF_WALLS);
   return OK;
 }
 
@@ -62,7 +62,7 @@ static enum status mass_apply(struct sph *s) {
     s->pack[i].p = rho[s->f.id[i]];
   }
   sph_period_fill(s);
-  fit_densities(s, SPH_TREAT_WATER);
+  fit_densities(s, SPH_OF_WATER);
   return OK;
 }
 

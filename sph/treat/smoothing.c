@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sph/pair/sums.h"
 #include "sph/theory/lattice.h"
-#include "sph/treat/sums.h"
 #include "sph/treat/treat.h"
 
 /* What a smoothing diffuses, over the time since the last one, in c0 dx, where noise of the thesis'
@@ -46,7 +46,7 @@ static double gradient_added(const struct sph *s) {
 }
 
 static void cluster_smooth(struct sph *s, size_t cluster, double gradient) {
-  const struct sph_fit_sums a = sph_treat_sums(s, cluster, SPH_TREAT_WATER | SPH_TREAT_WALLS);
+  const struct sph_fit_sums a = sph_sums_around(s, cluster, SPH_OF_WATER | SPH_OF_WALLS);
   const struct sph_state *w = &s->f.w;
   for (size_t l = 0; l < SPH_LANES; l++) {
     const double per_w = 1 / a.w[l];
@@ -60,7 +60,7 @@ static void cluster_smooth(struct sph *s, size_t cluster, double gradient) {
 
 static enum status smooth(struct sph *s) {
   const double gradient = gradient_added(s);
-  sph_treat_carry_density(s);
+  sph_sums_carry_density(s);
 #pragma omp parallel for schedule(static)
   for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_smooth(s, c, gradient);
   return OK;

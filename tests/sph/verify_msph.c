@@ -1,7 +1,7 @@
 /* The dam break of the thesis (4.3) by mSPH: what smoothing every n steps does to noise and front.
  * Runs without treatment are chaos after the impact, so that medians are compared. */
 #include "sph/pair/kernel.h"
-#include "sph/treat/sums.h"
+#include "sph/pair/sums.h"
 #include "sph/treat/treat.h"
 #include "tests/sph/pool.h"
 #include "tests/test.h"
@@ -40,7 +40,7 @@ static size_t add_departures(const struct sph *s, double sum[3]) {
   const double W = kernel_value_scale((enum sph_kernel)s->scheme.kernel);
   size_t n = 0;
   for (size_t c = 0; c < s->water_water.n_clusters; c++) {
-    const struct sph_fit_sums a = sph_treat_sums(s, c, SPH_TREAT_WATER | SPH_TREAT_WALLS);
+    const struct sph_fit_sums a = sph_sums_around(s, c, SPH_OF_WATER | SPH_OF_WALLS);
     for (size_t l = 0; l < SPH_LANES; l++) {
       const size_t i = c * SPH_LANES + l;
       if (i >= s->f.n || W * a.w[l] < 0.9) continue;
