@@ -176,7 +176,7 @@ static const char *why_stale(const struct case_file *c, const struct case_run *r
   if (*file->water_fingerprint && strcmp(file->water_fingerprint, water) != 0)
     return "is of other water, another tank or other scales";
   if (strcmp(file->fingerprint, whole) != 0)
-    return "was run with other times, probes, gauges or options, or by another version of plunge";
+    return "was run with other times, probes, gauges, points or options, or by another version of plunge";
   return NULL;
 }
 

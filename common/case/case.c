@@ -172,6 +172,7 @@ void case_destroy(struct case_file *c) {
   geo_lines_destroy(&c->water);
   for (size_t i = 0; i < c->n_probes; i++) free(c->probes[i].name);
   for (size_t i = 0; i < c->n_gauges; i++) free(c->gauges[i].name);
+  for (size_t i = 0; i < c->n_points; i++) free(c->points[i].name);
   for (size_t i = 0; i < c->n_runs; i++) {
     struct case_run *r = &c->runs[i];
     if (r->solver) params_release(r->solver->params, r->solver->n_params, r->options);
@@ -193,6 +194,7 @@ void case_destroy(struct case_file *c) {
   }
   free(c->probes);
   free(c->gauges);
+  free(c->points);
   free(c->runs);
   free(c->compare.times);
   free(c->compare.tolerances);

@@ -21,6 +21,12 @@ struct case_gauge { /* vertical wire */
   double x; /* m */
 };
 
+struct case_point { /* in the water or on a wall: means over the particles around it */
+  char *name;
+  double x, y; /* m */
+  int every;   /* steps from one row to the next */
+};
+
 struct case_run {
   char *name;
   const struct solver *solver;
@@ -76,9 +82,10 @@ struct case_file {
   double sample; /* s: series (energy, probes, gauges, run) get a row at the first step after each
                     multiple of it; default every/10 */
 
-  size_t n_probes, n_gauges, n_runs;
+  size_t n_probes, n_gauges, n_points, n_runs;
   struct case_probe *probes;
   struct case_gauge *gauges;
+  struct case_point *points;
   struct case_run *runs;
 
   struct {

@@ -98,10 +98,24 @@ static void check_probe(struct case_draft *d, size_t i, int item, const char *pa
   }
 }
 
+static void check_point(struct case_draft *d, size_t i, int item, const char *path) {
+  const struct case_file *c = d->c;
+  const struct case_point *p = &c->points[i];
+  const struct geo_box *t = &c->tank;
+  char full[CASE_PATH + 8], found[96], allowed[128];
+  if (p->x >= t->min[0] && p->x <= t->max[0] && p->y >= t->min[1] && p->y <= t->max[1]) return;
+  snprintf(full, sizeof full, "%s.at", path);
+  snprintf(found, sizeof found, "(%.6g, %.6g) m", p->x, p->y);
+  snprintf(allowed, sizeof allowed, "inside the tank, from (%.6g, %.6g) to (%.6g, %.6g) m",
+           t->min[0], t->min[1], t->max[0], t->max[1]);
+  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "at"), full, found, allowed,
+                   "move the point");
+}
+
 static void check_instruments(struct case_draft *d) {
   const struct case_file *c = d->c;
   size_t n = 0;
-  const char *names[2 * CASE_MOST_ITEMS + 1] = {"front"}; /* what an experiment may name besides */
+  const char *names[3 * CASE_MOST_ITEMS + 1] = {"front"}; /* what an experiment may name besides */
   char path[CASE_PATH], full[CASE_PATH + 8], found[64], allowed[96];
   n = 1;
   for (size_t i = 0; i < c->n_probes; i++) {
@@ -124,6 +138,13 @@ static void check_instruments(struct case_draft *d) {
              c->tank.max[0]);
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "x"), full, found, allowed,
                      "move the gauge");
+  }
+  for (size_t i = 0; i < c->n_points; i++) {
+    int item = case_doc_item(&d->doc, d->at.points, i);
+    case_doc_item_path(&d->doc, "points", item, i, path);
+    check_name(d, item, path, c->points[i].name, names, n);
+    names[n++] = c->points[i].name;
+    if (d->good.points && d->good.tank) check_point(d, i, item, path);
   }
 }
 

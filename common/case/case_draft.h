@@ -10,10 +10,10 @@ struct case_draft {
   const struct registry *registry;
   bool read_data; /* experiments are read from their files */
   struct {        /* the nodes of the sections, 0 when absent */
-    int fluid, scales, tank, water, time, probes, gauges, runs, compare;
+    int fluid, scales, tank, water, time, probes, gauges, points, runs, compare;
   } at;
   struct { /* sections read without a fault: what the checks may rely on */
-    bool scales, tank, water, time, probes, gauges, runs;
+    bool scales, tank, water, time, probes, gauges, points, runs;
     bool shapes; /* tank and water make sense together */
   } good;
   int pressure; /* water.pressure: place among the flows of regions */

@@ -172,6 +172,23 @@ static const struct param gauge_rows[] = {
     REAL(struct case_gauge, x, QTY_LENGTH, -1e6, 1e6, NULL, "position of the vertical wire"),
 };
 
+struct point_section {
+  char *name;
+  int at, every;
+};
+static const struct param point_rows[] = {
+    TEXT(struct point_section, name, 64, NULL, "name of the series"),
+    NODE(struct point_section, at, NULL, "a point [x, y] in the tank"),
+    {.key = "every",
+     .type = PARAM_INT,
+     .offset = offsetof(struct point_section, every),
+     .min = 1,
+     .max = 1e6,
+     .value = "1",
+     .help = "steps from one row to the next: sum V f W / sum V W over the particles around it, of "
+             "pressure, density, velocity and acceleration; SPH alone"},
+};
+
 bool case_read_section(struct case_draft *d, int node, const char *path, const struct param *rows,
                        size_t n, void *into) {
   struct case_block block = {rows, n, into, NULL};
@@ -314,6 +331,27 @@ static enum status read_gauges(struct case_draft *d) {
   return OK;
 }
 
+static enum status read_points(struct case_draft *d) {
+  struct case_doc *doc = &d->doc;
+  size_t faults = doc->faults, n = count_items(doc, d->at.points, "points");
+  TRY(array_create(&d->c->points, n, "entries of the case"));
+  for (size_t i = 0; i < n; i++) {
+    struct case_point *point = &d->c->points[d->c->n_points++];
+    struct point_section s = {0};
+    double at[2] = {0};
+    char path[CASE_PATH], at_path[CASE_PATH + 8];
+    int node = case_doc_item(doc, d->at.points, i);
+    case_doc_item_path(doc, "points", node, i, path);
+    if (case_read_section(d, node, path, point_rows, ROWS(point_rows), &s)) {
+      snprintf(at_path, sizeof at_path, "%s.at", path);
+      case_read_point(doc, s.at, at_path, at);
+    }
+    *point = (struct case_point){s.name, at[0], at[1], s.every};
+  }
+  d->good.points = doc->faults == faults;
+  return OK;
+}
+
 static const struct param top_rows[] = {
     TEXT(struct case_file, title, 200, "", "title of the report"),
 };
@@ -328,6 +366,7 @@ const struct case_table case_section_tables[] = {
     {"time", time_rows, ROWS(time_rows)},
     {"probes (a list)", probe_rows, ROWS(probe_rows)},
     {"gauges (a list)", gauge_rows, ROWS(gauge_rows)},
+    {"points (a list)", point_rows, ROWS(point_rows)},
     {0},
 };
 
@@ -358,6 +397,7 @@ enum status case_read_sections(struct case_draft *d) {
       SECTION(time, NULL, "a mapping with end, every, sample"),
       SECTION(probes, "", "a list of probes"),
       SECTION(gauges, "", "a list of gauges"),
+      SECTION(points, "", "a list of points"),
       SECTION(runs, NULL, "a list of runs"),
       SECTION(compare, "",
               "a mapping with reference, times, window, tolerances, averages, experiments"),
@@ -389,5 +429,6 @@ enum status case_read_sections(struct case_draft *d) {
   read_time(d);
   TRY(read_probes(d));
   TRY(read_gauges(d));
+  TRY(read_points(d));
   return OK;
 }

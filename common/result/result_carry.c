@@ -49,6 +49,16 @@ static enum status carry_series(struct carrier *c, void *element) {
   return carry_same(c, s->n, &s->value);
 }
 
+static enum status carry_point(struct carrier *c, void *element) {
+  struct result_point_read *p = element;
+  TRY(carry_word(c, &p->name));
+  TRY(carry_bytes(c, &p->x, sizeof p->x));
+  TRY(carry_bytes(c, &p->y, sizeof p->y));
+  TRY(carry_array(c, &p->n, &p->t));
+  for (int k = 0; k < RESULT_POINT_FIELDS; k++) TRY(carry_same(c, p->n, &p->value[k]));
+  return OK;
+}
+
 static enum status carry_event(struct carrier *c, void *element) {
   struct result_event_read *e = element;
   TRY(carry_word(c, &e->name));
@@ -103,6 +113,7 @@ static enum status carry_tables(struct carrier *c, struct result_file *f) {
   TRY(carry_array(c, &f->n_steps, &f->steps));
   TRY(carry_each(c, &f->n_probes, &f->probes, carry_series));
   TRY(carry_each(c, &f->n_gauges, &f->gauges, carry_series));
+  TRY(carry_each(c, &f->n_points, &f->points, carry_point));
   TRY(carry_each(c, &f->n_diagnostics, &f->diagnostics, carry_series));
   TRY(carry_each(c, &f->n_events, &f->events, carry_event));
   TRY(carry_each(c, &f->n_experiments, &f->experiments, carry_experiment));

@@ -111,6 +111,16 @@ static void say_series(FILE *out, const char *label, size_t n, const struct resu
   if (n) say(out, label, "%s (%zu rows)", text, rows);
 }
 
+static void say_places(FILE *out, const struct result_file *f) {
+  char text[512] = "";
+  size_t rows = 0;
+  for (size_t i = 0; i < f->n_points; i++) {
+    add_name(text, sizeof text, f->points[i].name);
+    rows += f->points[i].n;
+  }
+  if (f->n_points) say(out, "points", "%s (%zu rows)", text, rows);
+}
+
 static void say_events(FILE *out, const struct result_file *f, double scale) {
   enum { SHOWN = 6 };
   for (size_t i = 0; i < f->n_events && i < SHOWN; i++) {
@@ -179,6 +189,7 @@ enum status result_info(const char *path, FILE *out) {
   }
   say_series(out, "probes", f->n_probes, f->probes);
   say_series(out, "gauges", f->n_gauges, f->gauges);
+  say_places(out, f);
   say_series(out, "diagnostics", f->n_diagnostics, f->diagnostics);
   if (f->n_experiments) say(out, "experiments", "%zu series to compare with", f->n_experiments);
   say_events(out, f, scale);

@@ -19,6 +19,13 @@ const struct result_column result_step_columns[RESULT_STEP_COLUMNS] = {
 #undef X
 };
 
+const struct result_column result_point_columns[1 + RESULT_POINT_FIELDS] = {
+    {"time", "s", "physical time"},
+#define X(name, units, help) {#name, units, help},
+    RESULT_POINT(X)
+#undef X
+};
+
 const struct result_scale result_scales[RESULT_SCALES] = {
     {"H", "m", "scale of length", offsetof(struct result_file, H)},
     {"g", "m/s^2", "that of the scales: gravity, or scales.g where there is none",

@@ -8,15 +8,9 @@
 #include "common/result/result_hdf.h"
 #include "common/result/result_layout.h"
 #include "common/result/result_open.h"
+#include "common/result/result_series.h"
 
 /* ---- parts ---- */
-
-static enum status check_times(const char *what, size_t n, const double *t) {
-  for (size_t i = 0; i < n; i++)
-    CHECK(isfinite(t[i]) && (i == 0 || t[i] >= t[i - 1]), ERR_INPUT,
-          "its times of %s do not increase at row %zu (%g s)", what, i, t[i]);
-  return OK;
-}
 
 /* `first` must rise from 0 to `end`. */
 static enum status check_offsets(const char *what, size_t n, const size_t *first, size_t end) {
@@ -83,7 +77,7 @@ static enum status read_surface(hid_t file, struct result_file *f) {
         status_raise(ERR_INPUT, "its datasets in /surface have lengths that do not fit together");
     goto done;
   }
-  ATTEMPT(check_times("/surface", n_time, f->surface_time));
+  ATTEMPT(result_check_times("/surface", n_time, f->surface_time));
   ATTEMPT(check_offsets("/surface/first_piece", n_piece, first_piece, pieces));
   ATTEMPT(check_offsets("/surface/first_point", n_first_point, first_point, points));
   ATTEMPT(check_points("/surface/points", points, p));
@@ -117,7 +111,7 @@ static enum status read_table(hid_t file, const char *name, size_t n_columns,
     size_t length = 0;
     ATTEMPT(hdf_get_all(group, columns[k].name, H5T_NATIVE_DOUBLE, 0, &length, &column));
     if (k == 0) {
-      ATTEMPT(check_times(name, length, column));
+      ATTEMPT(result_check_times(name, length, column));
       *n = length;
       *out = rows = calloc(length * width + 1, sizeof *rows);
       if (!rows) {
@@ -187,81 +181,6 @@ done:
   return status;
 }
 
-/* Two columns of the same length, the first of times. */
-static enum status read_columns(hid_t group, const char *link, const char *name, size_t *n,
-                                double **t, double **value) {
-  size_t n_values = 0;
-  TRY(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, n, t));
-  TRY(hdf_get_all(group, name, H5T_NATIVE_DOUBLE, 0, &n_values, value));
-  TRY(check_times(link, *n, *t));
-  CHECK(n_values == *n, ERR_INPUT, "its series %s has columns of different lengths", link);
-  return OK;
-}
-
-static enum status read_series(hid_t parent, const char *link, const char *value, const char *units,
-                               struct result_series *s) {
-  hid_t group = -1;
-  enum status status = OK;
-  s->y = s->size = NAN;
-  s->units = strdup(units);
-  CHECK(s->units, ERR_MEMORY, "no memory for a unit");
-  ATTEMPT(hdf_open_group(parent, link, &group));
-  ATTEMPT(hdf_get_string(group, "name", &s->name));
-  ATTEMPT(hdf_get_number(group, "x", &s->x));
-  if (H5Aexists(group, "y") > 0) ATTEMPT(hdf_get_number(group, "y", &s->y));
-  if (H5Aexists(group, "size") > 0) ATTEMPT(hdf_get_number(group, "size", &s->size));
-  ATTEMPT(read_columns(group, link, value, &s->n, &s->t, &s->value));
-done:
-  if (group >= 0) H5Gclose(group);
-  return status;
-}
-
-static enum status read_probe(hid_t parent, const char *link, void *element) {
-  return read_series(parent, link, "pressure", "Pa", element);
-}
-
-static enum status read_gauge(hid_t parent, const char *link, void *element) {
-  return read_series(parent, link, "elevation", "m", element);
-}
-
-/* One column of a group that has a time for all. */
-static enum status read_diagnostic(hid_t group, const char *link, struct result_series *s) {
-  s->x = s->y = s->size = NAN;
-  s->name = strdup(link);
-  CHECK(s->name, ERR_MEMORY, "no memory for a name");
-  hid_t set = H5Dopen2(group, link, H5P_DEFAULT);
-  if (set < 0) return hdf_raise(ERR_INPUT, "its diagnostic %s cannot be read", link);
-  enum status status = hdf_get_string(set, "units", &s->units);
-  H5Dclose(set);
-  TRY(status);
-  return read_columns(group, "/series/diagnostics", link, &s->n, &s->t, &s->value);
-}
-
-/* Older files, and most others, have none. */
-static enum status read_diagnostics(hid_t file, struct result_file *f) {
-  hid_t group = -1;
-  size_t n_links = 0;
-  char **links = NULL;
-  enum status status = OK;
-  if (!hdf_has(file, "series/diagnostics")) return OK;
-  ATTEMPT(hdf_open_group(file, "series/diagnostics", &group));
-  ATTEMPT(hdf_list(group, &n_links, &links));
-  f->diagnostics = calloc(n_links + 1, sizeof *f->diagnostics);
-  if (!f->diagnostics || n_links > 1 + RESULT_DIAGNOSTICS) {
-    status = f->diagnostics
-                 ? status_raise(ERR_INPUT, "it has more than %d diagnostics", RESULT_DIAGNOSTICS)
-                 : status_raise(ERR_MEMORY, "no memory for %zu diagnostics", n_links);
-    goto done;
-  }
-  for (size_t k = 0; k < n_links; k++)
-    if (strcmp(links[k], "time"))
-      ATTEMPT(read_diagnostic(group, links[k], &f->diagnostics[f->n_diagnostics++]));
-done:
-  hdf_list_destroy(n_links, links);
-  if (group >= 0) H5Gclose(group);
-  return status;
-}
-
 static enum status read_event(hid_t parent, const char *link, void *element) {
   struct result_event_read *e = element;
   hid_t group = -1;
@@ -284,7 +203,7 @@ static enum status read_experiment(hid_t parent, const char *link, void *element
   ATTEMPT(hdf_get_string(group, "label", &e->label));
   ATTEMPT(hdf_get_string(group, "source", &e->source));
   ATTEMPT(hdf_get_string(group, "target", &e->target));
-  ATTEMPT(read_columns(group, link, "value", &e->n, &e->t, &e->value));
+  ATTEMPT(result_read_columns(group, link, "value", &e->n, &e->t, &e->value));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
@@ -298,31 +217,6 @@ static enum status read_statistic(hid_t group, const char *link, void *element) 
   hid_t set = H5Dopen2(group, link, H5P_DEFAULT);
   enum status status = hdf_get_string(set, "description", &s->help);
   H5Dclose(set);
-  return status;
-}
-
-/* Reads every member of the group at `path` into one zeroed element of `size` bytes. */
-static enum status read_members(hid_t file, const char *path, size_t size,
-                                enum status (*read)(hid_t group, const char *link, void *element),
-                                size_t *n, void **array) {
-  hid_t group = -1;
-  size_t n_links = 0;
-  char **links = NULL;
-  enum status status = OK;
-  ATTEMPT(hdf_open_group(file, path, &group));
-  ATTEMPT(hdf_list(group, &n_links, &links));
-  *array = calloc(n_links + 1, size);
-  if (!*array) {
-    status = status_raise(ERR_MEMORY, "no memory for %zu members of %s", n_links, path);
-    goto done;
-  }
-  while (*n < n_links) {
-    size_t i = (*n)++; /* counted first: what is half read is freed as well */
-    ATTEMPT(read(group, links[i], (char *)*array + i * size));
-  }
-done:
-  hdf_list_destroy(n_links, links);
-  if (group >= 0) H5Gclose(group);
   return status;
 }
 
@@ -372,7 +266,7 @@ static enum status read_outputs(hid_t file, struct result_file *f) {
   if (!hdf_has(file, "VTKHDF")) return OK;
   TRY(hdf_get_all(file, "VTKHDF/Steps/Values", H5T_NATIVE_DOUBLE, 0, &f->n_outputs,
                   &f->output_time));
-  TRY(check_times("/VTKHDF", f->n_outputs, f->output_time));
+  TRY(result_check_times("/VTKHDF", f->n_outputs, f->output_time));
   TRY(hdf_get_all(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, &n, &f->output_points));
   bool good = n == f->n_outputs;
   for (size_t k = 0; good && k < n; k++) good = f->output_points[k] >= 0;
@@ -391,17 +285,14 @@ static enum status read_all(hid_t file, struct result_file *f) {
   TRY(array_lend(&f->steps,
                  read_table(file, "/series/run", RESULT_STEP_COLUMNS, result_step_columns,
                             RESULT_STEP_COLUMNS, &f->n_steps, &memory_)));
-  TRY(array_lend(&f->probes, read_members(file, "series/probes", sizeof *f->probes, read_probe,
-                                          &f->n_probes, &memory_)));
-  TRY(array_lend(&f->gauges, read_members(file, "series/gauges", sizeof *f->gauges, read_gauge,
-                                          &f->n_gauges, &memory_)));
-  TRY(read_diagnostics(file, f));
-  TRY(array_lend(&f->events, read_members(file, "events", sizeof *f->events, read_event,
-                                          &f->n_events, &memory_)));
-  TRY(array_lend(&f->experiments, read_members(file, "experiments", sizeof *f->experiments,
-                                               read_experiment, &f->n_experiments, &memory_)));
-  TRY(array_lend(&f->statistics, read_members(file, "statistics", sizeof *f->statistics,
-                                              read_statistic, &f->n_statistics, &memory_)));
+  TRY(result_read_series(file, f));
+  TRY(array_lend(&f->events, result_read_members(file, "events", sizeof *f->events, read_event,
+                                                 &f->n_events, &memory_)));
+  TRY(array_lend(&f->experiments,
+                 result_read_members(file, "experiments", sizeof *f->experiments, read_experiment,
+                                     &f->n_experiments, &memory_)));
+  TRY(array_lend(&f->statistics, result_read_members(file, "statistics", sizeof *f->statistics,
+                                                     read_statistic, &f->n_statistics, &memory_)));
   return read_outputs(file, f);
 }
 
@@ -432,16 +323,6 @@ enum status result_read(const char *path, struct result_file **out) {
   return status;
 }
 
-static void series_destroy(size_t n, struct result_series *s) {
-  for (size_t i = 0; i < n; i++) {
-    free(s[i].name);
-    free(s[i].units);
-    free(s[i].t);
-    free(s[i].value);
-  }
-  free(s);
-}
-
 void result_file_destroy(struct result_file *f) {
   if (!f) return;
   free(f->path);
@@ -467,9 +348,7 @@ void result_file_destroy(struct result_file *f) {
   }
   free(f->terms);
   free(f->steps);
-  series_destroy(f->n_probes, f->probes);
-  series_destroy(f->n_gauges, f->gauges);
-  series_destroy(f->n_diagnostics, f->diagnostics);
+  result_series_destroy(f);
   for (size_t i = 0; i < f->n_events; i++) free(f->events[i].name);
   free(f->events);
   for (size_t i = 0; i < f->n_experiments; i++) {

@@ -39,6 +39,8 @@ struct result {
   const struct solver *solver; /* borrowed */
   size_t n_probes, n_gauges;
   struct series *probes, *gauges; /* [n_probes], [n_gauges], owned */
+  const struct case_point *point; /* the case's, borrowed */
+  struct series *points_at;       /* of each, owned; without columns until its first row */
   struct health_watch watch;      /* over what is written */
   struct vtkhdf *points;          /* from the first output on */
   bool broken;                    /* a write into memory failed: what is there is not committed */
@@ -324,7 +326,9 @@ enum status result_create(const char *path, const struct case_file *c, const str
   w->path = strdup(path);
   w->probes = calloc(c->n_probes + 1, sizeof *w->probes);
   w->gauges = calloc(c->n_gauges + 1, sizeof *w->gauges);
-  if (!w->path || !w->probes || !w->gauges) {
+  w->point = c->points;
+  w->points_at = calloc(c->n_points + 1, sizeof *w->points_at);
+  if (!w->path || !w->probes || !w->gauges || !w->points_at) {
     status = status_raise(ERR_MEMORY, "no memory to write %s", path);
     goto done;
   }
@@ -407,6 +411,39 @@ enum status result_probe(struct result *w, size_t probe, double time, double pre
 
 enum status result_gauge(struct result *w, size_t gauge, double time, double elevation) {
   return guard(w, series_add(&w->gauges[gauge], (double[]){time, elevation}));
+}
+
+/* Its datasets, when the first row comes. */
+static enum status create_point(struct result *w, const struct case_point *p, struct series *s) {
+  hid_t series = -1, parent = -1, group = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_open_group(w->file, "series", &series));
+  if (hdf_has(series, "points"))
+    ATTEMPT(hdf_open_group(series, "points", &parent));
+  else
+    ATTEMPT(hdf_group_create(series, "points", &parent));
+  ATTEMPT(named_group(parent, p->name, &group));
+  ATTEMPT(hdf_set_number(group, "x", p->x));
+  ATTEMPT(hdf_set_number(group, "y", p->y));
+  ATTEMPT(series_create(w, group, 1 + RESULT_POINT_FIELDS, result_point_columns, s));
+done:
+  if (group >= 0) H5Gclose(group);
+  if (parent >= 0) H5Gclose(parent);
+  if (series >= 0) H5Gclose(series);
+  return status;
+}
+
+static enum status add_point(struct result *w, size_t point, double time, const double *value) {
+  struct series *s = &w->points_at[point];
+  double row[1 + RESULT_POINT_FIELDS] = {time};
+  if (!s->n_columns) TRY(create_point(w, &w->point[point], s));
+  memcpy(row + 1, value, RESULT_POINT_FIELDS * sizeof *value);
+  return series_add(s, row);
+}
+
+enum status result_point(struct result *w, size_t point, double time,
+                         const double value[RESULT_POINT_FIELDS]) {
+  return guard(w, add_point(w, point, time, value));
 }
 
 /* Their datasets, when the first row comes. */
@@ -539,6 +576,7 @@ void result_destroy(struct result *w) {
   result_store_destroy(w->store);
   free(w->probes);
   free(w->gauges);
+  free(w->points_at);
   free(w->path);
   free(w);
 }

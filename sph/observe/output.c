@@ -8,6 +8,7 @@
 #include "sph/fluid/energy.h"
 #include "sph/observe/diagnose.h"
 #include "sph/observe/gauge.h"
+#include "sph/observe/point.h"
 #include "sph/observe/probe.h"
 #include "sph/observe/surface.h"
 #include "sph/pair/eos.h"
@@ -223,8 +224,20 @@ enum status sph_output_step(struct sph_output *o, struct sph *s, double dt) {
   return OK;
 }
 
+static enum status write_points(const struct sph_output *o, const struct sph *s) {
+  double value[RESULT_POINT_FIELDS];
+  for (size_t k = 0; k < o->c->n_points; k++) {
+    const struct case_point *point = &o->c->points[k];
+    if (s->steps % (size_t)point->every) continue;
+    sph_point(s, point, value);
+    TRY(result_point(o->result, k, s->t, value));
+  }
+  return OK;
+}
+
 enum status sph_output_rates(struct sph_output *o, struct sph *s) {
   double value[SPH_DIAGNOSTIC_COUNT];
+  TRY(write_points(o, s));
   if (!o->diagnose || !s->scheme.diagnostics) return OK;
   o->diagnose = false;
   sph_diagnose(s, o->c->H, o->c->g, value);

@@ -14,7 +14,8 @@ void sph_output_destroy(struct sph_output *o);
 /* After every step (and at t = 0): whatever is due at s->t. */
 enum status sph_output_step(struct sph_output *o, struct sph *s, double dt);
 
-/* After the evaluation that a step begins with: the diagnostics of a sample that has been taken. */
+/* After the evaluation that a step begins with: the points whose turn it is, and the diagnostics of
+ * a sample that has been taken. */
 enum status sph_output_rates(struct sph_output *o, struct sph *s);
 
 /* The next multiple of time.every, or the end (s): steps must end on it. */

@@ -105,6 +105,15 @@ static void test_series_come_back(void) {
   EXPECT_STR(f->gauges[0].units, "m");
   EXPECT_SAME(f->gauges[0].x, sample_gauges[0].x);
   EXPECT(f->gauges[0].n == 10 * OUTPUTS && isnan(f->gauges[0].value[1]));
+  EXPECT(f->n_points == 1); /* the other has no row */
+  EXPECT_STR(f->points[0].name, "A");
+  EXPECT_SAME(f->points[0].x, 2.385);
+  EXPECT(f->points[0].n == 5 * OUTPUTS);
+  EXPECT_SAME(f->points[0].t[5], sample_time(1) + 0.01);
+  EXPECT_SAME(f->points[0].value[RESULT_POINT_p][5], sample_time(1) + 0.01);
+  EXPECT_SAME(f->points[0].value[RESULT_POINT_u][0], -0.0);
+  EXPECT(isnan(f->points[0].value[RESULT_POINT_v][0]));
+  EXPECT_SAME(f->points[0].value[RESULT_POINT_cover][4], 0.5);
   result_file_destroy(f);
 }
 

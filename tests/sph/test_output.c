@@ -139,6 +139,31 @@ static void test_file_holds_mass_volume_and_rest(void) {
   finished_destroy(&a);
 }
 
+/* A row of a point at every step, and at every third one: of the state that each step begins with.
+ */
+static void test_points_follow_the_steps(void) {
+  struct finished a = finished_create(
+      "title: drop\nscales: {H: 1}\ntank: {walls: [[[0, 3], [0, 0], [3, 0], [3, 3]]]}\n"
+      "water: {regions: [[[1, 1], [2, 1], [2, 2], [1, 2]]], pressure: released}\n"
+      "points: [{name: each, at: [1.5, 1.5]}, {name: third, at: [1.5, 1.5], every: 3}, {name: dry, "
+      "at: [0, 0]}]\ntime: {end: 0.05, every: 0.05, sample: 0.05}\n",
+      "resolution: 10, precision: double, dt: 1 ms");
+  EXPECT(a.f->n_points == 3 && a.f->n_steps == 2);
+  const struct result_point_read *each = &a.f->points[0], *third = &a.f->points[1];
+  EXPECT_STR(each->name, "each");
+  EXPECT(each->n == 50 && third->n == 17);
+  for (size_t i = 0; i < each->n; i++) {
+    EXPECT_NEAR(each->t[i], 0.001 * (double)i, 1e-12);
+    EXPECT_NEAR(each->value[RESULT_POINT_v][i], -9.81 * each->t[i], 1e-9); /* it falls freely */
+    EXPECT_NEAR(each->value[RESULT_POINT_a_y][i], -9.81, 1e-9);
+    EXPECT(isnan(a.f->points[2].value[RESULT_POINT_a_y][i]));
+    if (i % 3) continue;
+    for (int k = 0; k < RESULT_POINT_FIELDS; k++)
+      EXPECT(third->value[k][i / 3] == each->value[k][i]);
+  }
+  finished_destroy(&a);
+}
+
 /* ---- gauges ---- */
 
 /* In a basin of still water that settles, a gauge on a wall and within two spacings of it shows the
@@ -207,6 +232,7 @@ int main(void) {
   RUN(test_wave_starts_with_its_energy);
   RUN(test_dam_break_has_the_energy_of_its_fall);
   RUN(test_file_holds_mass_volume_and_rest);
+  RUN(test_points_follow_the_steps);
   RUN(test_gauge_on_a_wall_shows_the_level);
   RUN(test_gauge_corrects_the_meniscus_only);
   return TEST_RESULT;

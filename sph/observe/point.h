@@ -1,0 +1,11 @@
+/* The water at points of a case. */
+#pragma once
+#include "common/case/case.h"
+#include "common/result/result.h"
+#include "sph/sph.h"
+
+/* After sph_rates(s, 0, ...): sum V f W / sum V W over the particles around the point (thesis, eq.
+ * (3.18)), of pressure, density, velocity and acceleration, and sum V W itself. Walls take no part.
+ * NaN where sum V W < 0.1. */
+void sph_point(const struct sph *s, const struct case_point *point,
+               double value[RESULT_POINT_FIELDS]);
