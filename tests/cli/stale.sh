@@ -46,7 +46,7 @@ grep -q '"run": "c"' out/report.json && fail "c is in the report"
 # ---- the same water, other options or times ----
 run 0
 run 0 --only b --set runs.c.resolution=12
-said "out/c.h5 was run with other times, probes, gauges or options, or by another version of plunge"
+said "out/c.h5 was run with other times, probes, gauges, points or options, or by another version of plunge"
 run 0 --only b --set time.every=0.1
 said "out/a.h5 was run with other times"
 
