@@ -171,7 +171,7 @@ enum status sph_lists_build(struct sph_lists *l, size_t n, const double *x, cons
     l->chunk_room = l->n_chunks;
   }
   int failed = 0;
-#pragma omp parallel for schedule(static) reduction(| : failed)
+#pragma omp parallel for schedule(dynamic) reduction(| : failed)
   for (size_t c = 0; c < l->n_chunks; c++)
     failed |= build_chunk(l, c, n, x, y, sources, reach) != OK;
   CHECK(!failed, ERR_MEMORY, "no memory for the neighbour lists");

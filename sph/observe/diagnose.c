@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "sph/fluid/clusters.h"
 #include "sph/pair/kernel.h"
 #include "sph/pair/rates.h"
 #include "sph/pair/sums.h"
@@ -19,7 +20,8 @@ struct noise {
   double n, u, v, p;
 };
 
-static struct noise cluster_noise(const struct sph *s, size_t cluster) {
+static void cluster_noise(struct sph *s, size_t cluster, const void *wanted) {
+  struct noise *part = *(struct noise *const *)wanted;
   const struct sph_fit_sums a = sph_sums_around(s, cluster, SPH_OF_WATER);
   const double scale = kernel_value_scale((enum sph_kernel)s->scheme.kernel);
   struct noise sum = {0};
@@ -33,7 +35,7 @@ static struct noise cluster_noise(const struct sph *s, size_t cluster) {
     sum.v += v * v;
     sum.p += p * p;
   }
-  return sum;
+  part[cluster] = sum;
 }
 
 /* Of what stands in the packs; added up in the order of the clusters. */
@@ -42,8 +44,7 @@ static struct noise noise_of(struct sph *s) {
   const size_t n = s->water_water.n_clusters;
   _Static_assert(sizeof *part <= SPH_LANES * sizeof(double), "scratch holds one for a cluster");
   struct noise sum = {0};
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < n; c++) part[c] = cluster_noise(s, c);
+  sph_each_cluster(s, cluster_noise, &part);
   for (size_t c = 0; c < n; c++) {
     sum.n += part[c].n;
     sum.u += part[c].u;

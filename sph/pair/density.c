@@ -1,19 +1,22 @@
 #include "sph/pair/density.h"
 
+#include "sph/fluid/clusters.h"
 #include "sph/pair/continuity.h"
 #include "sph/pair/rates.h"
 #include "sph/pair/sums.h"
 
+static void cluster_density(struct sph *s, size_t cluster, const void *wanted) {
+  const bool over_volumes = *(const bool *)wanted;
+  const double scale = kernel_value_scale((enum sph_kernel)s->scheme.kernel);
+  const struct sph_fit_sums a = sph_sums_around(s, cluster, SPH_OF_WATER | SPH_OF_WALLS);
+  for (size_t l = 0; l < SPH_LANES; l++)
+    s->f.w.rho[cluster * SPH_LANES + l] = over_volumes ? a.p[l] / a.w[l] : scale * a.p[l];
+}
+
 /* sum m_j W_ij, or that over sum V_j W_ij. */
 static void sum_masses(struct sph *s, bool over_volumes) {
-  const double scale = kernel_value_scale((enum sph_kernel)s->scheme.kernel);
   sph_sums_carry_density(s);
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < s->water_water.n_clusters; c++) {
-    const struct sph_fit_sums a = sph_sums_around(s, c, SPH_OF_WATER | SPH_OF_WALLS);
-    for (size_t l = 0; l < SPH_LANES; l++)
-      s->f.w.rho[c * SPH_LANES + l] = over_volumes ? a.p[l] / a.w[l] : scale * a.p[l];
-  }
+  sph_each_cluster(s, cluster_density, &over_volumes);
 }
 
 /* Shepard's quotient takes its volumes from the sums: with those of a quotient before, it would be

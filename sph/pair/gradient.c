@@ -1,11 +1,13 @@
 #include "sph/pair/gradient.h"
 
+#include "sph/fluid/clusters.h"
 #include "sph/pair/loops.h"
 #include "sph/pair/moments.h"
 
 static const double smallest_eigenvalue = 0.1;
 
-static void cluster_gradient(struct sph *s, size_t cluster) {
+static void cluster_gradient(struct sph *s, size_t cluster, const void *wanted) {
+  (void)wanted;
   const struct sph_loops *loops = sph_loops_of(&s->scheme);
   const struct sph_targets i = sph_targets_of(s, cluster);
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
@@ -25,7 +27,6 @@ static void cluster_gradient(struct sph *s, size_t cluster) {
 }
 
 void sph_gradient(struct sph *s) {
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_gradient(s, c);
+  sph_each_cluster(s, cluster_gradient, NULL);
   sph_period_fill_gradients(s);
 }

@@ -15,6 +15,7 @@
 #include <math.h>
 
 #include "sph/domain/fitted.h"
+#include "sph/fluid/clusters.h"
 #include "sph/fluid/energy.h"
 #include "sph/pair/continuity.h"
 #include "sph/pair/density.h"
@@ -200,7 +201,8 @@ static struct sph_totals totals_of(const struct sph *s, size_t at, const struct 
   return t;
 }
 
-static void cluster_rates(struct sph *s, const struct evaluation *how, size_t cluster) {
+static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
+  const struct evaluation *how = wanted;
   const struct sph_loops *loops = sph_loops_of(&s->scheme);
   const enum sph_diffusion d =
       how->diffuse ? (enum sph_diffusion)s->scheme.diffusion : SPH_DIFFUSION_none;
@@ -279,9 +281,7 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
     sph_gradient(s);
     if (s->wall->fill_gradients) s->wall->fill_gradients(s);
   }
-  /* Static everywhere: what a thread has written, most of it reads again. */
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_rates(s, &how, c);
+  sph_each_cluster(s, cluster_rates, &how);
   add_totals(s);
   s->evaluations++;
   return OK;

@@ -13,6 +13,7 @@
  * does (domain/mls.h). */
 #include <stdlib.h>
 
+#include "sph/fluid/clusters.h"
 #include "sph/pair/moments.h"
 #include "sph/pair/sums.h"
 #include "sph/treat/treat.h"
@@ -29,13 +30,14 @@ static double plane_at_origin(const struct sph_fit_sums *a, int l) {
   return p - (px * x + py * y);
 }
 
+static void cluster_fit(struct sph *s, size_t cluster, const void *wanted) {
+  const struct sph_fit_sums a = sph_sums_around(s, cluster, *(const unsigned *)wanted);
+  for (int l = 0; l < SPH_LANES; l++)
+    s->f.w.rho[cluster * SPH_LANES + (size_t)l] = plane_at_origin(&a, l);
+}
+
 static void fit_densities(struct sph *s, unsigned sources) {
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < s->water_water.n_clusters; c++) {
-    const struct sph_fit_sums a = sph_sums_around(s, c, sources);
-    for (int l = 0; l < SPH_LANES; l++)
-      s->f.w.rho[c * SPH_LANES + (size_t)l] = plane_at_origin(&a, l);
-  }
+  sph_each_cluster(s, cluster_fit, &sources);
 }
 
 static enum status volume_apply(struct sph *s) {

@@ -13,6 +13,7 @@
  * as full as the water, and left out of the normal, which needs no full support. */
 #include <math.h>
 
+#include "sph/fluid/clusters.h"
 #include "sph/pair/kernel.h"
 #include "sph/pair/moments.h"
 #include "sph/treat/loops.h"
@@ -41,16 +42,14 @@ static struct sph_gradient_sums moments_of(const struct sph *s, const struct sph
 }
 
 /* The eigenvalues, into the place of the pressures. */
-static void find_eigenvalues(struct sph *s) {
+static void cluster_eigenvalues(struct sph *s, size_t cluster, const void *wanted) {
+  (void)wanted;
   const double F = kernel_slope_scale((enum sph_kernel)s->scheme.kernel);
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < s->water_water.n_clusters; c++) {
-    const struct sph_targets i = sph_targets_of(s, c);
-    const struct sph_gradient_sums a = moments_of(s, &i, c, true);
-    for (size_t l = 0; l < SPH_LANES; l++) {
-      const double half = 0.5 * (a.xx[l] + a.yy[l]), d = 0.5 * (a.xx[l] - a.yy[l]);
-      s->f.p[c * SPH_LANES + l] = F * (half - sqrt(d * d + a.xy[l] * a.xy[l]));
-    }
+  const struct sph_targets i = sph_targets_of(s, cluster);
+  const struct sph_gradient_sums a = moments_of(s, &i, cluster, true);
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    const double half = 0.5 * (a.xx[l] + a.yy[l]), d = 0.5 * (a.xx[l] - a.yy[l]);
+    s->f.p[cluster * SPH_LANES + l] = F * (half - sqrt(d * d + a.xy[l] * a.xy[l]));
   }
 }
 
@@ -74,7 +73,8 @@ static void keep_along(double nx, double ny, double *x, double *y) {
   *y -= out * ny;
 }
 
-static void shift_cluster(struct sph *s, size_t cluster, double factor) {
+static void shift_cluster(struct sph *s, size_t cluster, const void *wanted) {
+  const double factor = *(const double *)wanted;
   const struct sph_treat_loops *loops = sph_treat_loops_of(&s->scheme);
   const struct sph_targets i = sph_targets_of(s, cluster);
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
@@ -112,12 +112,11 @@ static double largest_speed(const struct sph *s) {
 static enum status shift(struct sph *s) {
   const double F = kernel_slope_scale((enum sph_kernel)s->scheme.kernel);
   const double factor = largest_speed(s) * s->dt / s->h * 4 * s->h * F / 2;
-  find_eigenvalues(s);
+  sph_each_cluster(s, cluster_eigenvalues, NULL);
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < s->f.n; i++) s->pack[i].p = s->f.p[i];
   sph_period_fill(s);
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < s->water_water.n_clusters; c++) shift_cluster(s, c, factor);
+  sph_each_cluster(s, shift_cluster, &factor);
   return OK;
 }
 

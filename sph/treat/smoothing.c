@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sph/fluid/clusters.h"
 #include "sph/pair/sums.h"
 #include "sph/theory/lattice.h"
 #include "sph/treat/treat.h"
@@ -45,7 +46,8 @@ static double gradient_added(const struct sph *s) {
   __builtin_unreachable();
 }
 
-static void cluster_smooth(struct sph *s, size_t cluster, double gradient) {
+static void cluster_smooth(struct sph *s, size_t cluster, const void *wanted) {
+  const double gradient = *(const double *)wanted;
   const struct sph_fit_sums a = sph_sums_around(s, cluster, SPH_OF_WATER | SPH_OF_WALLS);
   const struct sph_state *w = &s->f.w;
   for (size_t l = 0; l < SPH_LANES; l++) {
@@ -61,8 +63,7 @@ static void cluster_smooth(struct sph *s, size_t cluster, double gradient) {
 static enum status smooth(struct sph *s) {
   const double gradient = gradient_added(s);
   sph_sums_carry_density(s);
-#pragma omp parallel for schedule(static)
-  for (size_t c = 0; c < s->water_water.n_clusters; c++) cluster_smooth(s, c, gradient);
+  sph_each_cluster(s, cluster_smooth, &gradient);
   return OK;
 }
 
