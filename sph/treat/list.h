@@ -39,7 +39,8 @@ SPH_FAMILY(sph_growth_word, SPH_GROWTH, SPH_GROWTH_WORDS);
     "pressure at each depth (thesis, 4.2.3); 0: never")                                            \
   X(projection, SPH_GROWTH_WORDS,                                                                  \
     "in a periodic tank, steps between projections on waves, u = grad sum_m (a_m sin k_m x + "     \
-    "b_m cos k_m x) Y_m(y), m >= 1 (thesis, eqs. (2.94) to (2.103)); 0: never")
+    "b_m cos k_m x) Y_m(y), m >= 1 (thesis, eqs. (2.94) to (2.103)), and of a fitted surface's "   \
+    "heights on these harmonics; 0: never")
 
 /* What adds to the rates in every stage. X(name, most, help): the key's value is its strength, from
  * 0, without, to `most`. */

@@ -14,7 +14,16 @@
  *   finite    Y = cosh k(y + H)/cosh kH, w = 1: nothing flows through the bed
  *
  * y counted from the surface at rest. The pressure above the hydrostatic one becomes that of waves
- * that travel to the right, rho0 omega/k u_m (for `deep` rho0 sqrt(g/k) u_m). */
+ * that travel to the right, rho0 omega/k u_m (for `deep` rho0 sqrt(g/k) u_m).
+ *
+ * Where p = 0 is kept on a first row of particles, that row is the surface, and its heights are
+ * projected on the same harmonics: y becomes the sum of a constant and of sines and cosines of
+ * k_m x that comes nearest. Nothing else would take shorter corrugations away, and the lattice
+ * makes them grow: with particles 1/16 and 1/32 of the wave apart and c0^2 = 10 g L, seven and
+ * thirteen to its length, with 2.1 and 3.1 sqrt(g/L) as long as velocities and pressures are left
+ * alone, still with 0.63 and 0.69 sqrt(g/L) where these are projected every 15 steps, since
+ * corrugated particles set them off anew (tests/sph/hsph.h), so that after 20 periods there is
+ * nothing else. */
 #include <lapack.h>
 #include <math.h>
 #include <stdlib.h>
@@ -22,7 +31,7 @@
 #include "sph/treat/treat.h"
 #include "sph/treat/waves.h"
 
-enum { MOST = 2 * SPH_MOST_MODES };
+enum { MOST = 2 * SPH_MOST_MODES, MOST_HARMONICS = MOST + 1 };
 
 /* Gradients of the modes at a particle: sine, cosine, of m = 1, ... */
 struct modes {
@@ -76,32 +85,82 @@ static void gradients_at(const struct modes *o, double x, double y, double gx[MO
   }
 }
 
-/* The normal equations, A [n][n] and b [n], and their solution in b. */
-static enum status find_amplitudes(const struct sph *s, const struct modes *o, double *A,
-                                   double b[MOST]) {
-  for (int k = 0; k < o->n * o->n; k++) A[k] = 0;
-  for (int k = 0; k < o->n; k++) b[k] = 0;
-  for (size_t i = 0; i < s->f.n; i++) {
-    double gx[MOST], gy[MOST];
-    const double w = s->f.m[i] / s->f.w.rho[i] * weight_at(o, s->f.w.y[i] - o->level);
-    gradients_at(o, s->f.w.x[i], s->f.w.y[i], gx, gy);
-    for (int k = 0; k < o->n; k++) {
-      b[k] += w * (gx[k] * s->f.w.u[i] + gy[k] * s->f.w.v[i]);
-      for (int l = 0; l <= k; l++) A[k * o->n + l] += w * (gx[k] * gx[l] + gy[k] * gy[l]);
-    }
+/* Normal equations: A [n][n], row after row of its lower half, and b [n]. */
+struct normal {
+  int n;
+  double *A, b[MOST_HARMONICS];
+};
+
+static struct normal normal_create(int n, double *A) {
+  struct normal e = {.n = n, .A = A};
+  for (int k = 0; k < n * n; k++) A[k] = 0;
+  return e;
+}
+
+/* A sample f of what functions f_k are fitted to, with weight w. */
+static void normal_add(struct normal *e, double w, const double *f_k, double f) {
+  for (int k = 0; k < e->n; k++) {
+    e->b[k] += w * f_k[k] * f;
+    for (int l = 0; l <= k; l++) e->A[k * e->n + l] += w * f_k[k] * f_k[l];
   }
-  lapack_int n = o->n, one = 1, info;
-  LAPACK_dposv("U", &n, &one, A, &n, b, &n, &info);
+}
+
+/* Their solution, into b. */
+static enum status normal_solve(const struct sph *s, struct normal *e) {
+  lapack_int n = e->n, one = 1, info;
+  LAPACK_dposv("U", &n, &one, e->A, &n, e->b, &n, &info);
   CHECK(info == 0, ERR_DIVERGED,
         "at t = %g s the particles cannot tell %d waves apart: lower projection_modes", s->t,
-        o->n / 2);
+        s->scheme.projection_modes);
+  return OK;
+}
+
+static enum status find_amplitudes(const struct sph *s, const struct modes *o, struct normal *e) {
+  *e = normal_create(o->n, s->treated[SPH_TREATMENT_projection]);
+  for (size_t i = 0; i < s->f.n; i++) {
+    double gx[MOST], gy[MOST];
+    const double w = sph_treat_volume(s, i) * weight_at(o, s->f.w.y[i] - o->level);
+    gradients_at(o, s->f.w.x[i], s->f.w.y[i], gx, gy);
+    normal_add(e, w, gx, s->f.w.u[i]);
+    normal_add(e, w, gy, s->f.w.v[i]);
+  }
+  return normal_solve(s, e);
+}
+
+static void harmonics_at(const struct modes *o, double x, double f[MOST_HARMONICS]) {
+  f[0] = 1;
+  for (int m = 0; m < o->n; m += 2) {
+    const double k = (m / 2 + 1) * o->k1;
+    f[m + 1] = sin(k * x);
+    f[m + 2] = cos(k * x);
+  }
+}
+
+static enum status project_first_row(struct sph *s, const struct modes *o) {
+  if (!s->fitted) return OK;
+  struct normal e = normal_create(o->n + 1, s->treated[SPH_TREATMENT_projection]);
+  double f[MOST_HARMONICS];
+  for (size_t i = 0; i < s->f.n; i++) {
+    if (!s->fitted[s->f.id[i]]) continue;
+    harmonics_at(o, s->f.w.x[i], f);
+    normal_add(&e, 1, f, s->f.w.y[i] - o->level);
+  }
+  TRY(normal_solve(s, &e));
+  for (size_t i = 0; i < s->f.n; i++) {
+    if (!s->fitted[s->f.id[i]]) continue;
+    harmonics_at(o, s->f.w.x[i], f);
+    s->f.w.y[i] = o->level;
+    for (int k = 0; k < e.n; k++) s->f.w.y[i] += e.b[k] * f[k];
+  }
   return OK;
 }
 
 static enum status project(struct sph *s) {
   const struct modes o = modes_of(s);
-  double b[MOST];
-  TRY(find_amplitudes(s, &o, s->treated[SPH_TREATMENT_projection], b));
+  struct normal e;
+  TRY(project_first_row(s, &o));
+  TRY(find_amplitudes(s, &o, &e));
+  const double *b = e.b;
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < s->f.n; i++) {
     double gx[MOST], gy[MOST], u = 0, v = 0, p = 0;
@@ -121,7 +180,7 @@ static enum status project(struct sph *s) {
 }
 
 static enum status projection_create(struct sph *s, void **own) {
-  const size_t n = 2 * (size_t)s->scheme.projection_modes;
+  const size_t n = 2 * (size_t)s->scheme.projection_modes + 1;
   double *A;
   TRY(sph_allocate(n * n, sizeof *A, &A));
   *own = A;

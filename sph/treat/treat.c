@@ -25,6 +25,19 @@ static const char *const names[] = {
 #undef X
 };
 
+/* Two particles to the shortest wave, and one for the mean. */
+static void check_waves(const struct case_file *c, const struct case_run *r,
+                        struct problems *problems) {
+  const struct sph_scheme *o = r->options;
+  const double length = c->tank.max[0] - c->tank.min[0];
+  const size_t most = (geo_intervals(length, c->H / r->resolution) - 1) / 2;
+  if (o->every[SPH_TREATMENT_projection] == 0 || (size_t)o->projection_modes <= most) return;
+  problems_add(problems, case_run_line(r, "projection_modes"),
+               "runs.%s.projection_modes: found %d, more waves than particles tell apart along a "
+               "tank of %g m; allowed: at most %zu; lower it or raise the resolution",
+               r->name, o->projection_modes, length, most);
+}
+
 void sph_treat_check(const struct case_file *c, const struct case_run *r,
                      struct problems *problems) {
   const struct sph_scheme *o = r->options;
@@ -43,6 +56,7 @@ void sph_treat_check(const struct case_file *c, const struct case_run *r,
                    r->name, names[k], other);
     if (treatments[k]->redensify) other = names[k];
   }
+  check_waves(c, r, problems);
 }
 
 enum status sph_treat_create(struct sph *s) {

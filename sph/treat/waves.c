@@ -10,6 +10,11 @@ double sph_treat_level(const struct sph *s) {
   return s->tank.box.min[1] + sph_volume(s) / tank_size(&s->tank, 0);
 }
 
+double sph_treat_volume(const struct sph *s, size_t i) {
+  const bool half = s->fitted && s->fitted[s->f.id[i]];
+  return (half ? 0.5 : 1) * (s->f.m[i] / s->f.w.rho[i]);
+}
+
 static double hydrostatic(const struct sph *s, size_t i, double level) {
   return s->rho0 * s->g * (level - s->f.w.y[i]);
 }
@@ -28,6 +33,6 @@ void sph_treat_set_dynamic(struct sph *s, size_t i, double level, double p) {
 bool sph_treat_has_grown(const struct sph *s) {
   const double L = tank_size(&s->tank, 0);
   double sum = 0;
-  for (size_t i = 0; i < s->f.n; i++) sum += s->f.m[i] / s->f.w.rho[i] * s->f.w.v[i];
+  for (size_t i = 0; i < s->f.n; i++) sum += sph_treat_volume(s, i) * s->f.w.v[i];
   return fabs(sum) >= s->scheme.growth_limit * L * L * sqrt(s->g * L);
 }

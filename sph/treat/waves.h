@@ -6,6 +6,10 @@
 /* Height of the water's surface at rest, m. */
 double sph_treat_level(const struct sph *s);
 
+/* Volume of water that belongs to a particle: of the first row, where it lies on the surface, half,
+ * since the other half of its cells is above. */
+double sph_treat_volume(const struct sph *s, size_t i);
+
 /* p - rho0 g (level - y) of a particle, Pa; and its density anew from that. */
 double sph_treat_dynamic(const struct sph *s, size_t i, double level);
 void sph_treat_set_dynamic(struct sph *s, size_t i, double level, double p);
