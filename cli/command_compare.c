@@ -64,10 +64,16 @@ static struct case_file *settings_from(const char *path, size_t n, struct result
                                        int *exit_code) {
   struct problems problems = {0};
   struct case_file *c = NULL;
-  size_t n_probes = files[0]->n_probes;
-  const char **names = calloc(n + n_probes, sizeof *names); /* of the runs, then of the probes */
-  for (size_t i = 0; names && i < n; i++) names[i] = files[i]->run;
-  for (size_t i = 0; names && i < n_probes; i++) names[n + i] = files[0]->probes[i].name;
+  const struct result_file *ref = files[0];
+  size_t n_probes = ref->n_probes, n_gauges = ref->n_gauges, n_points = 0;
+  for (size_t i = 0; i < n; i++) n_points += files[i]->n_points; /* a reference may have none */
+  /* of the runs, the probes, the gauges, the points */
+  const char **names = calloc(n + n_probes + n_gauges + n_points, sizeof *names), **name = names;
+  for (size_t i = 0; names && i < n; i++) *name++ = files[i]->run;
+  for (size_t i = 0; names && i < n_probes; i++) *name++ = ref->probes[i].name;
+  for (size_t i = 0; names && i < n_gauges; i++) *name++ = ref->gauges[i].name;
+  for (size_t i = 0; names && i < n; i++)
+    for (size_t k = 0; k < files[i]->n_points; k++) *name++ = files[i]->points[k].name;
   struct case_frame frame = {
       .H = files[0]->H,
       .gravity = files[0]->g,
@@ -78,6 +84,10 @@ static struct case_file *settings_from(const char *path, size_t n, struct result
       .runs = names,
       .n_probes = n_probes,
       .probes = names ? names + n : NULL,
+      .n_gauges = n_gauges,
+      .gauges = names ? names + n + n_probes : NULL,
+      .n_points = n_points,
+      .points = names ? names + n + n_probes + n_gauges : NULL,
   };
   enum status status = names ? case_load_settings(path, &frame, &registry, &problems, &c)
                              : status_raise(ERR_MEMORY, "no memory for %zu runs", n);
@@ -105,7 +115,9 @@ int command_compare(int argc, char **argv) {
   static const struct argp_option options[] = {
       {"out", 'o', "DIR", 0, "folder of the report (default: comparison)", 0},
       {"settings", 's', "FILE", 0,
-       "times, window, tolerances and averages from the section `compare` of this file", 0},
+       "times, window, tolerances, averages, filters and spectra from the section `compare` of "
+       "this file",
+       0},
       {"anyway", 'a', NULL, 0,
        "compare also results of another tank, water or scale, each in its own scales", 0},
       {0}};

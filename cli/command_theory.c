@@ -141,7 +141,8 @@ static enum status figure_write(const struct theory_result *r, const char *path)
   for (size_t k = 0; k < t->n_columns; k++)
     column[k] = graph_column(&t->columns[k], head[k], sizeof head[k]);
   for (size_t i = 0; i < r->n; i++)
-    curve[i] = (struct cmp_graph_curve){r->curve[i].name, r->curve[i].n, r->curve[i].row};
+    curve[i] = (struct cmp_graph_curve){
+        .name = r->curve[i].name, .n = r->curve[i].n, .row = r->curve[i].row};
   char title[256];
   const char *source = strstr(t->help, " (");
   snprintf(title, sizeof title, "%.*s", source ? (int)(source - t->help) : -1, t->help);

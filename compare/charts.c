@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/family.h"
+#include "compare/filters.h"
 #include "compare/measure.h"
 #include "compare/measures/look.h"
 #include "compare/text.h"
@@ -61,12 +63,6 @@ static bool distance_known(const struct comparison *c) {
   for (size_t r = 0; r < c->n_runs; r++)
     if (c->run[r].evolution.n) return true;
   return false;
-}
-
-static void caption_end(const struct comparison *c, struct cmp_figure *fig) {
-  size_t used = strlen(fig->caption);
-  cmp_picked_say(c, CMP_NAMED, "are drawn in thin grey", fig->caption + used,
-                 sizeof fig->caption - used);
 }
 
 /* The measures that have a panel, and the columns of the table, e.g. "area [H^2],...". */
@@ -134,20 +130,13 @@ static enum status distance_chart(const struct comparison *c, struct cmp_figures
       "Distance of each run's free surface from that of %.60s at every common output: mean and "
       "largest distance of the main surfaces away from walls, and the area between the two.%s",
       c->ref.data.label, floor);
-  caption_end(c, chart.fig);
+  cmp_family_caption_end(c, chart.fig);
   distance_rows(c, &chart, measure);
   for (size_t k = 0; k < plan.panels; k++) distance_panel(c, &chart, k, measure[k], &noise);
   return cmp_chart_end(&chart);
 }
 
-/* ---- the same series of every run, of the reference and of experiments ---- */
-
-struct family {
-  const struct cmp_series **run; /* [n_runs + 1]: the reference last; NULL: it has none */
-  const char *label;             /* of the axis */
-  struct cmp_chart_plan plan;    /* without a target no experiments are drawn */
-  struct cmp_frame frame;
-};
+/* ---- one series of every run ---- */
 
 typedef const struct cmp_series *series_pick(const struct cmp_data *d, const char *name);
 
@@ -168,7 +157,7 @@ static const struct cmp_series *pick_own(const struct cmp_data *d, const char *n
 }
 
 static enum status family_pick(const struct comparison *c, series_pick *pick, const char *name,
-                               struct family *family) {
+                               struct cmp_family *family) {
   family->run = calloc(c->n_runs + 1, sizeof *family->run);
   CHECK(family->run, ERR_MEMORY, "no memory for a chart");
   for (size_t r = 0; r <= c->n_runs; r++)
@@ -176,167 +165,12 @@ static enum status family_pick(const struct comparison *c, series_pick *pick, co
   return OK;
 }
 
-static bool family_empty(const struct comparison *c, const struct family *family) {
-  for (size_t r = 0; r <= c->n_runs; r++)
-    if (family->run[r] && family->run[r]->n) return false;
-  return true;
-}
-
-static bool family_shows(const struct comparison *c, const struct family *family, size_t k) {
-  return family->plan.target &&
-         !strcmp(c->ref.data.file->experiments[k].target, family->plan.target);
-}
-
-static void series_rows(struct cmp_chart *chart, size_t id, const char *name,
-                        const struct cmp_series *s) {
-  for (size_t i = 0; i < s->n; i++) {
-    double both[] = {s->value[i], s->raw ? s->raw[i] : NAN};
-    cmp_chart_row(chart, id, name, s->t[i], both, s->raw ? 2 : 1);
-  }
-}
-
-static void family_rows(struct cmp_chart *chart, const struct family *family) {
-  const struct comparison *c = chart->c;
-  for (size_t r = 0; r <= c->n_runs; r++)
-    if (family->run[r])
-      series_rows(chart, r, cmp_run_or_ref(c, r < c->n_runs ? r : SIZE_MAX)->data.label,
-                  family->run[r]);
-  for (size_t k = 0; k < c->ref.data.n_experiments; k++)
-    if (family_shows(c, family, k))
-      series_rows(chart, c->n_runs + 1 + k, c->ref.data.experiments[k].name,
-                  &c->ref.data.experiments[k]);
-}
-
-/* ---- the range of the axis ---- */
-
-static const struct cmp_series *family_member(const struct comparison *c,
-                                              const struct family *family, size_t k) {
-  if (k <= c->n_runs) return family->run[k];
-  k -= c->n_runs + 1;
-  return family_shows(c, family, k) ? &c->ref.data.experiments[k] : NULL;
-}
-
-/* What the key says of a series: a few peaks have their mark, and no word. */
-static const char *family_note(const struct comparison *c, const struct family *family, size_t k) {
-  const struct cmp_series *s = family_member(c, family, k);
-  if (!s || !s->n) return " (has none)";
-  struct cmp_beyond b = cmp_frame_beyond(&family->frame, s, family->plan.end);
-  if (b.n && b.outside == b.n) return " (beyond the frame)";
-  return 50 * b.outside > b.n ? " (partly beyond the frame)" : NULL;
-}
-
-/* In a column of panels, curves far from the others have their own, where the mark says how far. */
-static enum status family_frame(const struct comparison *c, struct family *family) {
-  struct cmp_chart_plan *plan = &family->plan;
-  plan->end = cmp_chart_time_end(c, plan);
-  size_t n = c->n_runs + 1 + c->ref.data.n_experiments;
-  const struct cmp_series **all = calloc(n, sizeof(struct cmp_series *));
-  CHECK(all, ERR_MEMORY, "no memory for a chart");
-  for (size_t k = 0; k < n; k++) all[k] = family_member(c, family, k);
-  family->frame = cmp_frame_choose(n, all, plan->end, plan->panels > 1 ? 2.5 : 8);
-  free(all);
-  for (size_t k = 0; k < n; k++) {
-    const char *note = family_note(c, family, k);
-    if (note && strlen(note) > plan->note) plan->note = strlen(note);
-  }
-  return OK;
-}
-
-/* Of the series that a panel shows, before its curves. */
-static void beyond_mark(struct cmp_chart *chart, const struct family *family, size_t k,
-                        const char *colour) {
-  const struct cmp_series *s = family_member(chart->c, family, k);
-  if (!s || !s->n) return;
-  struct cmp_beyond beyond = cmp_frame_beyond(&family->frame, s, chart->end);
-  cmp_chart_mark(chart, &beyond, colour);
-}
-
-/* ---- drawing a family ---- */
-
-static const char *experiment_colour(size_t shown) {
-  return shown % 2 ? "#a08050" : "#707070";
-}
-
-static void experiments_mark(struct cmp_chart *chart, const struct family *family) {
-  const struct comparison *c = chart->c;
-  for (size_t k = 0, shown = 0; k < c->ref.data.n_experiments; k++)
-    if (family_shows(c, family, k))
-      beyond_mark(chart, family, c->n_runs + 1 + k, experiment_colour(shown++));
-}
-
-static void experiments_draw(struct cmp_chart *chart, const struct family *family, bool named) {
-  static const int symbols[] = {4, 6, 8, 12, 2};
-  const struct comparison *c = chart->c;
-  size_t shown = 0;
-  for (size_t k = 0; k < c->ref.data.n_experiments; k++) {
-    if (!family_shows(c, family, k)) continue;
-    cmp_chart_curve(
-        chart, &(struct cmp_curve){.series = c->n_runs + 1 + k,
-                                   .name = named ? c->ref.data.experiments[k].name : NULL,
-                                   .note = family_note(c, family, c->n_runs + 1 + k),
-                                   .style = {experiment_colour(shown), 0},
-                                   .symbol = symbols[shown % 5],
-                                   .every = c->ref.data.experiments[k].n / 80 + 1}); /* no smear */
-    shown++;
-  }
-}
-
-/* The reference is wider and below: a run that lies on it is seen. */
-static void run_draw(struct cmp_chart *chart, const struct family *family, size_t r, bool named) {
-  if (!family->run[r] || !family->run[r]->n) return;
-  bool reference = r == chart->c->n_runs;
-  size_t id = reference ? SIZE_MAX : r;
-  cmp_chart_curve(chart, &(struct cmp_curve){
-                             .series = r,
-                             .name = named ? cmp_run_or_ref(chart->c, id)->data.label : NULL,
-                             .note = family_note(chart->c, family, r),
-                             .style = cmp_run_style(chart->c, id),
-                             .width = reference ? 2 : 1,
-                         });
-}
-
-/* What a mean was taken of, thin and below every mean. */
-static void raw_draw(struct cmp_chart *chart, const struct family *family, size_t r) {
-  if (!family->run[r] || !family->run[r]->n || !family->run[r]->raw) return;
-  struct cmp_style style = cmp_run_style(chart->c, r < chart->c->n_runs ? r : SIZE_MAX);
-  style.dashes = 0;
-  cmp_chart_curve(chart,
-                  &(struct cmp_curve){.series = r, .column = 1, .style = style, .width = 0.35});
-}
-
-static void runs_draw(struct cmp_chart *chart, const struct family *family) {
-  const struct comparison *c = chart->c;
-  cmp_chart_others(chart, 0, true);
-  run_draw(chart, family, c->n_runs, true);
-  for (size_t r = 0; r < c->n_runs; r++)
-    if (cmp_run_is_picked(c, r, CMP_NAMED)) run_draw(chart, family, r, true);
-}
-
-static enum status family_chart(const struct comparison *c, struct cmp_figures *f,
-                                const char *caption, struct family *family) {
-  struct cmp_chart chart;
-  family->plan.panels = 1;
-  family->plan.panel_height = 280;
-  TRY(family_frame(c, family));
-  TRY(cmp_chart_begin(c, f, &family->plan, &chart));
-  snprintf(chart.fig->caption, sizeof chart.fig->caption, "%s", caption);
-  caption_end(c, chart.fig);
-  family_rows(&chart, family);
-  cmp_chart_panel(&chart, 0, &family->frame, family->label, NULL);
-  experiments_mark(&chart, family);
-  for (size_t r = 0; r <= c->n_runs; r++)
-    beyond_mark(&chart, family, r, cmp_run_style(c, r < c->n_runs ? r : SIZE_MAX).colour);
-  experiments_draw(&chart, family, true);
-  runs_draw(&chart, family);
-  cmp_chart_panel_end(&chart);
-  return cmp_chart_end(&chart);
-}
-
 static enum status picked_chart(const struct comparison *c, struct cmp_figures *f,
                                 const char *caption, series_pick *pick, const char *name,
-                                struct family family) {
+                                struct cmp_family family) {
   enum status status = family_pick(c, pick, name, &family);
-  if (status == OK && !family_empty(c, &family)) status = family_chart(c, f, caption, &family);
+  if (status == OK && !cmp_family_empty(c, &family))
+    status = cmp_family_chart(c, f, caption, &family);
   free(family.run);
   return status;
 }
@@ -358,40 +192,12 @@ static enum status energy_charts(const struct comparison *c, struct cmp_figures 
   for (size_t k = 0; k < sizeof charts / sizeof *charts; k++) {
     char column[64];
     snprintf(column, sizeof column, "%s [E0]", charts[k].name);
-    struct family family = {
+    struct cmp_family family = {
         .label = charts[k].label,
         .plan = {.section = CMP_SECTION_ENERGY, .name = charts[k].file, .columns = column}};
     TRY(picked_chart(c, f, charts[k].caption, pick_own, charts[k].name, family));
   }
   return OK;
-}
-
-/* The key of a column of panels stands below the last and names every curve of all. */
-static void key_draw(struct cmp_chart *chart, const struct family *family, size_t except) {
-  const struct comparison *c = chart->c;
-  for (size_t r = 0; r < c->n_runs; r++)
-    if (r != except && cmp_run_is_picked(c, r, CMP_PANELS))
-      cmp_chart_key_entry(chart, r, family_note(c, family, r));
-}
-
-static void probe_panel(struct cmp_chart *chart, const struct family *family, size_t k, size_t r) {
-  const struct comparison *c = chart->c;
-  bool last = k + 1 == chart->panels, run = r < c->n_runs;
-  cmp_chart_panel(chart, k, &family->frame, family->label,
-                  chart->panels > 1 ? c->run[r].data.label : NULL);
-  experiments_mark(chart, family);
-  beyond_mark(chart, family, c->n_runs, cmp_run_style(c, SIZE_MAX).colour);
-  if (run) beyond_mark(chart, family, r, cmp_run_style(c, r).colour);
-  raw_draw(chart, family, c->n_runs);
-  if (run) raw_draw(chart, family, r);
-  experiments_draw(chart, family, last);
-  run_draw(chart, family, c->n_runs, last);
-  if (last) key_draw(chart, family, r);
-  if (run && family->run[r] && family->run[r]->n)
-    run_draw(chart, family, r, last);
-  else if (run && last)
-    cmp_chart_key_entry(chart, r, family_note(c, family, r));
-  cmp_chart_panel_end(chart);
 }
 
 /* What a probe's signal is the mean over. */
@@ -407,34 +213,23 @@ static void probe_means(const struct cmp_series *probe, char *out, size_t room) 
              probe->average);
 }
 
-/* A panel for every run: one full of noise would hide the others. */
 static enum status probe_chart(const struct comparison *c, struct cmp_figures *f,
-                               const struct cmp_series *probe, struct family *family) {
-  struct cmp_chart chart;
-  char slug[40], file[64], left_out[160], means[224];
+                               const struct cmp_series *probe, struct cmp_family *family) {
+  char slug[40], file[64], means[224], caption[512];
   cmp_slug(probe->name, slug, sizeof slug);
   snprintf(file, sizeof file, "pressure-%s", slug);
-  size_t picked = cmp_runs_picked(c, CMP_PANELS), panels = picked ? picked : 1;
   family->plan = (struct cmp_chart_plan){
       .section = CMP_SECTION_PRESSURE,
       .name = file,
       .columns = probe->average > 0 ? "mean pressure [rho g H],raw pressure [rho g H]"
                                     : "pressure [rho g H]",
-      .panels = panels,
-      .panel_height = panels == 1 ? 280 : 175,
       .target = probe->name};
-  TRY(family_frame(c, family));
-  TRY(cmp_chart_begin(c, f, &family->plan, &chart));
-  cmp_picked_say(c, CMP_PANELS, "have no panel", left_out, sizeof left_out);
   probe_means(probe, means, sizeof means);
-  snprintf(chart.fig->caption, sizeof chart.fig->caption,
+  snprintf(caption, sizeof caption,
            "Pressure at %.60s (x = %.4g H, y = %.4g H): each run, the reference %.60s in black, "
-           "experiments as symbols.%s%s",
-           probe->name, probe->x, probe->y, c->ref.data.label, means, left_out);
-  family_rows(&chart, family);
-  for (size_t r = 0, k = 0; r < c->n_runs || (k == 0 && r == c->n_runs); r++)
-    if (r == c->n_runs || cmp_run_is_picked(c, r, CMP_PANELS)) probe_panel(&chart, family, k++, r);
-  return cmp_chart_end(&chart);
+           "experiments as symbols.%s",
+           probe->name, probe->x, probe->y, c->ref.data.label, means);
+  return cmp_family_panels(c, f, caption, family);
 }
 
 /* ---- sensors: those of the reference, and then those that only runs have ---- */
@@ -477,9 +272,10 @@ static enum status probe_charts(const struct comparison *c, struct cmp_figures *
   const struct cmp_series **probes;
   enum status status = sensors_list(c, false, &n, &probes);
   for (size_t k = 0; status == OK && k < n; k++) {
-    struct family family = {.label = probes[k]->average > 0 ? "mean p / (ρ g H)" : "p / (ρ g H)"};
+    struct cmp_family family = {.label =
+                                    probes[k]->average > 0 ? "mean p / (ρ g H)" : "p / (ρ g H)"};
     status = family_pick(c, pick_probe, probes[k]->name, &family);
-    if (status == OK && !family_empty(c, &family)) {
+    if (status == OK && !cmp_family_empty(c, &family)) {
       status = probe_chart(c, f, probes[k], &family);
       reference_lacks(c, family.run[c->n_runs], &f->figure[f->n - 1]);
     }
@@ -496,11 +292,11 @@ static enum status gauge_chart(const struct comparison *c, struct cmp_figures *f
   snprintf(file, sizeof file, "gauge-%s", slug);
   snprintf(caption, sizeof caption, "Height of the water standing at %.60s (x = %.4g H).", g->name,
            g->x);
-  struct family family = {.label = "y / H",
-                          .plan = {.section = CMP_SECTION_GAUGE,
-                                   .name = file,
-                                   .columns = "elevation [H]",
-                                   .target = g->name}};
+  struct cmp_family family = {.label = "y / H",
+                              .plan = {.section = CMP_SECTION_GAUGE,
+                                       .name = file,
+                                       .columns = "elevation [H]",
+                                       .target = g->name}};
   size_t before = f->n;
   TRY(picked_chart(c, f, caption, pick_gauge, g->name, family));
   if (f->n > before) reference_lacks(c, pick_gauge(&c->ref.data, g->name), &f->figure[f->n - 1]);
@@ -523,15 +319,64 @@ static enum status front_chart(const struct comparison *c, struct cmp_figures *f
       "Position of the front, where the water standing on the bed is %.3g H deep: two particle "
       "spacings of the coarsest run.",
       c->depth);
-  struct family family = {.label = "x_{front} / H",
-                          .plan = {.section = CMP_SECTION_FRONT,
-                                   .name = "front",
-                                   .columns = "front [H]",
-                                   .target = "front"}};
+  struct cmp_family family = {.label = "x_{front} / H",
+                              .plan = {.section = CMP_SECTION_FRONT,
+                                       .name = "front",
+                                       .columns = "front [H]",
+                                       .target = "front"}};
   const struct cmp_value *impact = &c->ref.data.impact.time; /* what follows is no front */
   if (!cmp_comparison_has_front(c)) return OK;
   if (cmp_known(impact)) family.plan.end = 1.1 * impact->value;
   return picked_chart(c, f, caption, pick_own, "front", family);
+}
+
+/* ---- filters ---- */
+
+static const char *const filter_slugs[] = {
+#define X(name, help) #name,
+    CASE_FILTERS(X)
+#undef X
+};
+
+/* A filter's pressures above the raw ones, thin; of an impulse alone. */
+static enum status filter_chart(const struct comparison *c, struct cmp_figures *f, size_t k,
+                                struct cmp_family *family) {
+  const struct case_filter *filter = &c->settings->compare.filters[k];
+  const char *probe = c->settings->probes[filter->probe].name;
+  const bool impulse = filter->kind == CASE_FILTER_impulse;
+  char slug[40], file[96], what[96], caption[512];
+  cmp_slug(probe, slug, sizeof slug);
+  snprintf(file, sizeof file, "filter-%zu-%s-%s", k + 1, slug, filter_slugs[filter->kind]);
+  cmp_filter_say(filter, c->scales.T, c->scales.H, what, sizeof what);
+  family->label = impulse ? "∫ p dt / (ρ g H √(H/g))" : "p / (ρ g H)";
+  family->plan = (struct cmp_chart_plan){
+      .section = CMP_SECTION_PRESSURE,
+      .name = file,
+      .columns = impulse ? "impulse [rho g H sqrt(H/g)]"
+                         : "filtered pressure [rho g H],raw pressure [rho g H]",
+      .target = impulse ? NULL : probe};
+  snprintf(caption, sizeof caption, "%.60s, %s: each run, the reference %.60s in black.%s", probe,
+           what, c->ref.data.label,
+           impulse ? ""
+                   : " Thin: the raw signals, which may leave the frame"
+                     "; experiments are as measured.");
+  return cmp_family_panels(c, f, caption, family);
+}
+
+static enum status filter_charts(const struct comparison *c, struct cmp_figures *f) {
+  enum status status = OK;
+  for (size_t k = 0; status == OK && k < c->settings->compare.n_filters; k++) {
+    struct cmp_family family = {.run = calloc(c->n_runs + 1, sizeof *family.run)};
+    CHECK(family.run, ERR_MEMORY, "no memory for a chart");
+    for (size_t r = 0; r <= c->n_runs; r++) {
+      const struct cmp_filtered *own =
+          &cmp_run_or_ref(c, r < c->n_runs ? r : SIZE_MAX)->filtered[k];
+      family.run[r] = own->series.n ? &own->series : NULL;
+    }
+    if (!cmp_family_empty(c, &family)) status = filter_chart(c, f, k, &family);
+    free(family.run);
+  }
+  return status;
 }
 
 enum status cmp_charts_write(const struct comparison *c, struct cmp_figures *f) {
@@ -539,5 +384,6 @@ enum status cmp_charts_write(const struct comparison *c, struct cmp_figures *f) 
   TRY(front_chart(c, f));
   TRY(energy_charts(c, f));
   TRY(probe_charts(c, f));
+  TRY(filter_charts(c, f));
   return gauge_charts(c, f);
 }

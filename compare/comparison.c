@@ -183,6 +183,23 @@ static enum status pairs_measure(const struct comparison *c, struct cmp_run *run
   return OK;
 }
 
+/* Of raw signals: spectra, where the run has the series, and filters. */
+static enum status signals_take(const struct comparison *c, struct cmp_run *run) {
+  const struct case_file *s = c->settings;
+  run->spectrum = calloc(s->compare.n_spectra + 1, sizeof *run->spectrum);
+  CHECK(run->spectrum, ERR_MEMORY, "no memory for %zu spectra", s->compare.n_spectra);
+  for (size_t k = 0; k < s->compare.n_spectra; k++) {
+    const struct case_spectrum *asked = &s->compare.spectra[k];
+    const struct cmp_series *series = cmp_data_series(&run->data, asked->series);
+    run->spectrum[k].interval = cmp_unknown("the run has no series of that name");
+    if (!series) continue;
+    const struct cmp_signal raw = cmp_series_raw(series);
+    TRY(cmp_spectrum_create(&raw, asked->from / c->scales.T, asked->to / c->scales.T, asked->peaks,
+                            &run->spectrum[k]));
+  }
+  return cmp_filters_take(s, &run->data, c->scales.T, c->scales.H, CMP_ONSET, &run->filtered);
+}
+
 /* ---- all of it ---- */
 
 static enum status run_measure(const struct comparison *c, struct cmp_run *run) {
@@ -251,6 +268,7 @@ static enum status reference_take(struct comparison *c, const struct result_file
   c->until = health_since(ref, HEALTH_FAILED) / c->scales.T;
   cmp_data_cut(&c->ref.data, c->until);
   TRY(averages_take(c, &c->ref.data));
+  TRY(signals_take(c, &c->ref));
   c->side = cmp_data_side(&c->ref.data, c->depth);
   cmp_data_face(&c->ref.data, &c->scales, c->side);
   return OK;
@@ -262,6 +280,7 @@ static enum status run_take(struct comparison *c, const struct result_file *file
   struct cmp_scales own = cmp_scales_of(&c->scales, file);
   TRY(cmp_data_create(file, &own, c->depth, &c->window, &run->data));
   TRY(averages_take(c, &run->data));
+  TRY(signals_take(c, run));
   cmp_data_face(&run->data, &own, c->side);
   health_of_file(file, &run->health);
   return OK;
@@ -304,7 +323,11 @@ done:
   return status;
 }
 
-static void run_destroy(struct cmp_run *run) {
+static void run_destroy(const struct comparison *c, struct cmp_run *run) {
+  for (size_t k = 0; run->spectrum && k < c->settings->compare.n_spectra; k++)
+    cmp_spectrum_destroy(&run->spectrum[k]);
+  free(run->spectrum);
+  cmp_filters_destroy(c->settings->compare.n_filters, run->filtered);
   cmp_data_destroy(&run->data);
   free(run->at);
   free(run->evolution.t);
@@ -314,8 +337,8 @@ static void run_destroy(struct cmp_run *run) {
 
 void cmp_comparison_destroy(struct comparison *c) {
   if (!c) return;
-  run_destroy(&c->ref);
-  for (size_t r = 0; c->run && r < c->n_runs; r++) run_destroy(&c->run[r]);
+  run_destroy(c, &c->ref);
+  for (size_t r = 0; c->run && r < c->n_runs; r++) run_destroy(c, &c->run[r]);
   free(c->run);
   free(c->times);
   free(c);

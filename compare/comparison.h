@@ -4,7 +4,9 @@
 #include "common/case/case.h"
 #include "common/result/health.h"
 #include "compare/data.h"
+#include "compare/filters.h"
 #include "compare/measures/list.h"
+#include "compare/spectrum.h"
 
 /* A pressure of this many rho g H marks the arrival of the water at a probe, an elevation of this
  * many H its arrival at a gauge. */
@@ -47,6 +49,8 @@ struct cmp_run {
   struct cmp_value volume;                  /* largest change, relative */
   size_t n_pairs;
   struct cmp_pair *pairs;
+  struct cmp_filtered *filtered; /* by the settings, [settings->compare.n_filters] */
+  struct cmp_spectrum *spectrum; /* [settings->compare.n_spectra] */
   size_t rank; /* among the runs, from 0: the one that agrees longest (compare/pick.h) */
 };
 

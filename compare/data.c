@@ -31,6 +31,26 @@ struct cmp_scales cmp_scales_of(const struct cmp_scales *reference, const struct
   return s;
 }
 
+/* ---- units ---- */
+
+/* Of a file's unit in the scales; those that there is none for stay what they are. */
+static struct cmp_unit unit_of(const char *si, const struct cmp_scales *s) {
+  const double speed = s->H / s->T, density = s->p * s->T * s->T / (s->H * s->H);
+  const struct cmp_unit units[] = {
+      {"1", "1", "1", 1},
+      {"m", "H", "H", s->H},
+      {"s", "sqrt(H/g)", "√(H/g)", s->T},
+      {"m/s", "sqrt(gH)", "√(gH)", speed},
+      {"m/s^2", "g", "g", speed / s->T},
+      {"kg/m^3", "rho", "ρ", density},
+      {"Pa", "rho g H", "ρ g H", s->p},
+      {"kg/s", "rho H^2 sqrt(gH)", "ρ H² √(gH)", density * s->H * s->H * speed},
+      {"kg m/s", "rho H^3 sqrt(gH)", "ρ H³ √(gH)", density * s->H * s->H * s->H * speed}};
+  for (size_t k = 0; k < sizeof units / sizeof *units; k++)
+    if (!strcmp(units[k].si, si)) return units[k];
+  return (struct cmp_unit){si, si, si, 1};
+}
+
 /* ---- series ---- */
 
 static enum status series_room(struct cmp_series *s, const char *name, size_t n) {
@@ -61,16 +81,62 @@ static enum status series_scaled(const char *name, size_t n, const double *t, co
 }
 
 static enum status series_list(const struct result_series *from, size_t n,
-                               const struct cmp_scales *s, double unit, struct cmp_series **to) {
+                               const struct cmp_scales *s, const char *si, struct cmp_series **to) {
   *to = calloc(n + 1, sizeof **to);
   CHECK(*to, ERR_MEMORY, "no memory for %zu series", n);
   for (size_t k = 0; k < n; k++) {
-    TRY(series_scaled(from[k].name, from[k].n, from[k].t, from[k].value, s->T, unit, &(*to)[k]));
+    const struct cmp_unit unit = unit_of(si ? si : from[k].units, s);
+    TRY(series_scaled(from[k].name, from[k].n, from[k].t, from[k].value, s->T, unit.size,
+                      &(*to)[k]));
+    (*to)[k].units = unit.name;
+    (*to)[k].label = unit.label;
     (*to)[k].x = from[k].x / s->H;
     (*to)[k].y = from[k].y / s->H;
     (*to)[k].size = from[k].size / s->H;
   }
   return OK;
+}
+
+static enum status point_fields(const struct result_point_read *p, const struct cmp_scales *s,
+                                struct cmp_series *to) {
+  static const struct {
+    const char *name, *units;
+  } field[] = {
+#define X(name, units, help) {#name, units},
+      CASE_POINT(X)
+#undef X
+  };
+  for (size_t k = 0; k < CASE_POINT_FIELDS; k++) {
+    const struct cmp_unit unit = unit_of(field[k].units, s);
+    char *name;
+    if (asprintf(&name, "%s.%s", p->name, field[k].name) < 0)
+      return status_raise(ERR_MEMORY, "no memory for a name");
+    enum status status = series_scaled(name, p->n, p->t, p->value[k], s->T, unit.size, &to[k]);
+    to[k].name = name; /* whatever happened: it is freed with the series */
+    TRY(status);
+    to[k].x = p->x / s->H;
+    to[k].y = p->y / s->H;
+    to[k].units = unit.name;
+    to[k].label = unit.label;
+  }
+  return OK;
+}
+
+static enum status points(const struct result_file *f, const struct cmp_scales *s,
+                          struct cmp_data *d) {
+  d->points = calloc(CASE_POINT_FIELDS * f->n_points + 1, sizeof *d->points);
+  CHECK(d->points, ERR_MEMORY, "no memory for the series of %zu points", f->n_points);
+  for (size_t k = 0; k < f->n_points; k++) {
+    d->n_points += CASE_POINT_FIELDS;
+    TRY(point_fields(&f->points[k], s, &d->points[CASE_POINT_FIELDS * k]));
+  }
+  return OK;
+}
+
+const struct cmp_series *cmp_data_series(const struct cmp_data *d, const char *name) {
+  const struct cmp_series *s = cmp_series_find(d->probes, d->n_probes, name);
+  if (!s) s = cmp_series_find(d->gauges, d->n_gauges, name);
+  return s ? s : cmp_series_find(d->points, d->n_points, name);
 }
 
 const struct cmp_series *cmp_series_find(const struct cmp_series *s, size_t n, const char *name) {
@@ -225,9 +291,12 @@ enum status cmp_data_create(const struct result_file *f, const struct cmp_scales
   TRY(energies(f, s, d));
   TRY(terms(f, s, d));
   d->n_probes = f->n_probes;
-  TRY(series_list(f->probes, f->n_probes, s, s->p, &d->probes));
+  TRY(series_list(f->probes, f->n_probes, s, "Pa", &d->probes));
   d->n_gauges = f->n_gauges;
-  TRY(series_list(f->gauges, f->n_gauges, s, s->H, &d->gauges));
+  TRY(series_list(f->gauges, f->n_gauges, s, "m", &d->gauges));
+  TRY(points(f, s, d));
+  d->n_diagnostics = f->n_diagnostics;
+  TRY(series_list(f->diagnostics, f->n_diagnostics, s, NULL, &d->diagnostics));
   TRY(experiments(f, s, d));
   instants(f, s, depth, window, d);
   return OK;
@@ -249,7 +318,10 @@ void cmp_data_destroy(struct cmp_data *d) {
   } list[] = {{d->terms, d->n_terms},
               {d->probes, d->n_probes},
               {d->gauges, d->n_gauges},
+              {d->points, d->n_points},
+              {d->diagnostics, d->n_diagnostics},
               {d->experiments, d->n_experiments}};
+  for (size_t k = 0; d->points && k < d->n_points; k++) free((char *)d->points[k].name);
   for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
     for (size_t i = 0; list[k].s && i < list[k].n; i++) series_free(&list[k].s[i]);
     free(list[k].s);
@@ -313,6 +385,7 @@ void cmp_data_cut(struct cmp_data *d, double until) {
   for (size_t k = 0; k < sizeof single / sizeof *single; k++) series_cut(single[k], until);
   for (size_t k = 0; k < d->n_probes; k++) series_cut(&d->probes[k], until);
   for (size_t k = 0; k < d->n_gauges; k++) series_cut(&d->gauges[k], until);
+  for (size_t k = 0; k < d->n_points; k++) series_cut(&d->points[k], until);
   instant_cut(&d->overturning, until);
   instant_cut(&d->touchdown, until);
 }

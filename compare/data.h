@@ -24,12 +24,21 @@ struct cmp_scales cmp_scales_of(const struct cmp_scales *reference, const struct
 /* The wall that a front runs to: the bed before it is dry at first. */
 enum cmp_side { CMP_LEFT, CMP_RIGHT, CMP_NO_SIDE };
 
+/* What a unit of the files becomes. */
+struct cmp_unit {
+  const char *si;           /* in the file */
+  const char *name, *label; /* in tables, "rho g H", and on axes, "ρ g H"; "1" of a pure number */
+  double size;              /* in SI */
+};
+
 struct cmp_series {
   const char *name;  /* borrowed from the file */
   double x, y, size; /* size: of the sensor that it is the mean over, along the wall */
   double average;    /* time that `value` is the running mean over; 0: none */
   size_t n;
   double *t, *value; /* owned */
+  const char *units; /* "rho g H"; NULL where nobody asks */
+  const char *label; /* the same on an axis */
   double *raw;       /* what `value` is the mean of; NULL without an average; owned */
 };
 
@@ -53,6 +62,9 @@ struct cmp_data {
 
   size_t n_probes, n_gauges, n_experiments;
   struct cmp_series *probes, *gauges;
+  size_t n_points, n_diagnostics;
+  struct cmp_series *points; /* one for each field of each, "NAME.a_y"; names owned */
+  struct cmp_series *diagnostics;
   struct cmp_series *experiments; /* name: the label; see file->experiments for the rest */
 
   struct cmp_series fronts[2]; /* the ends of the standing water, by side */
@@ -86,6 +98,14 @@ enum status cmp_data_average(struct cmp_data *d, const char *probe, double over)
 static inline struct cmp_signal cmp_series_signal(const struct cmp_series *s) {
   return (struct cmp_signal){s->n, s->t, s->value};
 }
+
+/* Of what an average has replaced, if any. */
+static inline struct cmp_signal cmp_series_raw(const struct cmp_series *s) {
+  return (struct cmp_signal){s->n, s->t, s->raw ? s->raw : s->value};
+}
+
+/* A probe, a gauge, or a field of a point; NULL when there is none. */
+const struct cmp_series *cmp_data_series(const struct cmp_data *d, const char *name);
 
 /* One of the energies at t: where its last row precedes t by up to a sampling interval and a step,
  * that row. */

@@ -94,6 +94,7 @@ static void range_write(const struct graph *d, size_t panel) {
   struct range r = range_of(d->g, panel, c->log);
   FILE *s = d->panels.fig->script;
   if (!(r.low <= r.high)) r = (struct range){1, 10};
+  if (c->span > 0 && r.low < r.high / c->span) r.low = r.high / c->span;
   if (c->top > 0 && r.low < c->top) r.high = fmin(r.high, c->top);
   if (c->log && r.high > 20 * r.low) { /* else it would have a tick or two */
     fprintf(s, "set logscale y\nset yrange [%.6g:%.6g]\nset ytics auto\nset format y '%s'\n",
@@ -139,8 +140,9 @@ static void open_curve(struct graph *d) {
 /* A curve alone has a colour for each column. */
 static struct cmp_style style_of(const struct cmp_graph *g, size_t curve, size_t column) {
   size_t rank = rank_of(g, column, false);
-  if (g->n_curves == 1) return cmp_style_of(rank_of(g, column, true));
-  struct cmp_style style = cmp_style_of(curve);
+  const struct cmp_style *own = g->curve[curve].style;
+  if (g->n_curves == 1 && !own) return cmp_style_of(rank_of(g, column, true));
+  struct cmp_style style = own ? *own : cmp_style_of(curve);
   if (g->column[column].same) style = (struct cmp_style){"#000000", 0};
   if (!g->column[column].points) style.dashes = (int)(((size_t)style.dashes + rank) % 4);
   return style;
@@ -168,12 +170,17 @@ static void curve_draw(struct graph *d, size_t curve, size_t column) {
   fputs("notitle", s);
 }
 
+/* One curve alone says by its style whose it is. */
+static bool has_names(const struct cmp_graph *g) {
+  return g->n_curves > 1 || g->curve[0].style;
+}
+
 /* The key: the curves by their colours, then the columns of panels that have several. */
 static void key_draw(struct graph *d) {
   const struct cmp_graph *g = d->g;
   FILE *s = d->panels.fig->script;
-  for (size_t c = 0; g->n_curves > 1 && c < g->n_curves; c++) {
-    struct cmp_style style = cmp_style_of(c);
+  for (size_t c = 0; has_names(g) && c < g->n_curves; c++) {
+    struct cmp_style style = g->curve[c].style ? *g->curve[c].style : cmp_style_of(c);
     open_curve(d);
     fprintf(s, "keyentry with lines linewidth 1.3 dashtype %s linecolor '%s' title ",
             cmp_dashes(&style), style.colour);
@@ -182,7 +189,7 @@ static void key_draw(struct graph *d) {
   for (size_t k = 1; k < g->n_columns; k++) {
     if (!is_keyed(g, k) || namesake_of(g, k) != k) continue;
     struct cmp_style style = style_of(g, 0, k);
-    if (g->n_curves > 1) style.colour = g->column[k].same ? "#000000" : "#555555";
+    if (has_names(g)) style.colour = g->column[k].same ? "#000000" : "#555555";
     open_curve(d);
     fputs("keyentry", s);
     look_write(s, g, k, &style);
@@ -194,7 +201,7 @@ static void key_draw(struct graph *d) {
 
 static void key_measure(const struct cmp_graph *g, struct cmp_panels *p) {
   size_t n = 0, longest = 0;
-  for (size_t c = 0; g->n_curves > 1 && c < g->n_curves; c++, n++)
+  for (size_t c = 0; has_names(g) && c < g->n_curves; c++, n++)
     if (cmp_key_length(g->curve[c].name) > longest) longest = cmp_key_length(g->curve[c].name);
   for (size_t k = 1; k < g->n_columns; k++) {
     if (!is_keyed(g, k) || namesake_of(g, k) != k) continue;
@@ -266,8 +273,9 @@ enum status cmp_graph_write(const struct cmp_graph *g, struct cmp_figures *f) {
                                  : n == 2 ? ONE_OF_TWO
                                           : ONE_OF_MANY,
                                  d.panels.bottom);
-  TRY(cmp_figure_begin(f, CMP_SECTION_CHECKS, false, CMP_PANELS_WIDTH, height, &d.panels.fig, "%s",
+  TRY(cmp_figure_begin(f, g->section, g->raster, CMP_PANELS_WIDTH, height, &d.panels.fig, "%s",
                        g->name));
+  if (g->caption) snprintf(d.panels.fig->caption, sizeof d.panels.fig->caption, "%s", g->caption);
   TRY(table_write(g, f, d.panels.fig));
   cmp_figure_formats(d.panels.fig);
   fputs("set multiplot\n", d.panels.fig->script);

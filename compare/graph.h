@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "compare/figure.h"
+#include "compare/pick.h"
 
 struct cmp_graph_column {
   const char *head;  /* of the table: "a [c0]" */
@@ -13,19 +14,24 @@ struct cmp_graph_column {
   const char *level; /* a dashed line across its panel, as a number; NULL: none */
   double top;        /* its panel goes no higher; 0: as high as its curves. Of its first column */
   int panel;         /* from the top; the first column is the axis of all */
+  double span; /* of a log axis: it ends so many times below its top; 0: with the lowest value */
   bool log, points, same; /* its axis; symbols, no line; alike in all curves, and drawn once */
   bool undrawn;           /* only in the table */
 };
 
 struct cmp_graph_curve {
   const char *name;
+  const struct cmp_style *style; /* NULL: the k-th has the k-th */
   size_t n;
   const double *row; /* [n][n_columns]; NaN breaks a line */
 };
 
 struct cmp_graph {
-  const char *name;  /* of its files */
-  const char *title; /* above the first panel */
+  const char *name;         /* of its files */
+  const char *title;        /* above the first panel */
+  const char *caption;      /* NULL: none */
+  enum cmp_section section; /* of a report */
+  bool raster;              /* heavy: see cmp_figure_begin */
   size_t n_columns, n_curves;
   const struct cmp_graph_column *column; /* [n_columns] */
   const struct cmp_graph_curve *curve;   /* [n_curves] */

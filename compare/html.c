@@ -45,6 +45,16 @@ static bool has_gauges(const struct comparison *c) {
   return any;
 }
 
+static bool has_spectra(const struct comparison *c) {
+  return c->settings->compare.n_spectra > 0;
+}
+
+static bool has_diagnostics(const struct comparison *c) {
+  bool any = c->ref.data.n_diagnostics > 0;
+  for (size_t r = 0; r < c->n_runs; r++) any = any || c->run[r].data.n_diagnostics > 0;
+  return any;
+}
+
 /* X(name, title, has): the report's sections, in order. */
 #define SECTIONS(X)                                                                                \
   X(health, "Health", has_always)                                                                  \
@@ -57,6 +67,8 @@ static bool has_gauges(const struct comparison *c) {
   X(energy, "Energy", has_always)                                                                  \
   X(pressure, "Pressure", has_probes)                                                              \
   X(gauges, "Water height", has_gauges)                                                            \
+  X(spectra, "Spectra", has_spectra)                                                               \
+  X(diagnostics, "Noise and momenta", has_diagnostics)                                             \
   X(runs, "Runs and provenance", has_always)                                                       \
   X(method, "How it is measured", has_always)
 
@@ -290,6 +302,7 @@ static enum status write_pressure(struct page *p, const struct content *w) {
   TRY(cmp_html_figures(p, w->figures, CMP_SECTION_PRESSURE));
   cmp_html_measures(p, w->c, w->rows, CMP_SECTION_PRESSURE);
   cmp_html_signals(p, w->c, CMP_PRESSURE);
+  cmp_html_filters(p, w->c);
   return OK;
 }
 
@@ -297,6 +310,18 @@ static enum status write_gauges(struct page *p, const struct content *w) {
   TRY(cmp_html_figures(p, w->figures, CMP_SECTION_GAUGE));
   cmp_html_measures(p, w->c, w->rows, CMP_SECTION_GAUGE);
   cmp_html_signals(p, w->c, CMP_ELEVATION);
+  return OK;
+}
+
+static enum status write_spectra(struct page *p, const struct content *w) {
+  TRY(cmp_html_figures(p, w->figures, CMP_SECTION_SPECTRA));
+  cmp_html_spectra(p, w->c);
+  return OK;
+}
+
+static enum status write_diagnostics(struct page *p, const struct content *w) {
+  TRY(cmp_html_figures(p, w->figures, CMP_SECTION_DIAGNOSTICS));
+  cmp_html_diagnostics(p, w->c);
   return OK;
 }
 

@@ -229,67 +229,6 @@ void cmp_html_jets(struct page *p, const struct comparison *c) {
   jets_table(p, c);
 }
 
-/* ---- signals ---- */
-
-/* "mine (theirs)" */
-static void both_cell(struct page *p, const struct cmp_value *mine, const struct cmp_value *theirs,
-                      struct cmp_html_reasons *why) {
-  if (cmp_known(mine) && cmp_known(theirs))
-    cmp_html_cell(p, NULL, "%.3g (%.3g)", mine->value, theirs->value);
-  else
-    cmp_html_value(p, cmp_known(mine) ? theirs : mine, why);
-}
-
-/* "P1 (mean over 0.05) against bem" */
-static void pair_cell(struct page *p, const struct comparison *c, const struct cmp_pair *pair) {
-  char mean[32] = "";
-  if (pair->a->average > 0) snprintf(mean, sizeof mean, " (mean over %.3g)", pair->a->average);
-  cmp_html_cell(p, "t", "%s%s against %s", pair->a->name, mean,
-                pair->experiment == SIZE_MAX ? c->ref.data.label : pair->b->name);
-}
-
-void cmp_html_signals(struct page *p, const struct comparison *c, enum cmp_quantity quantity) {
-  struct cmp_html_reasons why = {0};
-  size_t shown = 0;
-  for (size_t i = 0; i <= c->n_runs; i++) {
-    const struct cmp_run *run = cmp_run_or_ref(c, i == 0 ? SIZE_MAX : i - 1);
-    for (size_t k = 0; k < run->n_pairs; k++) shown += run->pairs[k].quantity == quantity;
-  }
-  if (!shown) return;
-  cmp_html_table_open(p);
-  cmp_html_headings(p, (const char *const[]){"run", "signal", "common t*", "arrival t*", "peak",
-                                             "time of peak", "impulse", "rms difference",
-                                             "best shift → rms then", NULL});
-  for (size_t i = 0; i <= c->n_runs; i++) {
-    size_t r = i == 0 ? SIZE_MAX : i - 1;
-    const struct cmp_run *run = cmp_run_or_ref(c, r);
-    for (size_t k = 0; k < run->n_pairs; k++) {
-      const struct cmp_pair *pair = &run->pairs[k];
-      if (pair->quantity != quantity) continue;
-      const struct cmp_signal_alone *a = &pair->m.a, *b = &pair->m.b;
-      cmp_page_open(p, "tr", NULL);
-      cmp_html_run(p, c, r);
-      pair_cell(p, c, pair);
-      cmp_html_cell(p, NULL, "%.3g–%.3g", pair->m.from, pair->m.to);
-      both_cell(p, &a->onset, &b->onset, &why);
-      both_cell(p, &a->peak, &b->peak, &why);
-      both_cell(p, &a->peak_time, &b->peak_time, &why);
-      both_cell(p, &a->impulse, &b->impulse, &why);
-      cmp_html_value(p, &pair->m.rms, &why);
-      if (cmp_known(&pair->m.shift))
-        cmp_html_cell(p, NULL, "%.3g → %.3g", pair->m.shift.value, pair->m.rms_after.value);
-      else
-        cmp_html_value(p, &pair->m.shift, &why);
-      cmp_page_close(p);
-    }
-  }
-  cmp_html_table_close(p);
-  cmp_page_element(p, "p", "soft",
-                   "In brackets: the same of what it is compared with, over the same common time. "
-                   "Best shift: positive when the run is late; it is not applied.");
-  cmp_html_reasons_list(p, &why);
-}
-
 /* ---- health ---- */
 
 static void health_row(struct page *p, const struct comparison *c, size_t r) {
@@ -406,6 +345,31 @@ static void averages_say(struct page *p, const struct comparison *c) {
   cmp_page_close(p);
 }
 
+static void filters_say(struct page *p, const struct comparison *c) {
+  if (!c->settings->compare.n_filters) return;
+  cmp_page_element(
+      p, "li", NULL,
+      "Filters are of the raw signals of probes, and beside them only. Low pass: the signal, put "
+      "on even instants where it is not, is a sum of cosines over its duration (its even "
+      "continuation has no jump at the ends); those of its period are halved, of 2/3 of it and "
+      "less "
+      "gone, of twice it and more left. The mean of the whole stays, and with it the impulse over "
+      "it; about a sudden rise the rest overshoots by up to a tenth. Mean over a length of the "
+      "wall: each probe on it stands for the stretch "
+      "that is nearest to it. Impulse: trapezoids from the first row on.");
+}
+
+static void spectra_say(struct page *p, const struct comparison *c) {
+  if (!c->settings->compare.n_spectra) return;
+  cmp_page_element(
+      p, "li", NULL,
+      "Spectra are of raw series: the longest stretch of rows without a gap, less its mean, times "
+      "a Hann window. Amplitude: that of a sine at the bin. Power density: adds up to the mean "
+      "square. A peak's frequency and amplitude are those of the sine that the two highest bins "
+      "are of, between them too; peaks below a twentieth of the highest are left out. A figure has "
+      "the highest of bins that are closer than 0.2 %%.");
+}
+
 static void scales_say(struct page *p, const struct comparison *c) {
   cmp_page_element(
       p, "li", NULL,
@@ -516,6 +480,8 @@ void cmp_html_method(struct page *p, const struct comparison *c) {
   jet_say(p, c);
   signals_say(p);
   averages_say(p, c);
+  filters_say(p, c);
+  spectra_say(p, c);
   energy_say(p);
   if (!c->window_whole)
     cmp_page_element(p, "li", NULL, "Window: x/H from %.4g to %.4g, y/H from %.4g to %.4g.",

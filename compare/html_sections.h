@@ -13,6 +13,10 @@ void cmp_html_health(struct page *p, const struct comparison *c);
 /* Where the energy of the reference and of each run went, up to the last comparison time. */
 enum status cmp_html_ledger(struct page *p, const struct comparison *c);
 /* Signals of one quantity. */
+/* What the numbers of the section are. */
+void cmp_html_diagnostics(struct page *p, const struct comparison *c);
+void cmp_html_filters(struct page *p, const struct comparison *c);
+void cmp_html_spectra(struct page *p, const struct comparison *c);
 void cmp_html_signals(struct page *p, const struct comparison *c, enum cmp_quantity quantity);
 void cmp_html_provenance(struct page *p, const struct comparison *c);
 void cmp_html_method(struct page *p, const struct comparison *c);

@@ -187,6 +187,66 @@ static json_t *budget(struct maker *m, const struct comparison *c, const struct 
   return array;
 }
 
+/* What each of the settings' filters makes of the run's probes, where it has them. */
+static json_t *filters(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
+  static const char *const kinds[] = {
+#define X(name, help) #name,
+      CASE_FILTERS(X)
+#undef X
+  };
+  json_t *array = json_array();
+  for (size_t k = 0; k < c->settings->compare.n_filters; k++) {
+    const struct cmp_filtered *f = &run->filtered[k];
+    const enum case_filter_kind kind = f->filter->kind;
+    if (!f->series.n) continue;
+    json_t *object = json_object();
+    set(m, object, "probe", text(f->series.name));
+    set(m, object, "kind", text(kinds[kind]));
+    if (kind == CASE_FILTER_low_pass)
+      set(m, object, "period", number(f->filter->period / c->scales.T));
+    if (kind == CASE_FILTER_wall) set(m, object, "length", number(f->filter->length / c->scales.H));
+    set(m, object, "units", text(f->units));
+    set(m, object, "raw", alone(m, &f->before));
+    set(m, object, "filtered", alone(m, &f->after));
+    set_value(m, object, "rms_taken_out", &f->taken);
+    add(m, array, object);
+  }
+  return array;
+}
+
+static json_t *spectrum(struct maker *m, const struct comparison *c, const struct cmp_run *run,
+                        size_t k) {
+  const struct cmp_spectrum *s = &run->spectrum[k];
+  const char *name = c->settings->compare.spectra[k].series;
+  const struct cmp_series *series = cmp_data_series(&run->data, name);
+  json_t *object = json_object(), *peaks = json_array();
+  set(m, object, "series", text(name));
+  set(m, object, "units", text(series && series->units ? series->units : "1"));
+  set_value(m, object, "sampling_interval", &s->interval);
+  set(m, object, "samples", json_integer((json_int_t)s->samples));
+  set(m, object, "resampled", json_boolean(s->resampled));
+  set(m, object, "from", number(s->n ? s->from : NAN));
+  set(m, object, "to", number(s->n ? s->to : NAN));
+  set(m, object, "bin", number(s->n ? s->step : NAN));
+  set(m, object, "mean", number(s->n ? s->mean : NAN));
+  set(m, object, "mean_square", number(s->n ? s->mean_square : NAN));
+  for (size_t i = 0; i < s->n_peaks; i++) {
+    json_t *peak = json_object();
+    set(m, peak, "frequency", number(s->peak[i].frequency));
+    set(m, peak, "frequency_Hz", number(s->peak[i].frequency / c->scales.T));
+    set(m, peak, "amplitude", number(s->peak[i].amplitude));
+    add(m, peaks, peak);
+  }
+  set(m, object, "peaks", peaks);
+  return object;
+}
+
+static json_t *spectra(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
+  json_t *array = json_array();
+  for (size_t k = 0; k < c->settings->compare.n_spectra; k++) add(m, array, spectrum(m, c, run, k));
+  return array;
+}
+
 static json_t *run_object(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
   json_t *object = provenance(m, &run->data), *evolution = json_object(), *jets = json_array();
   const struct cmp_evolution *e = &run->evolution;
@@ -223,6 +283,8 @@ static json_t *run_object(struct maker *m, const struct comparison *c, const str
   set_value(m, object, "budget_closure_before_impact", &run->closure_before);
   set_value(m, object, "volume_change", &run->volume);
   set(m, object, "signals", pairs(m, c, run));
+  set(m, object, "filters", filters(m, c, run));
+  set(m, object, "spectra", spectra(m, c, run));
   return object;
 }
 

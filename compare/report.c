@@ -9,6 +9,8 @@
 #include "compare/output.h"
 #include "compare/overlays.h"
 #include "compare/pick.h"
+#include "compare/spectra.h"
+#include "compare/stacks.h"
 #include "compare/summary.h"
 
 enum status cmp_report(const struct case_file *settings, const struct result_file *reference,
@@ -34,6 +36,8 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   ATTEMPT(cmp_figures_open(out_dir, &figures));
   ATTEMPT(cmp_charts_write(c, &figures));
   ATTEMPT(cmp_overlays_write(c, &figures));
+  ATTEMPT(cmp_stacks_write(c, &figures));
+  ATTEMPT(cmp_spectra_write(c, &figures));
   enum status drawn = cmp_figures_draw(&figures, CMP_DRAWING_LIMITS);
   if (drawn == INTERRUPTED) ATTEMPT(drawn);
   ATTEMPT(cmp_html_write(c, &rows, &figures, verdict->sentence, html)); /* the numbers at least */

@@ -148,8 +148,9 @@ static void print_waves(FILE *out) {
 }
 
 void case_print_keys(FILE *out) {
-  const struct case_table *const lists[] = {case_section_tables, case_run_tables};
-  for (size_t i = 0; i < 2; i++)
+  const struct case_table *const lists[] = {case_section_tables, case_run_tables,
+                                            case_signal_tables};
+  for (size_t i = 0; i < 3; i++)
     for (const struct case_table *t = lists[i]; t->name; t++) {
       print_section(out, t->name, t->params, t->n);
       if (!strcmp(t->name, "water.wave")) print_waves(out);
@@ -199,6 +200,9 @@ void case_destroy(struct case_file *c) {
   free(c->compare.times);
   free(c->compare.tolerances);
   free(c->compare.averages);
+  free(c->compare.filters);
+  for (size_t i = 0; i < c->compare.n_spectra; i++) free(c->compare.spectra[i].series);
+  free(c->compare.spectra);
   free(c->compare.experiments);
   free(c);
 }

@@ -27,6 +27,24 @@ struct case_point { /* in the water or on a wall: means over the particles aroun
   int every;   /* steps from one row to the next */
 };
 
+/* What is known of the water at a point: means over the particles around it; NaN where there is
+ * next to none. X(name, units, help) */
+#define CASE_POINT(X)                                                                              \
+  X(p, "Pa", "pressure, by the equation of state")                                                 \
+  X(rho, "kg/m^3", "density")                                                                      \
+  X(u, "m/s", "velocity along x")                                                                  \
+  X(v, "m/s", "velocity along y")                                                                  \
+  X(a_x, "m/s^2", "acceleration along x")                                                          \
+  X(a_y, "m/s^2", "acceleration along y")                                                          \
+  X(cover, "1", "sum V W: 1 inside the water, about 1/2 on its edge; below 0.1 there are no means")
+
+enum { /* CASE_POINT_p, CASE_POINT_rho, ... */
+#define X(name, units, help) CASE_POINT_##name,
+       CASE_POINT(X)
+#undef X
+           CASE_POINT_FIELDS
+};
+
 struct case_run {
   char *name;
   const struct solver *solver;
@@ -47,6 +65,36 @@ struct case_tolerance {
 struct case_average { /* a probe's signals are compared by their running means */
   size_t probe;       /* index into case_file.probes */
   double over;        /* s; 0: none */
+};
+
+/* What a probe's pressure is shown by beside what it is. X(name, help) */
+#define CASE_FILTERS(X)                                                                            \
+  X(low_pass,                                                                                      \
+    "p = sum_k a_k cos(k pi t/D) over its duration D with a_k times 1 up to half the cut-off "     \
+    "frequency f = 1/period, (1 - sin(pi (f_k/f - 1)))/2 up to 3/2, and 0; keeps the impulse")     \
+  X(wall,                                                                                          \
+    "the mean over the length of the wall, each probe there standing for what is nearest to it")   \
+  X(impulse, "I(t) = int p dt from the first row on: each wave of frequency w over w")
+
+enum case_filter_kind { /* CASE_FILTER_low_pass, ... */
+#define X(name, help) CASE_FILTER_##name,
+                        CASE_FILTERS(X)
+#undef X
+};
+
+struct case_filter {
+  size_t probe; /* index into case_file.probes */
+  enum case_filter_kind kind;
+  double period; /* s, of low_pass */
+  double length; /* m, of wall */
+};
+
+enum { CASE_MOST_PEAKS = 12 };
+
+struct case_spectrum {
+  char *series;    /* of a probe, a gauge, or "NAME.FIELD" of a point */
+  double from, to; /* s; INFINITY: to the end */
+  size_t peaks;    /* how many are listed, at most CASE_MOST_PEAKS */
 };
 
 struct case_experiment { /* a measured series laid over a probe's or a gauge's plot */
@@ -97,6 +145,10 @@ struct case_file {
     struct case_tolerance *tolerances;
     size_t n_averages;
     struct case_average *averages;
+    size_t n_filters;
+    struct case_filter *filters;
+    size_t n_spectra;
+    struct case_spectrum *spectra;
     size_t n_experiments;
     struct case_experiment *experiments;
   } compare;
@@ -150,14 +202,15 @@ enum status case_parse(const char *name, const char *text, const struct registry
 struct case_frame {
   double H, gravity;   /* m, m s^-2 */
   struct geo_box tank; /* m */
-  size_t n_times, n_runs, n_probes;
-  const double *times;       /* s, of the reference's outputs, [n_times] */
-  const char *const *runs;   /* names, the reference's first, [n_runs] */
-  const char *const *probes; /* names, of the reference's, [n_probes] */
+  size_t n_times, n_runs, n_probes, n_gauges, n_points;
+  const double *times;                       /* s, of the reference's outputs, [n_times] */
+  const char *const *runs;                   /* names, the reference's first, [n_runs] */
+  const char *const *probes;                 /* names, of the reference's, [n_probes] */
+  const char *const *gauges, *const *points; /* likewise */
 };
 
-/* Settings of a comparison (the section `compare` alone) from a YAML file: *c has runs and probes
- * with names and nothing else, and `compare` filled. Problems as case_load. */
+/* Settings of a comparison (the section `compare` alone) from a YAML file: *c has runs, probes,
+ * gauges and points with names and nothing else, and `compare` filled. Problems as case_load. */
 enum status case_load_settings(const char *path, const struct case_frame *frame,
                                const struct registry *registry, struct problems *problems,
                                struct case_file **c);

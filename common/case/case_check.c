@@ -256,6 +256,10 @@ void case_check(struct case_draft *d) {
   check_run_names(d);
   if (d->good.time) check_times(d);
   if (d->good.time && d->good.runs) case_check_tolerances(d);
-  if (d->good.time) case_check_averages(d, d->c->end, "time.end");
+  if (d->good.time) {
+    case_check_averages(d, d->c->end, "time.end");
+    case_check_filters(d, d->c->sample, d->c->end, "time.end");
+    case_check_spectra(d, d->c->end, "time.end");
+  }
   if (d->good.tank) case_check_window(d);
 }

@@ -59,6 +59,17 @@ struct case_table { /* what `plunge list` shows of a section; a NULL name ends a
 };
 extern const struct case_table case_section_tables[], case_run_tables[];
 
+size_t case_find_probe(struct case_draft *d, int node, const char *path); /* n_probes: none */
+
+/* case_signals.c: compare.filters and compare.spectra. */
+enum status case_read_filters(struct case_draft *d, int node);
+enum status case_read_spectra(struct case_draft *d, int node);
+extern const struct case_table case_signal_tables[];
+/* `end` (s): the last time there is, which is `what`; `sample` (s): no series is finer than this.
+ */
+void case_check_filters(struct case_draft *d, double sample, double end, const char *what);
+void case_check_spectra(struct case_draft *d, double end, const char *what);
+
 /* case_check.c: whether what was read makes sense together. */
 void case_check(struct case_draft *d);
 void case_check_tolerances(struct case_draft *d); /* their times are among compare.times */

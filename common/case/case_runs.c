@@ -114,7 +114,7 @@ enum status case_read_runs(struct case_draft *d) {
 /* ---- compare ---- */
 
 struct compare_section {
-  int reference, times, window, tolerances, averages, experiments;
+  int reference, times, window, tolerances, averages, filters, spectra, experiments;
 };
 static const struct param compare_rows[] = {
     NODE(struct compare_section, reference, "", "the name of a run; default: the first"),
@@ -123,6 +123,9 @@ static const struct param compare_rows[] = {
     NODE(struct compare_section, tolerances, "", "a list of tolerances"),
     NODE(struct compare_section, averages, "",
          "a list of averages; default: probes are compared as they are"),
+    NODE(struct compare_section, filters, "",
+         "a list of filters of probes, shown beside what is compared"),
+    NODE(struct compare_section, spectra, "", "a list of spectra of series"),
     NODE(struct compare_section, experiments, "", "a list of experiments"),
 };
 
@@ -151,6 +154,12 @@ static size_t find_named(struct case_draft *d, int node, const char *path, const
   case_doc_found(&d->doc, node, found);
   case_doc_problem(&d->doc, case_doc_line(&d->doc, node), path, found, offer.allowed, offer.todo);
   return n;
+}
+
+size_t case_find_probe(struct case_draft *d, int node, const char *path) {
+  const size_t n = d->c->n_probes;
+  return find_named(d, node, path, n ? "one of the probes " : "none, there are no probes",
+                    probe_name, n);
 }
 
 static size_t find_run(struct case_draft *d, int node, const char *path) {
@@ -293,9 +302,7 @@ static void read_average(struct case_draft *d, int node, size_t i) {
   if (!case_read_section(d, node, path, average_rows, ROWS(average_rows), &s)) return;
   snprintf(key, sizeof key, "%s.probe", path);
   a->over = s.over;
-  a->probe =
-      find_named(d, s.probe, key, c->n_probes ? "one of the probes " : "none, there are no probes",
-                 probe_name, c->n_probes);
+  a->probe = case_find_probe(d, s.probe, key);
   for (size_t k = 0; k < i && a->probe < c->n_probes; k++) {
     if (c->compare.averages[k].probe != a->probe) continue;
     snprintf(found, sizeof found, "'%s' a second time", c->probes[a->probe].name);
@@ -377,6 +384,8 @@ enum status case_read_compare(struct case_draft *d) {
   if (s.window) read_window(d, s.window);
   if (s.tolerances) TRY(read_tolerances(d, s.tolerances));
   if (s.averages) TRY(read_averages(d, s.averages));
+  if (s.filters) TRY(case_read_filters(d, s.filters));
+  if (s.spectra) TRY(case_read_spectra(d, s.spectra));
   if (!s.experiments || !d->read_data ||
       !case_doc_expect_list(doc, s.experiments, "compare.experiments", 0, CASE_MOST_ITEMS,
                             "experiments"))

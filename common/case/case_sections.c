@@ -400,7 +400,8 @@ enum status case_read_sections(struct case_draft *d) {
       SECTION(points, "", "a list of points"),
       SECTION(runs, NULL, "a list of runs"),
       SECTION(compare, "",
-              "a mapping with reference, times, window, tolerances, averages, experiments"),
+              "a mapping with reference, times, window, tolerances, averages, filters, spectra, "
+              "experiments"),
   };
   struct case_file *c = d->c;
   struct case_doc *doc = &d->doc;

@@ -27,6 +27,18 @@ static enum status take_frame(struct case_file *c, const struct case_frame *fram
     p->name = strdup(frame->probes[i]);
     CHECK(p->name, ERR_MEMORY, "no memory for the name of a probe");
   }
+  TRY(array_create(&c->gauges, frame->n_gauges, "entries of the case"));
+  for (size_t i = 0; i < frame->n_gauges; i++) {
+    struct case_gauge *g = &c->gauges[c->n_gauges++];
+    g->name = strdup(frame->gauges[i]);
+    CHECK(g->name, ERR_MEMORY, "no memory for the name of a gauge");
+  }
+  TRY(array_create(&c->points, frame->n_points, "entries of the case"));
+  for (size_t i = 0; i < frame->n_points; i++) {
+    struct case_point *p = &c->points[c->n_points++];
+    p->name = strdup(frame->points[i]);
+    CHECK(p->name, ERR_MEMORY, "no memory for the name of a point");
+  }
   return OK;
 }
 
@@ -60,7 +72,8 @@ static void check_time(struct case_draft *d, const struct case_frame *frame, int
 
 /* The section without its name: one hint for all of its keys. */
 static bool is_bare_section(struct case_draft *d, int root) {
-  static const char *const keys[] = {"times", "window", "tolerances", "averages"};
+  static const char *const keys[] = {"times",    "window",  "tolerances",
+                                     "averages", "filters", "spectra"};
   if (case_doc_member(&d->doc, root, "compare")) return false;
   for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
     if (!case_doc_member(&d->doc, root, keys[k])) continue;
@@ -78,7 +91,7 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
        .type = PARAM_NODE,
        .offset = offsetof(struct case_draft, at.compare),
        .value = NULL,
-       .help = "a mapping with times, window, tolerances, averages"},
+       .help = "a mapping with times, window, tolerances, averages, filters, spectra"},
   };
   struct case_block block = {rows, ROWS(rows), d, NULL};
   int root = case_doc_root(&d->doc);
@@ -92,8 +105,13 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
   for (size_t i = 0; i < d->c->compare.n_times; i++)
     check_time(d, frame, case_doc_item(&d->doc, list, i), i);
   case_check_tolerances(d);
-  if (frame->n_times)
-    case_check_averages(d, frame->times[frame->n_times - 1], "the reference's last output");
+  if (frame->n_times) {
+    const double end = frame->times[frame->n_times - 1];
+    const char *what = "the reference's last output";
+    case_check_averages(d, end, what);
+    case_check_filters(d, 0, end, what);
+    case_check_spectra(d, end, what);
+  }
   case_check_window(d);
   return OK;
 }

@@ -44,24 +44,6 @@ struct result_step {     /* one row of /series/run */
   double removed_volume; /* m^2, taken out of the computation so far */
 };
 
-/* What is known of the water at a point: means over the particles around it; NaN where there is
- * next to none. */
-#define RESULT_POINT(X)                                                                            \
-  X(p, "Pa", "pressure, by the equation of state")                                                 \
-  X(rho, "kg/m^3", "density")                                                                      \
-  X(u, "m/s", "velocity along x")                                                                  \
-  X(v, "m/s", "velocity along y")                                                                  \
-  X(a_x, "m/s^2", "acceleration along x")                                                          \
-  X(a_y, "m/s^2", "acceleration along y")                                                          \
-  X(cover, "1", "sum V W: 1 inside the water, about 1/2 on its edge; below 0.1 there are no means")
-
-enum { /* RESULT_POINT_p, RESULT_POINT_rho, ... */
-#define X(name, units, help) RESULT_POINT_##name,
-       RESULT_POINT(X)
-#undef X
-           RESULT_POINT_FIELDS
-};
-
 struct result_field {
   const char *name, *units, *help;
   const double *a, *b; /* [n]; b is NULL for a scalar, else the y component of a vector */
@@ -86,9 +68,9 @@ enum status result_step(struct result *w, const struct result_step *row);
 enum status result_probe(struct result *w, size_t probe, double time, double pressure);  /* Pa */
 enum status result_gauge(struct result *w, size_t gauge, double time, double elevation); /* m */
 /* A row at a point of the case, which has its series from the first one on; `value` in the order
- * of RESULT_POINT. */
+ * of CASE_POINT. */
 enum status result_point(struct result *w, size_t point, double time,
-                         const double value[RESULT_POINT_FIELDS]);
+                         const double value[CASE_POINT_FIELDS]);
 /* A row of the solver's diagnostics (solver.h), which the file has from the first one on. */
 enum status result_diagnostics(struct result *w, double time, const double *values);
 enum status result_event(struct result *w, const char *name, double time, double x, double y);
@@ -116,6 +98,7 @@ void result_destroy(struct result *w);       /* closes it, complete or not; NULL
 
 struct result_series {
   char *name, *units;
+  char *help;        /* of a diagnostic; "" of others */
   double x, y, size; /* of a probe or gauge, m */
   size_t n;
   double *t, *value; /* [n] */
@@ -125,7 +108,7 @@ struct result_point_read {
   char *name;
   double x, y; /* m */
   size_t n;
-  double *t, *value[RESULT_POINT_FIELDS]; /* [n] */
+  double *t, *value[CASE_POINT_FIELDS]; /* [n] */
 };
 
 struct result_event_read {

@@ -42,6 +42,7 @@ static enum status carry_series(struct carrier *c, void *element) {
   struct result_series *s = element;
   TRY(carry_word(c, &s->name));
   TRY(carry_word(c, &s->units));
+  TRY(carry_word(c, &s->help));
   TRY(carry_bytes(c, &s->x, sizeof s->x));
   TRY(carry_bytes(c, &s->y, sizeof s->y));
   TRY(carry_bytes(c, &s->size, sizeof s->size));
@@ -55,7 +56,7 @@ static enum status carry_point(struct carrier *c, void *element) {
   TRY(carry_bytes(c, &p->x, sizeof p->x));
   TRY(carry_bytes(c, &p->y, sizeof p->y));
   TRY(carry_array(c, &p->n, &p->t));
-  for (int k = 0; k < RESULT_POINT_FIELDS; k++) TRY(carry_same(c, p->n, &p->value[k]));
+  for (int k = 0; k < CASE_POINT_FIELDS; k++) TRY(carry_same(c, p->n, &p->value[k]));
   return OK;
 }
 

@@ -19,10 +19,10 @@ const struct result_column result_step_columns[RESULT_STEP_COLUMNS] = {
 #undef X
 };
 
-const struct result_column result_point_columns[1 + RESULT_POINT_FIELDS] = {
+const struct result_column result_point_columns[1 + CASE_POINT_FIELDS] = {
     {"time", "s", "physical time"},
 #define X(name, units, help) {#name, units, help},
-    RESULT_POINT(X)
+    CASE_POINT(X)
 #undef X
 };
 

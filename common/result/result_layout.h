@@ -27,8 +27,8 @@ struct result_column {
 extern const struct result_column result_energy_columns[RESULT_ENERGY_COLUMNS];
 extern const struct result_column result_step_columns[RESULT_STEP_COLUMNS];
 
-/* The columns of /series/points/NAME: the time, then RESULT_POINT. */
-extern const struct result_column result_point_columns[1 + RESULT_POINT_FIELDS];
+/* The columns of /series/points/NAME: the time, then CASE_POINT. */
+extern const struct result_column result_point_columns[1 + CASE_POINT_FIELDS];
 
 /* The numbers among the root's attributes: offsets in struct result_file. */
 struct result_scale {

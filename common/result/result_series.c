@@ -54,7 +54,8 @@ static enum status read_series(hid_t parent, const char *link, const char *value
   enum status status = OK;
   s->y = s->size = NAN;
   s->units = strdup(units);
-  CHECK(s->units, ERR_MEMORY, "no memory for a unit");
+  s->help = strdup("");
+  CHECK(s->units && s->help, ERR_MEMORY, "no memory for a unit");
   ATTEMPT(hdf_open_group(parent, link, &group));
   ATTEMPT(hdf_get_string(group, "name", &s->name));
   ATTEMPT(hdf_get_number(group, "x", &s->x));
@@ -82,6 +83,7 @@ static enum status read_diagnostic(hid_t group, const char *link, struct result_
   hid_t set = H5Dopen2(group, link, H5P_DEFAULT);
   if (set < 0) return hdf_raise(ERR_INPUT, "its diagnostic %s cannot be read", link);
   enum status status = hdf_get_string(set, "units", &s->units);
+  if (status == OK) status = hdf_get_string(set, "description", &s->help);
   H5Dclose(set);
   TRY(status);
   return result_read_columns(group, "/series/diagnostics", link, &s->n, &s->t, &s->value);
@@ -120,7 +122,7 @@ static enum status read_point(hid_t parent, const char *link, void *element) {
   ATTEMPT(hdf_get_string(group, "name", &p->name));
   ATTEMPT(hdf_get_number(group, "x", &p->x));
   ATTEMPT(hdf_get_number(group, "y", &p->y));
-  for (int k = 0; k < RESULT_POINT_FIELDS; k++) {
+  for (int k = 0; k < CASE_POINT_FIELDS; k++) {
     free(p->t); /* that of all columns is the same */
     p->t = NULL;
     ATTEMPT(result_read_columns(group, link, result_point_columns[1 + k].name, &p->n, &p->t,
@@ -146,6 +148,7 @@ static void series_destroy(size_t n, struct result_series *s) {
   for (size_t i = 0; i < n; i++) {
     free(s[i].name);
     free(s[i].units);
+    free(s[i].help);
     free(s[i].t);
     free(s[i].value);
   }
@@ -155,7 +158,7 @@ static void series_destroy(size_t n, struct result_series *s) {
 static void point_destroy(struct result_point_read *p) {
   free(p->name);
   free(p->t);
-  for (int k = 0; k < RESULT_POINT_FIELDS; k++) free(p->value[k]);
+  for (int k = 0; k < CASE_POINT_FIELDS; k++) free(p->value[k]);
 }
 
 void result_series_destroy(struct result_file *f) {

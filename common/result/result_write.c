@@ -425,7 +425,7 @@ static enum status create_point(struct result *w, const struct case_point *p, st
   ATTEMPT(named_group(parent, p->name, &group));
   ATTEMPT(hdf_set_number(group, "x", p->x));
   ATTEMPT(hdf_set_number(group, "y", p->y));
-  ATTEMPT(series_create(w, group, 1 + RESULT_POINT_FIELDS, result_point_columns, s));
+  ATTEMPT(series_create(w, group, 1 + CASE_POINT_FIELDS, result_point_columns, s));
 done:
   if (group >= 0) H5Gclose(group);
   if (parent >= 0) H5Gclose(parent);
@@ -435,14 +435,14 @@ done:
 
 static enum status add_point(struct result *w, size_t point, double time, const double *value) {
   struct series *s = &w->points_at[point];
-  double row[1 + RESULT_POINT_FIELDS] = {time};
+  double row[1 + CASE_POINT_FIELDS] = {time};
   if (!s->n_columns) TRY(create_point(w, &w->point[point], s));
-  memcpy(row + 1, value, RESULT_POINT_FIELDS * sizeof *value);
+  memcpy(row + 1, value, CASE_POINT_FIELDS * sizeof *value);
   return series_add(s, row);
 }
 
 enum status result_point(struct result *w, size_t point, double time,
-                         const double value[RESULT_POINT_FIELDS]) {
+                         const double value[CASE_POINT_FIELDS]) {
   return guard(w, add_point(w, point, time, value));
 }
 

@@ -225,7 +225,7 @@ enum status sph_output_step(struct sph_output *o, struct sph *s, double dt) {
 }
 
 static enum status write_points(const struct sph_output *o, const struct sph *s) {
-  double value[RESULT_POINT_FIELDS];
+  double value[CASE_POINT_FIELDS];
   for (size_t k = 0; k < o->c->n_points; k++) {
     const struct case_point *point = &o->c->points[k];
     if (s->steps % (size_t)point->every) continue;

@@ -24,19 +24,19 @@ static double weight(const struct sph *s, double x, double y) {
 
 static void add_particle(const struct sph *s, size_t i, double VW, double *sum) {
   const double y = s->f.w.y[i], stored = s->f.w.rho[i];
-  sum[RESULT_POINT_p] += VW * eos_pressure(&s->eos, eos_driving(&s->eos, stored, y), y);
-  sum[RESULT_POINT_rho] += VW * eos_density(&s->eos, stored, y);
-  sum[RESULT_POINT_u] += VW * s->f.w.u[i];
-  sum[RESULT_POINT_v] += VW * s->f.w.v[i];
-  sum[RESULT_POINT_a_x] += VW * s->f.k[0].u[i];
-  sum[RESULT_POINT_a_y] += VW * s->f.k[0].v[i];
-  sum[RESULT_POINT_cover] += VW;
+  sum[CASE_POINT_p] += VW * eos_pressure(&s->eos, eos_driving(&s->eos, stored, y), y);
+  sum[CASE_POINT_rho] += VW * eos_density(&s->eos, stored, y);
+  sum[CASE_POINT_u] += VW * s->f.w.u[i];
+  sum[CASE_POINT_v] += VW * s->f.w.v[i];
+  sum[CASE_POINT_a_x] += VW * s->f.k[0].u[i];
+  sum[CASE_POINT_a_y] += VW * s->f.k[0].v[i];
+  sum[CASE_POINT_cover] += VW;
 }
 
 void sph_point(const struct sph *s, const struct case_point *point,
-               double value[RESULT_POINT_FIELDS]) {
+               double value[CASE_POINT_FIELDS]) {
   const double reach = s->support * (1 + 1e-9);
-  for (int k = 0; k < RESULT_POINT_FIELDS; k++) value[k] = 0;
+  for (int k = 0; k < CASE_POINT_FIELDS; k++) value[k] = 0;
   for (size_t i = 0; i < s->f.n; i++) {
     const double x = way(&s->tank, 0, point->x, s->f.w.x[i]);
     const double y = way(&s->tank, 1, point->y, s->f.w.y[i]);
@@ -44,7 +44,7 @@ void sph_point(const struct sph *s, const struct case_point *point,
     const double VW = s->f.m[i] / s->f.w.rho[i] * weight(s, x / s->h, y / s->h);
     if (VW > 0) add_particle(s, i, VW, value);
   }
-  const double cover = value[RESULT_POINT_cover];
-  for (int k = 0; k < RESULT_POINT_FIELDS; k++)
-    if (k != RESULT_POINT_cover) value[k] = cover >= LEAST_COVER ? value[k] / cover : NAN;
+  const double cover = value[CASE_POINT_cover];
+  for (int k = 0; k < CASE_POINT_FIELDS; k++)
+    if (k != CASE_POINT_cover) value[k] = cover >= LEAST_COVER ? value[k] / cover : NAN;
 }

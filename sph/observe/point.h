@@ -8,4 +8,4 @@
  * (3.18)), of pressure, density, velocity and acceleration, and sum V W itself. Walls take no part.
  * NaN where sum V W < 0.1. */
 void sph_point(const struct sph *s, const struct case_point *point,
-               double value[RESULT_POINT_FIELDS]);
+               double value[CASE_POINT_FIELDS]);

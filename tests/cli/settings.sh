@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# plunge compare --settings: times, window, tolerances and averages of one's own, checked with line numbers against
-# the results; and what `plunge list` says of variants.
+# plunge compare --settings: times, window, tolerances, averages, filters and spectra of one's own, checked with line
+# numbers against the results; and what `plunge list` says of variants.
 source "$2/tests/cli/begin"
 pretend_gnuplot
 compare() { # wanted exit code
@@ -35,6 +35,17 @@ compare 0
 printf 'compare: {averages: [{probe: P, over: 0.1 sqrt(H/g)}]}\n' >settings.yaml
 compare 0
 grep -q "P (mean over 0.1) against a" own/report.html || fail "the probe is not averaged"
+printf 'compare:\n  filters: [{probe: P, kind: low_pass, period: 0.1}, {probe: P, kind: wall, length: 1}]\n  spectra: [{series: P}]\n' >settings.yaml
+compare 0
+grep -q "P: low pass at periods of 0.2215" own/report.html || fail "the probe is not filtered"
+grep -q '"mean_square": [0-9]' own/report.json || fail "the probe has no spectrum"
+printf 'compare:\n  filters: [{probe: Q, kind: impulse}, {probe: P, kind: low_pass, period: 1}]\n  spectra: [{series: P.p}]\n' >settings.yaml
+compare 2
+diff - log <<'E2' || fail "other messages"
+settings.yaml:2: compare.filters[0].probe: found 'Q'; allowed: one of the probes P
+settings.yaml:2: compare.filters[1].period: found 1 s; allowed: at most the reference's last output, 0.4 s; make it smaller
+settings.yaml:3: compare.spectra[0].series: found 'P.p'; allowed: one of P
+E2
 
 cat >settings.yaml <<'E2'
 compare:

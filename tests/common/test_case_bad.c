@@ -114,10 +114,11 @@ static void test_deep_nesting_is_refused_at_once(void) {
 }
 
 static void test_masses_of_keys_and_anchors_are_refused_at_once(void) {
-  expect_repeat_refusal("key: 1\n", 50000,
-                        "odd.yaml:1: found a mapping of 50000 keys; allowed: a mapping with the "
-                        "keys title, fluid, scales, tank, water, time, probes, gauges, points, runs, "
-                        "compare\n");
+  expect_repeat_refusal(
+      "key: 1\n", 50000,
+      "odd.yaml:1: found a mapping of 50000 keys; allowed: a mapping with the "
+      "keys title, fluid, scales, tank, water, time, probes, gauges, points, runs, "
+      "compare\n");
   expect_repeat_refusal("- &a 1\n", 300000,
                         "odd.yaml:1001: found more than 1000 anchors (&name); allowed: the keys of "
                         "a case; write the values out\n");

@@ -136,8 +136,9 @@ static void test_bad_overrides_get_exact_messages(void) {
       {"time.every=3",
        "--set time.every=3: time.every: found 3 s; allowed: at most time.end, 2 s; make "
        "it smaller\n"},
-      {"tiem.end=3", "--set tiem.end=3: tiem: found an unknown key; allowed: title, fluid, scales, "
-                     "tank, water, time, probes, gauges, points, runs, compare; did you mean 'time'?\n"},
+      {"tiem.end=3",
+       "--set tiem.end=3: tiem: found an unknown key; allowed: title, fluid, scales, "
+       "tank, water, time, probes, gauges, points, runs, compare; did you mean 'time'?\n"},
       {"alpha", "--set alpha: found no 'PATH=VALUE'; allowed: runs.NAME.KEY=VALUE or "
                 "SECTION.KEY=VALUE\n"},
       {"=1",

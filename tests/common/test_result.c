@@ -110,10 +110,10 @@ static void test_series_come_back(void) {
   EXPECT_SAME(f->points[0].x, 2.385);
   EXPECT(f->points[0].n == 5 * OUTPUTS);
   EXPECT_SAME(f->points[0].t[5], sample_time(1) + 0.01);
-  EXPECT_SAME(f->points[0].value[RESULT_POINT_p][5], sample_time(1) + 0.01);
-  EXPECT_SAME(f->points[0].value[RESULT_POINT_u][0], -0.0);
-  EXPECT(isnan(f->points[0].value[RESULT_POINT_v][0]));
-  EXPECT_SAME(f->points[0].value[RESULT_POINT_cover][4], 0.5);
+  EXPECT_SAME(f->points[0].value[CASE_POINT_p][5], sample_time(1) + 0.01);
+  EXPECT_SAME(f->points[0].value[CASE_POINT_u][0], -0.0);
+  EXPECT(isnan(f->points[0].value[CASE_POINT_v][0]));
+  EXPECT_SAME(f->points[0].value[CASE_POINT_cover][4], 0.5);
   result_file_destroy(f);
 }
 

@@ -108,7 +108,7 @@ static void path_in(const char *name, char *out) {
 static bool anyway;
 
 /* Where the test is not about pictures: a gnuplot before the real one that draws nothing. */
-static void gnuplot_pretend(void) {
+static inline void gnuplot_pretend(void) {
   static const char script[] = "#!/bin/sh\n"
                                "printf '%40s' '</svg>' >${2%.gp}.svg\n"
                                "printf '%40s' '%%EOF' >${2%.gp}.pdf\n"
@@ -136,7 +136,7 @@ static struct cmp_verdict compare(struct case_file *settings, struct result_file
   return verdict;
 }
 
-static double value_of(const char *measure, const char *run, double t) {
+static inline double value_of(const char *measure, const char *run, double t) {
   size_t i;
   json_t *row;
   json_array_foreach(json_object_get(report, "measures"), i, row) {

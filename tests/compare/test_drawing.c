@@ -174,10 +174,16 @@ static const struct cmp_graph_column columns[] = {
     {.head = "x [1]", .label = "x"},
     {.head = "y [1]", .label = "y", .log = true, .level = "10"},
     {.head = "it's [1]", .label = "it's", .points = true, .panel = 1}};
-static const struct cmp_graph_curve curves[] = {{"one", 3, rows}, {"other's", 2, rows}};
+static const struct cmp_graph_curve curves[] = {{.name = "one", .n = 3, .row = rows},
+                                                {.name = "other's", .n = 2, .row = rows}};
 
 static enum status graph_draw(const char *name, const char *file) {
-  const struct cmp_graph graph = {name, "Title", 3, 2, columns, curves};
+  const struct cmp_graph graph = {.name = name,
+                                  .title = "Title",
+                                  .n_columns = 3,
+                                  .n_curves = 2,
+                                  .column = columns,
+                                  .curve = curves};
   struct cmp_figures f;
   char path[PATH_MAX];
   path_in(file, path);

@@ -154,12 +154,11 @@ static void test_points_follow_the_steps(void) {
   EXPECT(each->n == 50 && third->n == 17);
   for (size_t i = 0; i < each->n; i++) {
     EXPECT_NEAR(each->t[i], 0.001 * (double)i, 1e-12);
-    EXPECT_NEAR(each->value[RESULT_POINT_v][i], -9.81 * each->t[i], 1e-9); /* it falls freely */
-    EXPECT_NEAR(each->value[RESULT_POINT_a_y][i], -9.81, 1e-9);
-    EXPECT(isnan(a.f->points[2].value[RESULT_POINT_a_y][i]));
+    EXPECT_NEAR(each->value[CASE_POINT_v][i], -9.81 * each->t[i], 1e-9); /* it falls freely */
+    EXPECT_NEAR(each->value[CASE_POINT_a_y][i], -9.81, 1e-9);
+    EXPECT(isnan(a.f->points[2].value[CASE_POINT_a_y][i]));
     if (i % 3) continue;
-    for (int k = 0; k < RESULT_POINT_FIELDS; k++)
-      EXPECT(third->value[k][i / 3] == each->value[k][i]);
+    for (int k = 0; k < CASE_POINT_FIELDS; k++) EXPECT(third->value[k][i / 3] == each->value[k][i]);
   }
   finished_destroy(&a);
 }

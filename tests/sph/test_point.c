@@ -12,7 +12,7 @@ static struct case_point at(double x, double y) {
 static void test_inside_a_lattice_means_are_values(void) {
   struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, precision: double");
   struct sph *s = pool_create(c);
-  double value[RESULT_POINT_FIELDS];
+  double value[CASE_POINT_FIELDS];
   for (size_t i = 0; i < s->f.n; i++) {
     const double x = s->f.w.x[i] - 1.5, y = s->f.w.y[i] - 1.5;
     s->f.w.rho[i] = s->rho0;
@@ -28,13 +28,13 @@ static void test_inside_a_lattice_means_are_values(void) {
   }
   const struct case_point point = at(1.55, 1.4);
   sph_point(s, &point, value);
-  EXPECT_NEAR(value[RESULT_POINT_rho], s->rho0 * 1.01, 1e-9);
-  EXPECT_NEAR(value[RESULT_POINT_p], 0.01 * s->rho0 * s->c0 * s->c0, 1e-6);
-  EXPECT_NEAR(value[RESULT_POINT_u], 2 + 0.05 + 0.3, 1e-12);
-  EXPECT_NEAR(value[RESULT_POINT_v], 1 + 0.2 - 0.5, 1e-12);
-  EXPECT_NEAR(value[RESULT_POINT_a_x], 6 * 1.55, 1e-12);
-  EXPECT_NEAR(value[RESULT_POINT_a_y], -s->g, 1e-12);
-  EXPECT_NEAR(value[RESULT_POINT_cover], 1 / 1.01, 1e-3); /* the lattice's own sum is 1 to 1e-4 */
+  EXPECT_NEAR(value[CASE_POINT_rho], s->rho0 * 1.01, 1e-9);
+  EXPECT_NEAR(value[CASE_POINT_p], 0.01 * s->rho0 * s->c0 * s->c0, 1e-6);
+  EXPECT_NEAR(value[CASE_POINT_u], 2 + 0.05 + 0.3, 1e-12);
+  EXPECT_NEAR(value[CASE_POINT_v], 1 + 0.2 - 0.5, 1e-12);
+  EXPECT_NEAR(value[CASE_POINT_a_x], 6 * 1.55, 1e-12);
+  EXPECT_NEAR(value[CASE_POINT_a_y], -s->g, 1e-12);
+  EXPECT_NEAR(value[CASE_POINT_cover], 1 / 1.01, 1e-3); /* the lattice's own sum is 1 to 1e-4 */
   sph_destroy(s);
   case_destroy(c);
 }
@@ -44,21 +44,21 @@ static void test_inside_a_lattice_means_are_values(void) {
 static void test_cover_tells_edges(void) {
   struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0");
   struct sph *s = pool_create(c);
-  double value[RESULT_POINT_FIELDS];
+  double value[CASE_POINT_FIELDS];
   EXPECT_OK(sph_rates(s, 0, true, true));
   static const double where[][3] = {{1.5, 2, 0.5}, {2, 2, 0.25}};
   for (int k = 0; k < 2; k++) {
     const struct case_point point = at(where[k][0], where[k][1]);
     sph_point(s, &point, value);
-    EXPECT_NEAR(value[RESULT_POINT_cover], where[k][2], 2e-3); /* compressed by its own weight */
-    EXPECT(isfinite(value[RESULT_POINT_p]));
+    EXPECT_NEAR(value[CASE_POINT_cover], where[k][2], 2e-3); /* compressed by its own weight */
+    EXPECT(isfinite(value[CASE_POINT_p]));
   }
   const struct case_point beyond = at(2.1, 2.1), far = at(0.1, 0.1);
   sph_point(s, &beyond, value);
-  EXPECT(value[RESULT_POINT_cover] > 0 && value[RESULT_POINT_cover] < 0.1);
-  EXPECT(isnan(value[RESULT_POINT_p]) && isnan(value[RESULT_POINT_a_y]));
+  EXPECT(value[CASE_POINT_cover] > 0 && value[CASE_POINT_cover] < 0.1);
+  EXPECT(isnan(value[CASE_POINT_p]) && isnan(value[CASE_POINT_a_y]));
   sph_point(s, &far, value);
-  EXPECT(value[RESULT_POINT_cover] == 0 && isnan(value[RESULT_POINT_u]));
+  EXPECT(value[CASE_POINT_cover] == 0 && isnan(value[CASE_POINT_u]));
   sph_destroy(s);
   case_destroy(c);
 }
@@ -71,13 +71,13 @@ static void test_periodic_sides_are_none(void) {
       "1}}\n" POOL_TIMES,
       "resolution: 20, kernel: tensor, h_over_dx: 1, walls: mirror");
   struct sph *s = pool_create(c);
-  double left[RESULT_POINT_FIELDS], right[RESULT_POINT_FIELDS];
+  double left[CASE_POINT_FIELDS], right[CASE_POINT_FIELDS];
   EXPECT_OK(sph_rates(s, 0, true, true));
   const struct case_point ends[] = {at(0, 0.5), at(1, 0.5)};
   sph_point(s, &ends[0], left);
   sph_point(s, &ends[1], right);
-  EXPECT_NEAR(left[RESULT_POINT_cover], 1, 0.01);
-  for (int k = 0; k < RESULT_POINT_FIELDS; k++)
+  EXPECT_NEAR(left[CASE_POINT_cover], 1, 0.01);
+  for (int k = 0; k < CASE_POINT_FIELDS; k++)
     EXPECT_NEAR(left[k], right[k], 1e-12 * fmax(1, fabs(left[k])));
   sph_destroy(s);
   case_destroy(c);
