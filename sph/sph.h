@@ -66,10 +66,13 @@ struct sph_totals {
   double speed;         /* max (|u_i| + h max_j |pi_ij|), m/s */
 };
 
-/* The largest of any step so far, and how many steps were cut short (watch.h). */
+/* The largest of any step so far, how many steps were cut short, and of the last state that was
+ * finite the kinetic energy (J/m) and the budget (watch.h). */
 struct sph_seen {
   double speed, lightest, heaviest; /* m/s, kg m^-3 */
   size_t cut;
+  double kinetic;
+  struct sph_budget budget;
 };
 
 /* What stands for the sums over pairs where the state is no water but the numbers of a linear
