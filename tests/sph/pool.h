@@ -38,14 +38,18 @@ static inline struct sph *pool_create(const struct case_file *c) {
   return s;
 }
 
+/* The next step on the way to t (s), without treatments. */
+static inline enum status pool_step(struct sph *s, double t) {
+  TRY(sph_remove_outside(s));
+  TRY(sph_rates(s, 0, true, true));
+  double dt = sph_timestep(s, t);
+  TRY(sph_step(s, dt));
+  if (t - s->t < 1e-9 * dt) s->t = t;
+  return OK;
+}
+
 static inline enum status pool_march(struct sph *s, double t) {
-  while (s->t < t) {
-    TRY(sph_remove_outside(s));
-    TRY(sph_rates(s, 0, true, true));
-    double dt = sph_timestep(s, t);
-    TRY(sph_step(s, dt));
-    if (t - s->t < 1e-9 * dt) s->t = t;
-  }
+  while (s->t < t) TRY(pool_step(s, t));
   return OK;
 }
 
