@@ -63,6 +63,10 @@ static void use(const struct result_file *f) {
     if (!(f->output_time[k] >= f->output_time[0]) || f->output_points[k] < 0) abort();
   for (size_t k = 0; k < f->n_probes; k++)
     if (!f->probes[k].name || !f->probes[k].units) abort();
+  for (size_t k = 0; k < f->n_points; k++)
+    if (!f->points[k].name || !f->points[k].value[CASE_POINT_cover]) abort();
+  for (size_t k = 0; k < f->n_diagnostics; k++)
+    if (!f->diagnostics[k].help) abort();
   for (size_t k = 0; k < f->n_fields; k++)
     if (!f->fields[k]) abort();
 }

@@ -186,7 +186,7 @@ static const struct param point_rows[] = {
      .max = 1e6,
      .value = "1",
      .help = "steps from one row to the next: sum V f W / sum V W over the particles around it, of "
-             "pressure, density, velocity and acceleration; SPH alone"},
+             "p, rho, u, v, the accelerations a_x, a_y, and sum V W, cover; SPH alone"},
 };
 
 bool case_read_section(struct case_draft *d, int node, const char *path, const struct param *rows,

@@ -2,24 +2,14 @@
  * result file, and the comparator's spectra of them, against the law of the lattice (thesis, 2.4.3;
  * units g = H = rho0 = 1, c^2 = 10). */
 #pragma once
-#include <stdlib.h>
-#include <unistd.h>
-
-#include "cli/registry.h"
-#include "common/base/progress.h"
-#include "common/case/case.h"
 #include "common/flow/modes.h"
-#include "common/result/result.h"
 #include "compare/spectrum.h"
+#include "tests/cli/run_text.h"
 #include "tests/test.h"
 
 /* Two depths off any node, and all steps. */
 static struct result_file *acoustic_run(int n, int resolution, double duration) {
-  char folder[] = "/tmp/plunge-acoustic-XXXXXX", path[64], text[1200];
-  struct problems problems = {0};
-  struct case_file *c = NULL;
-  struct result *out = NULL;
-  struct result_file *f = NULL;
+  char text[1200];
   snprintf(
       text, sizeof text,
       "fluid: {density: 1, gravity: 1}\nscales: {H: 1}\n"
@@ -31,25 +21,7 @@ static struct result_file *acoustic_run(int n, int resolution, double duration) 
       "walls: mirror, diffusion: none, alpha: 0, integrator: rk4, c0: %.17g, cfl_acoustic: "
       "0.8}]\n",
       0.0006 / (2 * M_PI), n, duration, duration, resolution, sqrt(10));
-  EXPECT_OK(case_parse("acoustic.yaml", text, &registry, &problems, &c));
-  for (size_t i = 0; i < problems.n; i++) fprintf(stderr, "%s\n", problems.text[i]);
-  problems_destroy(&problems);
-  if (!c || !mkdtemp(folder)) exit(1);
-  struct progress *progress = progress_create(PROGRESS_QUIET);
-  snprintf(path, sizeof path, "%s/run.h5", folder);
-  EXPECT_OK(result_create(path, c, &c->runs[0], &out));
-  EXPECT_OK(c->runs[0].solver->run(c, &c->runs[0], out, progress));
-  EXPECT_OK(result_finish(out));
-  result_destroy(out);
-  progress_destroy(progress);
-  case_destroy(c);
-  EXPECT_OK(result_read(path, &f));
-  unlink(path);
-  snprintf(path, sizeof path, "%s/run.xdmf", folder);
-  unlink(path);
-  EXPECT(rmdir(folder) == 0);
-  if (!f) exit(1);
-  return f;
+  return run_text(text);
 }
 
 /* omega^2 = (c/h)^2 ([sin(nu h) Wx]^2 + [sin(kappa h) Wy]^2 + 8 theta sin^4(nu h/2)), W = 1 - (2/3)
