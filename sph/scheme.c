@@ -39,8 +39,8 @@ SPH_TREATMENT_CHOICES(CHOICE)
 SPH_TREATMENTS(WORDS)
 #undef WORDS
 
-static const char *const delta_words[] = {"auto", NULL};
-static const char *const delta_word_helps[] = {
+const char *const sph_delta_words[] = {"auto", NULL};
+const char *const sph_delta_word_helps[] = {
     "antuono 0.2, molteni 0.5, ferrari 1 (paper), times (D/w)(gaussian, h/dx = 4/3)/(D/w), with D "
     "the largest decay rate by the diffusion and w the largest frequency of sound on a lattice",
     NULL};
@@ -73,8 +73,8 @@ const struct param sph_params[SPH_N_PARAMS] = {
      "form of the viscous force, whose strength is alpha", viscosity_helps},
     {"diffusion", PARAM_CHOICE, QTY_NUMBER, AT(diffusion), 0, 0, "antuono", diffusion_names,
      "density diffusion in the continuity equation (paper, eqs. 7, 9, 10)", diffusion_helps},
-    {"delta", PARAM_REAL, QTY_NUMBER, AT(delta), 0, 10, "auto", delta_words,
-     "strength of the diffusion", delta_word_helps},
+    {"delta", PARAM_REAL, QTY_NUMBER, AT(delta), 0, 10, "auto", sph_delta_words,
+     "strength of the diffusion", sph_delta_word_helps},
     {"alpha", PARAM_REAL, QTY_NUMBER, AT(alpha), 0, 1, "0.01", NULL,
      "strength of the artificial viscosity (paper, eqs. 1 and 2)", NULL},
     {"c0", PARAM_REAL, QTY_VELOCITY, AT(c0), 1e-6, 1e6, "20 sqrt(gH)", NULL,

@@ -33,6 +33,9 @@ enum { SPH_PRECISION_single, SPH_PRECISION_double };
 enum { SPH_N_PARAMS = 25 + SPH_TREATMENT_PARAMS };
 extern const struct param sph_params[SPH_N_PARAMS];
 
+/* The word that may stand for delta, which then is -1, and what it means. */
+extern const char *const sph_delta_words[], *const sph_delta_word_helps[];
+
 /* delta; or, when it is negative, the usual one of the diffusion with P's kernel (diffusion.h),
  * carried over to this one (theory/scale.h) so that the waves that decay fastest do so as fast
  * against the fastest sound: the bounds (27) and (29) stay in the ratio that P has them in. */

@@ -30,7 +30,7 @@ struct theory_matrix theory_column_step(double courant, double kh, double theta,
   struct theory_matrix z = {
       3,
       {{0, 1, 0}, {m * (-8 * theta * s2 + 2 * I * slope * s1), 0, -I * m * s1}, {0, -I * s1, 0}}};
-  return theory_rk4(&z);
+  return theory_step(&sph_rk4, &z, 0);
 }
 
 struct theory_matrix theory_column_stratified(double courant, double kh, double theta,
@@ -39,5 +39,5 @@ struct theory_matrix theory_column_stratified(double courant, double kh, double 
   double complex q =
       m * (-s1 * s1 - 8 * theta * s2 * s2 - 2 * I * stratification * s1 * (2 - cos(kh)));
   struct theory_matrix z = {2, {{0, 1}, {q, 0}}};
-  return theory_rk4(&z);
+  return theory_step(&sph_rk4, &z, 0);
 }

@@ -4,8 +4,8 @@
  * and likewise of the density. Its matrix, with X = (c dt F)^2 of the shortest wave (|sin kh| = 1)
  * or of a decaying mode, has the eigenvalues
  *     lambda = [1 + X/2 +- sqrt(1 + X - 2 zeta + zeta^2)]/zeta,
- * here taken from the matrix. Waves are stable up to s^2 = 2 sqrt(2 zeta (zeta - 1)), s^2 = -X;
- * without damping (zeta = 1) never. Decaying modes grow with any. */
+ * here those of the solver's step. Waves are stable up to s^2 = 2 sqrt(2 zeta (zeta - 1)), s^2 =
+ * -X; without damping (zeta = 1) never. Decaying modes grow with any. */
 #include <math.h>
 
 #include "theory/linear.h"
@@ -45,8 +45,8 @@ static const struct theory_value values[] = {
 
 /* The step of (y, dt v), with dt^2 v' = X y. */
 static struct theory_matrix step_of(const struct damping *p, double x) {
-  double z = p->zeta;
-  return (struct theory_matrix){2, {{1 + x / (2 * z), 1 / z}, {x / z, 2 / z - 1 + x / (2 * z)}}};
+  struct theory_matrix z = {2, {{0, 1}, {x, 0}}};
+  return theory_step(&sph_damped_pc, &z, 2 * (p->zeta - 1));
 }
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {

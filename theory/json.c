@@ -31,6 +31,8 @@ static json_t *described(struct maker *m, const char *unit, const char *help) {
 
 static json_t *param_value(const struct param *row, const void *params) {
   const char *member = (const char *)params + row->offset;
+  const char *word = theory_param_word(row, params);
+  if (word) return json_string(word);
   switch (row->type) {
   case PARAM_REAL:
     return number(*(const double *)member);

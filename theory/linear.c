@@ -3,6 +3,8 @@
 #include <lapack.h>
 #include <math.h>
 
+#include "sph/time/linear.h"
+
 enum status theory_eigenvalues(const struct theory_matrix *m, double complex *lambda) {
   enum { WORK = 8 * THEORY_LARGEST };
   double complex by_columns[THEORY_LARGEST * THEORY_LARGEST], work[WORK];
@@ -28,24 +30,23 @@ enum status theory_radius(const struct theory_matrix *m, double *radius) {
   return OK;
 }
 
-static struct theory_matrix product(const struct theory_matrix *a, const struct theory_matrix *b) {
-  struct theory_matrix c = {.n = a->n};
-  for (int i = 0; i < c.n; i++)
-    for (int j = 0; j < c.n; j++)
-      for (int k = 0; k < c.n; k++) c.a[i][j] += a->a[i][k] * b->a[k][j];
-  return c;
+struct theory_matrix theory_step(const struct sph_integrator *method, const struct theory_matrix *z,
+                                 double damping) {
+  static const int at[] = {SPH_LINEAR_X, SPH_LINEAR_U, SPH_LINEAR_RHO};
+  struct sph_linear p = {.damping = damping};
+  struct theory_matrix m = {.n = z->n};
+  double complex G[SPH_LINEAR][SPH_LINEAR];
+  for (int i = 0; i < z->n; i++)
+    for (int j = 0; j < z->n; j++) p.K[at[i]][at[j]] = z->a[i][j];
+  sph_linear_step(method, &p, 1, G);
+  for (int i = 0; i < m.n; i++)
+    for (int j = 0; j < m.n; j++) m.a[i][j] = G[at[i]][at[j]];
+  return m;
 }
 
-struct theory_matrix theory_polynomial(const struct theory_matrix *z, int degree, const double *c) {
-  struct theory_matrix sum = {.n = z->n};
-  for (int k = degree; k >= 0; k--) { /* Horner */
-    sum = product(&sum, z);
-    for (int i = 0; i < sum.n; i++) sum.a[i][i] += c[k];
-  }
-  return sum;
-}
-
-struct theory_matrix theory_rk4(const struct theory_matrix *z) {
-  static const double c[] = {1, 1, 1. / 2, 1. / 6, 1. / 24};
-  return theory_polynomial(z, 4, c);
+struct theory_matrix theory_block(const struct theory_matrix *m, int first, int n) {
+  struct theory_matrix part = {.n = n};
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++) part.a[i][j] = m->a[first + i][first + j];
+  return part;
 }

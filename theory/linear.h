@@ -3,6 +3,7 @@
 #include <complex.h>
 
 #include "common/base/status.h"
+#include "sph/time/integrator.h"
 
 enum { THEORY_LARGEST = 4 };
 
@@ -16,7 +17,11 @@ enum status theory_eigenvalues(const struct theory_matrix *m, double complex *la
 /* The largest magnitude of them. */
 enum status theory_radius(const struct theory_matrix *m, double *radius);
 
-/* sum_k c[k] Z^k, k = 0 ... degree: the step of a Runge-Kutta method for dw/dt = G w, Z = G dt. */
-struct theory_matrix theory_polynomial(const struct theory_matrix *z, int degree, const double *c);
-/* That of the classic method of order 4. */
-struct theory_matrix theory_rk4(const struct theory_matrix *z);
+/* What a step of the particle solver's integrator does to w, where dw/dt = Z w in a unit of time
+ * and w is position, velocity and density, or the first two. `damping` is Gamma, of methods that
+ * damp. */
+struct theory_matrix theory_step(const struct sph_integrator *method, const struct theory_matrix *z,
+                                 double damping);
+
+/* Of n variables from the first on, which no other changes. */
+struct theory_matrix theory_block(const struct theory_matrix *m, int first, int n);

@@ -145,9 +145,22 @@ static enum status keys_check(const struct theory_topic *topic, size_t n,
   return OK;
 }
 
+const char *theory_param_word(const struct param *row, const void *params) {
+  const char *member = (const char *)params + row->offset;
+  const bool real = row->type == PARAM_REAL, whole = row->type == PARAM_INT;
+  if (!row->choices || !(real || whole)) return NULL;
+  const double value = real ? *(const double *)member : *(const int *)member;
+  return value < 0 ? row->choices[(int)(-1 - value)] : NULL;
+}
+
 void theory_param_text(const struct theory_curve *c, size_t p, char *out, size_t size) {
   const struct param *row = &c->topic->params[p];
   const char *member = (const char *)c->params + row->offset;
+  const char *word = theory_param_word(row, c->params);
+  if (word) {
+    snprintf(out, size, "%s", word);
+    return;
+  }
   switch (row->type) {
   case PARAM_REAL:
     snprintf(out, size, "%.10g", *(const double *)member);

@@ -64,6 +64,12 @@ enum status theory_row_add(struct theory_curve *curve, size_t n, const double *r
     .key = #member, .type = PARAM_REAL, .offset = offsetof(struct struct_, member), .min = least,  \
     .max = most, .value = standard, .help = text                                                   \
   }
+/* A number, or a word that stands for one (params.h). */
+#define THEORY_REAL_OR(struct_, member, least, most, words, about, standard, text)                 \
+  {                                                                                                \
+    .key = #member, .type = PARAM_REAL, .offset = offsetof(struct struct_, member), .min = least,  \
+    .max = most, .choices = words, .helps = about, .value = standard, .help = text                 \
+  }
 #define THEORY_INT(struct_, member, least, most, standard, text)                                   \
   {                                                                                                \
     .key = #member, .type = PARAM_INT, .offset = offsetof(struct struct_, member), .min = least,   \
@@ -81,6 +87,9 @@ enum status theory_row_add(struct theory_curve *curve, size_t n, const double *r
   .params = params, .n_params = THEORY_COUNT(params), .columns = columns,                          \
   .n_columns = THEORY_COUNT(columns)
 #define THEORY_VALUES .values = values, .n_values = THEORY_COUNT(values)
+
+/* The word that a parameter's value stands for (params.h), or NULL. */
+const char *theory_param_word(const struct param *row, const void *params);
 
 /* The i-th of n points from low to high, both included. */
 double theory_between(double low, double high, int i, int n);

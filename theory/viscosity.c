@@ -43,11 +43,11 @@ static const struct theory_value values[] = {
 };
 
 static enum status growth(const struct viscosity *p, double courant, double kh, double *excess) {
-  static const double midpoint[] = {1, 1, 1. / 2};
   double s = courant * sin(kh);
   double complex one_side = -p->alpha * courant * (1 - cexp(I * kh)) / 2;
   double complex g = p->pairs ? one_side : -2 * p->alpha * courant * pow(sin(kh / 2), 2);
-  struct theory_matrix z = {2, {{0, 1}, {-s * s, g}}}, m = theory_polynomial(&z, 2, midpoint);
+  struct theory_matrix z = {2, {{0, 1}, {-s * s, g}}};
+  struct theory_matrix m = theory_step(&sph_damped_pc, &z, 0); /* which is the midpoint's */
   TRY(theory_radius(&m, excess));
   *excess -= 1;
   return OK;

@@ -7,7 +7,7 @@
 #include "sph/time/chebyshev.h"
 #include "sph/time/stages.h"
 
-enum { X, Y, U, V, RHO };
+enum { X = SPH_LINEAR_X, Y, U, V, RHO };
 
 struct sph_linear sph_linear_sound(double omega) {
   struct sph_linear p = {0};

@@ -10,7 +10,7 @@
 
 #include "sph/time/integrator.h"
 
-enum { SPH_LINEAR = 5 };
+enum { SPH_LINEAR_X, SPH_LINEAR_Y, SPH_LINEAR_U, SPH_LINEAR_V, SPH_LINEAR_RHO, SPH_LINEAR };
 
 struct sph_linear {
   double complex K[SPH_LINEAR][SPH_LINEAR]; /* 1/s; without diffusion */

@@ -44,6 +44,8 @@ mkdir there
 [ "$(ls -A there | wc -l)" = 2 ] || fail "something is left behind: $(ls -A there)"
 
 # ---- what is refused ----
+refuse "plunge: delta: found '-1'; allowed: a number from 0 to 10, or auto" stability --delta -1
+"$program" theory stability --waves 8 --points 2 --json - | grep -q '"delta": "auto"' || fail "no word in JSON"
 refuse "plunge: there is no topic 'dispersoin'; did you mean 'dispersion'?" dispersoin
 refuse "plunge: there is no topic 'zzz'; plunge theory lists them" zzz
 refuse "plunge: alpha: found 'x'; allowed: a number from 0 to 100" dispersion --alpha x

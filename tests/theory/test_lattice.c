@@ -146,6 +146,16 @@ static void test_stable_steps_of_the_solver(void) {
   }
 }
 
+/* The word of a run stands for a number, and for itself where parameters are told. */
+static void test_delta_may_be_auto(void) {
+  struct theory_result r = THEORY("stability", "delta", "auto, 0.5", "diffusion", "molteni",
+                                  "integrator", "rk4", "points", "2", "waves", "8");
+  EXPECT(strcmp(r.curve[0].name, "delta = auto") == 0);
+  EXPECT(value_of(&r, 0, "delta") == 0.5);
+  EXPECT(value_of(&r, 0, "courant_most") == value_of(&r, 1, "courant_most"));
+  theory_result_destroy(&r);
+}
+
 int main(void) {
   RUN(test_symbols_of_diffusion);
   RUN(test_tensor_product_at_its_own_spacing);
@@ -154,5 +164,6 @@ int main(void) {
   RUN(test_figure_2_24);
   RUN(test_sound_on_a_lattice);
   RUN(test_stable_steps_of_the_solver);
+  RUN(test_delta_may_be_auto);
   return TEST_RESULT;
 }

@@ -41,12 +41,12 @@ static double rk4(double z) {
 static void test_amplification_and_courant_limits(void) {
   expect_law("euler", "direct", euler, 0);
   expect_law("predictor-corrector", "direct", heun, 0);
-  expect_law("modified-predictor-corrector", "direct", verlet, 2);
+  expect_law("modified-pc", "direct", verlet, 2);
   expect_law("tvd-rk3", "direct", rk3, sqrt(3));
   expect_law("rk4", "direct", rk4, 2 * sqrt(2));
   expect_law("predictor-corrector", "advanced", heun, 0);
-  expect_law("modified-predictor-corrector", "advanced", heun, 0); /* (2.267) */
-  expect_law("symplectic", "advanced", verlet, 2);
+  expect_law("modified-pc", "advanced", heun, 0); /* (2.267) */
+  expect_law("stoermer-verlet", "advanced", verlet, 2);
   expect_law("rk4", "advanced", rk4, 2 * sqrt(2));
 }
 
@@ -54,8 +54,8 @@ static void test_decaying_modes_grow_in_any_step(void) {
   struct theory_result r =
       THEORY("amplification", "mode", "decaying", "density", "direct, advanced", "points", "20",
              "integrator",
-             "euler, predictor-corrector, modified-predictor-corrector, midpoint, "
-             "tvd-rk3, rk4, symplectic");
+             "euler, predictor-corrector, modified-pc, damped-pc, stoermer-verlet, "
+             "tvd-rk3, rk4");
   EXPECT(r.n == 14);
   for (size_t c = 0; c < r.n; c++) {
     EXPECT(value_of(&r, c, "z_most") == 0);
