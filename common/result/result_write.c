@@ -3,18 +3,17 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "common/case/case.h"
 #include "common/result/health.h"
 #include "common/result/result.h"
 #include "common/result/result_column.h"
 #include "common/result/result_hdf.h"
+#include "common/result/result_header.h"
 #include "common/result/result_layout.h"
 #include "common/result/result_store.h"
 #include "common/result/result_vtkhdf.h"
 #include "common/result/result_xdmf.h"
-#include "revision.h"
 
 enum { SERIES_ROWS = 1024, SURFACE_ROWS = 4096 }; /* of a chunk */
 
@@ -63,128 +62,6 @@ static enum status series_create(struct result *w, hid_t group, size_t n,
 static enum status series_add(struct series *s, const double *row) {
   for (size_t k = 0; k < s->n_columns; k++) TRY(hdf_column_append(s->column[k], 1, &row[k]));
   return OK;
-}
-
-/* ---- the header: what is known before the run ---- */
-
-static enum status write_attributes(hid_t file, const struct case_file *c,
-                                    const struct case_run *r) {
-  char fingerprint[33], water[33], created[32];
-  case_fingerprint(c, r, fingerprint);
-  case_water_fingerprint(c, water);
-  time_t now = time(NULL);
-  strftime(created, sizeof created, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
-  const char *const text[][2] = {{"format", RESULT_FORMAT},
-                                 {"solver", r->solver->name},
-                                 {"run", r->name},
-                                 {"title", c->title},
-                                 {"version", PLUNGE_VERSION},
-                                 {"revision", PLUNGE_REVISION},
-                                 {"fingerprint", fingerprint},
-                                 {"water", water},
-                                 {"created", created}};
-  for (size_t i = 0; i < sizeof text / sizeof *text; i++)
-    TRY(hdf_set_string(file, text[i][0], text[i][1]));
-  TRY(hdf_set_integers(file, "format_version", 1, (int64_t[]){RESULT_FORMAT_VERSION}));
-  TRY(hdf_set_integers(file, "complete", 1, (int64_t[]){0}));
-  struct result_file scales = {.H = c->H,
-                               .g = c->g,
-                               .density = c->density,
-                               .spacing = c->H / r->resolution,
-                               .rest_potential = case_rest_potential(c)};
-  for (int i = 0; i < RESULT_SCALES; i++)
-    TRY(hdf_set_number(file, result_scales[i].name,
-                       *(double *)((char *)&scales + result_scales[i].offset)));
-  return OK;
-}
-
-static enum status write_parameter(hid_t group, const struct param *p, const void *options) {
-  static const char *const units[] = {
-      [QTY_NUMBER] = "1",     [QTY_LENGTH] = "m",       [QTY_TIME] = "s",
-      [QTY_VELOCITY] = "m/s", [QTY_DENSITY] = "kg/m^3", [QTY_ACCELERATION] = "m/s^2"};
-  const char *at = (const char *)options + p->offset;
-  switch (p->type) {
-  case PARAM_REAL:
-    return hdf_put_scalar(group, p->key, H5T_NATIVE_DOUBLE, at, units[p->quantity], p->help);
-  case PARAM_INT:
-    return hdf_put_scalar(group, p->key, H5T_NATIVE_INT, at, "1", p->help);
-  case PARAM_BOOL: {
-    int value = *(const bool *)at;
-    return hdf_put_scalar(group, p->key, H5T_NATIVE_INT, &value, "1", p->help);
-  }
-  case PARAM_CHOICE:
-    return hdf_put_string(group, p->key, p->choices[*(const int *)at], p->help);
-  case PARAM_TEXT: {
-    const char *text = *(char *const *)at;
-    return hdf_put_string(group, p->key, text ? text : "", p->help);
-  }
-  case PARAM_NODE:
-    return OK; /* stands in the case text */
-  }
-  return OK;
-}
-
-static enum status write_parameters(hid_t file, const struct case_run *r) {
-  hid_t group = -1;
-  enum status status = hdf_group_create(file, "parameters", &group);
-  if (status == OK)
-    status = hdf_put_scalar(group, "resolution", H5T_NATIVE_DOUBLE, &r->resolution, "1",
-                            "scale of length H over the particle or node spacing");
-  for (size_t i = 0; i < r->solver->n_params && status == OK; i++)
-    status = write_parameter(group, &r->solver->params[i], r->options);
-  if (group >= 0) H5Gclose(group);
-  return status;
-}
-
-static enum status write_walls(hid_t file, const struct geo_lines *walls) {
-  static const size_t none = 0;
-  hid_t group = -1;
-  enum status status = OK;
-  ATTEMPT(hdf_group_create(file, "walls", &group));
-  ATTEMPT(hdf_put(group, "first_point", H5T_NATIVE_HSIZE, walls->pieces + 1, 0,
-                  walls->first ? walls->first : &none, "1",
-                  "first row of points of each piece, and the end of the last"));
-  ATTEMPT(hdf_put(group, "closed", H5T_NATIVE_UCHAR, walls->pieces, 0, walls->closed, "1",
-                  "1 where the last point of a piece joins its first"));
-  ATTEMPT(hdf_put(group, "points", H5T_NATIVE_DOUBLE, walls->points, 2, walls->p, "m",
-                  "x, y; the water lies on the left"));
-done:
-  if (group >= 0) H5Gclose(group);
-  return status;
-}
-
-/* Pressure at a probe, else lengths: see the units of experiments in the case file. */
-static const char *experiment_units(const struct case_file *c, const char *target) {
-  for (size_t i = 0; i < c->n_probes; i++)
-    if (!strcmp(c->probes[i].name, target)) return "Pa";
-  return "m";
-}
-
-static enum status write_experiment(hid_t parent, size_t number, const struct case_file *c,
-                                    const struct case_experiment *e) {
-  char name[32];
-  snprintf(name, sizeof name, "experiment_%zu", number);
-  hid_t group = -1;
-  enum status status = OK;
-  ATTEMPT(hdf_group_create(parent, name, &group));
-  ATTEMPT(hdf_set_string(group, "label", e->label ? e->label : ""));
-  ATTEMPT(hdf_set_string(group, "source", e->source ? e->source : ""));
-  ATTEMPT(hdf_set_string(group, "target", e->target));
-  ATTEMPT(hdf_put(group, "time", H5T_NATIVE_DOUBLE, e->n, 0, e->t, "s", "time"));
-  ATTEMPT(hdf_put(group, "value", H5T_NATIVE_DOUBLE, e->n, 0, e->value,
-                  experiment_units(c, e->target), "measured value, in the units of its target"));
-done:
-  if (group >= 0) H5Gclose(group);
-  return status;
-}
-
-static enum status write_experiments(hid_t file, const struct case_file *c) {
-  hid_t group = -1;
-  enum status status = hdf_group_create(file, "experiments", &group);
-  for (size_t i = 0; i < c->compare.n_experiments && status == OK; i++)
-    status = write_experiment(group, i + 1, c, &c->compare.experiments[i]);
-  if (group >= 0) H5Gclose(group);
-  return status;
 }
 
 /* ---- the empty datasets that the run fills ---- */
@@ -304,11 +181,7 @@ done:
 
 static enum status create_content(struct result *w, const struct case_file *c,
                                   const struct case_run *r) {
-  TRY(write_attributes(w->file, c, r));
-  TRY(hdf_put_string(w->file, "case", c->text, "the case file as run, with overrides applied"));
-  TRY(write_parameters(w->file, r));
-  TRY(write_walls(w->file, &c->walls));
-  TRY(write_experiments(w->file, c));
+  TRY(result_header_write(w->file, c, r));
   TRY(create_surface(w));
   TRY(create_series(w, c, r->solver));
   TRY(hdf_group_create(w->file, "events", &w->events));

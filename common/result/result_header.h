@@ -1,0 +1,8 @@
+/* What a result file says before the run: attributes, case, parameters, walls, experiments.
+ * Internal. */
+#pragma once
+#include <hdf5.h>
+
+#include "common/case/case.h"
+
+enum status result_header_write(hid_t file, const struct case_file *c, const struct case_run *r);
