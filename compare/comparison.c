@@ -353,3 +353,8 @@ bool cmp_comparison_has_output(const struct comparison *c, size_t time) {
 bool cmp_comparison_has_front(const struct comparison *c) {
   return c->side != CMP_NO_SIDE;
 }
+
+double cmp_comparison_settled(const struct comparison *c) {
+  const struct cmp_value *impact = &c->ref.data.impact.time;
+  return cmp_known(impact) ? impact->value : 0;
+}

@@ -80,5 +80,9 @@ void cmp_comparison_destroy(struct comparison *c);
 /* Whether any run has an output at the comparison time. */
 bool cmp_comparison_has_output(const struct comparison *c, size_t time);
 
+/* From when on medians of noise are taken: the wall impact of the reference, or its first instant.
+ */
+double cmp_comparison_settled(const struct comparison *c);
+
 /* Whether a front runs to a wall in the reference. */
 bool cmp_comparison_has_front(const struct comparison *c);

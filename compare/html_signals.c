@@ -180,16 +180,52 @@ static bool is_known(const struct comparison *c, size_t before, const char *name
   return false;
 }
 
+/* A row of a diagnostic: the median in each run that has any. */
+static void median_row(struct page *p, const struct comparison *c, const struct result_series *s,
+                       struct cmp_html_reasons *why) {
+  const double from = cmp_comparison_settled(c);
+  cmp_page_open(p, "tr", NULL);
+  cmp_page_open(p, "th", "t");
+  cmp_page_attribute(p, "title", s->help);
+  cmp_page_text(p, "%s", s->name);
+  cmp_page_close(p);
+  for (size_t i = 0; i <= c->n_runs; i++) {
+    const struct cmp_data *d = &cmp_run_or_ref(c, i ? i - 1 : SIZE_MAX)->data;
+    if (!d->n_diagnostics || (i && !cmp_run_is_picked(c, i - 1, CMP_NAMED))) continue;
+    const struct cmp_series *own = cmp_series_find(d->diagnostics, d->n_diagnostics, s->name);
+    struct cmp_value median = cmp_unknown("the run has no series of that name");
+    if (own) {
+      const struct cmp_signal signal = cmp_series_signal(own);
+      median = cmp_signal_median(&signal, from);
+    }
+    cmp_html_value(p, &median, why);
+  }
+  cmp_html_cell(p, "t", "%s", s->help);
+  cmp_page_close(p);
+}
+
 void cmp_html_diagnostics(struct page *p, const struct comparison *c) {
-  cmp_page_open(p, "dl", NULL);
+  struct cmp_html_reasons why = {0};
+  cmp_page_element(p, "h3", NULL, "Medians from t* = %.4g on", cmp_comparison_settled(c));
+  cmp_html_table_open(p);
+  cmp_page_open(p, "tr", NULL);
+  cmp_page_element(p, "th", "t", "number");
+  for (size_t i = 0; i <= c->n_runs; i++) {
+    const size_t r = i ? i - 1 : SIZE_MAX;
+    if (cmp_run_or_ref(c, r)->data.n_diagnostics && (!i || cmp_run_is_picked(c, r, CMP_NAMED)))
+      cmp_html_run(p, c, r);
+  }
+  cmp_page_element(p, "th", "t", "what it is");
+  cmp_page_close(p);
   for (size_t i = 0; i <= c->n_runs; i++) {
     const struct result_file *f = cmp_run_or_ref(c, i ? i - 1 : SIZE_MAX)->data.file;
-    for (size_t k = 0; k < f->n_diagnostics; k++) {
-      const struct result_series *s = &f->diagnostics[k];
-      if (is_known(c, i, s->name)) continue;
-      cmp_page_element(p, "dt", NULL, "%s", s->name);
-      cmp_page_element(p, "dd", NULL, "%s", s->help);
-    }
+    for (size_t k = 0; k < f->n_diagnostics; k++)
+      if (!is_known(c, i, f->diagnostics[k].name)) median_row(p, c, &f->diagnostics[k], &why);
   }
-  cmp_page_close(p);
+  cmp_html_table_close(p);
+  cmp_page_element(
+      p, "p", "soft",
+      "From the reference's wall impact on, where it has one. In the units of the "
+      "figures: momenta in ρH²√(gH), angular momenta in ρH³√(gH), numbers as they are.");
+  cmp_html_reasons_list(p, &why);
 }

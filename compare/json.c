@@ -247,6 +247,19 @@ static json_t *spectra(struct maker *m, const struct comparison *c, const struct
   return array;
 }
 
+/* Medians of what the run says of its noise and momenta. */
+static json_t *diagnostics(struct maker *m, const struct comparison *c, const struct cmp_data *d) {
+  json_t *object = json_object(), *medians = json_object();
+  const double from = cmp_comparison_settled(c);
+  set(m, object, "from", number(from));
+  for (size_t k = 0; k < d->n_diagnostics; k++) {
+    const struct cmp_signal s = cmp_series_signal(&d->diagnostics[k]);
+    set_named(m, medians, d->diagnostics[k].name, cmp_signal_median(&s, from).value);
+  }
+  set(m, object, "medians", medians);
+  return object;
+}
+
 static json_t *run_object(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
   json_t *object = provenance(m, &run->data), *evolution = json_object(), *jets = json_array();
   const struct cmp_evolution *e = &run->evolution;
@@ -283,6 +296,7 @@ static json_t *run_object(struct maker *m, const struct comparison *c, const str
   set_value(m, object, "budget_closure_before_impact", &run->closure_before);
   set_value(m, object, "volume_change", &run->volume);
   set(m, object, "signals", pairs(m, c, run));
+  if (run->data.n_diagnostics) set(m, object, "diagnostics", diagnostics(m, c, &run->data));
   set(m, object, "filters", filters(m, c, run));
   set(m, object, "spectra", spectra(m, c, run));
   return object;

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
+
 /* Index i of the row with t[i] <= t < t[i + 1]; n - 1 at the very end. */
 static size_t row_before(const struct cmp_signal *s, double t) {
   size_t low = 0, high = s->n;
@@ -71,6 +73,19 @@ enum status cmp_signal_average(const struct cmp_signal *s, double over, double *
   free(p.area);
   free(p.gaps);
   return status;
+}
+
+struct cmp_value cmp_signal_median(const struct cmp_signal *s, double from) {
+  double *v = malloc((s->n + 1) * sizeof *v);
+  size_t n = 0;
+  if (!v) return cmp_unknown("no memory for %zu rows", s->n);
+  for (size_t i = 0; i < s->n; i++)
+    if (s->t[i] >= from && isfinite(s->value[i])) v[n++] = s->value[i];
+  qsort(v, n, sizeof *v, array_ascending);
+  struct cmp_value median = n ? cmp_number((v[(n - 1) / 2] + v[n / 2]) / 2)
+                              : cmp_unknown("no rows from t* = %.4g on", from);
+  free(v);
+  return median;
 }
 
 static void peak_find(const struct cmp_signal *s, double from, double to,

@@ -32,6 +32,9 @@ double cmp_signal_at(const struct cmp_signal *s, double t);
  * sampled. The mean over a gap is a gap; over = 0 gives the values themselves. mean [n]. */
 enum status cmp_signal_average(const struct cmp_signal *s, double over, double *mean);
 
+/* Of the rows from `from` on; unknown where there is none. */
+struct cmp_value cmp_signal_median(const struct cmp_signal *s, double from);
+
 void cmp_signal_measure(const struct cmp_signal *s, double from, double to, double threshold,
                         struct cmp_signal_alone *m);
 

@@ -254,5 +254,5 @@ enum status cmp_stacks_write(const struct comparison *c, struct cmp_figures *f) 
   return stack_write(c, f, diagnostics_of, true,
                      &(struct page_of){CMP_SECTION_DIAGNOSTICS, "diagnostics",
                                        "What the runs say of their noise, compression and momenta "
-                                       "at every sample; below, what each is."});
+                                       "at every sample; the table says what each is."});
 }

@@ -104,6 +104,15 @@ static void test_spectra_have_their_peaks(void) {
   EXPECT(json_array_size(json_object_get(of_run("spectra", 1), "peaks")) == 0); /* a constant */
 }
 
+/* Of 1e-3 exp(2 t) from 0 to 4: in the middle. No front runs to a wall here. */
+static void test_medians_are_in_the_middle(void) {
+  json_t *run = json_array_get(json_object_get(report, "runs"), 0);
+  json_t *d = json_object_get(run, "diagnostics");
+  EXPECT(number_in(d, "from") == 0);
+  EXPECT_NEAR(number_in(json_object_get(d, "medians"), "noise_x"), 1e-3 * exp(4), 1e-9);
+  EXPECT(json_object_get(json_object_get(report, "reference"), "diagnostics") == NULL);
+}
+
 static bool is_there(const char *name) {
   char path[PATH_MAX];
   path_in(name, path);
@@ -159,6 +168,7 @@ int main(void) {
   EXPECT(json_equal(before, json_object_get(report, "measures"))); /* nothing that is compared */
   RUN(test_filters_stand_beside);
   RUN(test_spectra_have_their_peaks);
+  RUN(test_medians_are_in_the_middle);
   RUN(test_figures_are_there);
   json_decref(before);
   json_decref(report);
