@@ -30,6 +30,7 @@ FAMILY(continuity, SPH_CONTINUITIES)
 FAMILY(viscosity, SPH_VISCOSITIES)
 FAMILY(diffusion, SPH_DIFFUSIONS)
 FAMILY(free_surface, SPH_FREE_SURFACES)
+FAMILY(slip, SPH_SLIPS)
 #define CHOICE(key, LIST, first, help) FAMILY(key, LIST)
 SPH_TREATMENT_CHOICES(CHOICE)
 #undef CHOICE
@@ -85,8 +86,9 @@ const struct param sph_params[SPH_N_PARAMS] = {
     {"integrator", PARAM_CHOICE, QTY_NUMBER, AT(integrator), 0, 0, "auto", sph_integrator_names,
      "time integration (paper, IV; rk4-frozen is eq. 25)", sph_integrator_helps},
     {"walls", PARAM_CHOICE, QTY_NUMBER, AT(walls), 0, 0, "ghost", sph_wall_names,
-     "free-slip walls: fixed ghost particles (paper), or mirror images, which do no work",
-     sph_wall_helps},
+     "walls: fixed ghost particles (paper), or mirror images, which do no work", sph_wall_helps},
+    {"slip", PARAM_CHOICE, QTY_NUMBER, AT(slip), 0, 0, "free", slip_names,
+     "of water along walls, as viscosity has it", slip_helps},
     {"precision", PARAM_CHOICE, QTY_NUMBER, AT(precision), 0, 0, "single", precision_names,
      "of the sums over neighbours; all else is double", precision_helps},
     {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,

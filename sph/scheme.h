@@ -6,10 +6,10 @@
 struct sph_scheme {
   int preset; /* which one the others come from (presets.h) */
   int kernel, eos, derivative, momentum, continuity, viscosity, diffusion; /* pair/, enumerations */
-  int free_surface, integrator, walls; /* indices into their lists */
-  int precision;                       /* of the sums over pairs */
-  int every[SPH_TREATMENT_COUNT];      /* steps; 0: never; < 0: a word */
-#define X(key, ...) int key;           /* of treatments */
+  int free_surface, integrator, walls, slip; /* indices into their lists */
+  int precision;                             /* of the sums over pairs */
+  int every[SPH_TREATMENT_COUNT];            /* steps; 0: never; < 0: a word */
+#define X(key, ...) int key;                 /* of treatments */
   SPH_TREATMENT_NUMBERS(X)
   SPH_TREATMENT_CHOICES(X)
 #undef X
@@ -30,7 +30,7 @@ struct sph_scheme {
 
 enum { SPH_PRECISION_single, SPH_PRECISION_double };
 
-enum { SPH_N_PARAMS = 25 + SPH_TREATMENT_PARAMS };
+enum { SPH_N_PARAMS = 26 + SPH_TREATMENT_PARAMS };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* The word that may stand for delta, which then is -1, and what it means. */

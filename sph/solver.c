@@ -10,6 +10,7 @@
 #include "common/flow/flow.h"
 #include "common/result/result.h"
 #include "sph/domain/fitted.h"
+#include "sph/domain/wall.h"
 #include "sph/estimate.h"
 #include "sph/fluid/energy.h"
 #include "sph/observe/diagnose.h"
@@ -191,6 +192,12 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
         problems, case_run_line(r, "free_surface"),
         "runs.%s.free_surface: found 'fitted' with regions of water, whose outline no row of "
         "particles follows; allowed: with water.wave; leave the line out",
+        r->name);
+  if (c->gravity == 0 && sph_walls[o->walls] == &sph_wall_mirror_exponential)
+    problems_add(
+        problems, case_run_line(r, "walls"),
+        "runs.%s.walls: found 'mirror-exponential' without gravity, whose pressure it goes "
+        "on with below the bed; allowed: with gravity; write walls: mirror-plain",
         r->name);
   if (!c->rectangular)
     problems_add(

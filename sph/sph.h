@@ -41,6 +41,7 @@ struct sph_wall_particles {
   size_t n;
   double *x, *y;         /* m, [n], sorted by grid cell, owned */
   struct sph_pack *pack; /* [n], owned */
+  struct sph_pack *drag; /* [n], as viscosity has them at walls without slip, else NULL; owned */
   struct sph_vector *G;  /* [n], as the water's, owned */
   struct sph_grid grid;
   void *data; /* of the treatment */

@@ -1,12 +1,22 @@
-/* Moving mirror images with free slip (Colagrossi & Landrini, J. Comput. Phys. 191, 2003), for a
- * tank with upright sides and a flat bed.
+/* Moving mirror images (Colagrossi & Landrini, J. Comput. Phys. 191, 2003), for a tank with upright
+ * sides and a flat bed.
  *
- * Every particle of water j near a wall has an image there (images.h), with its volume, its
- * velocity with the normal component reversed, and p_j' = p_j + rho_j f . (r_j' - r_j): beside an
- * upright wall the same pressure, below the bed 2 d rho g more. In a corner there is a third image,
- * mirrored in both walls. In still water the images continue the linear pressure through the wall,
- * and its renormalised gradient, whose excess over the hydrostatic one is reflected like a
- * velocity, as the fixed ghosts do (ghost.c).
+ * Every particle of water j near a wall has an image there (images.h), with its volume and its
+ * velocity with the normal component reversed: beside an upright wall with its pressure, too. In a
+ * corner there is a third image, mirrored in both walls. Below the bed, at the distance d from it,
+ * the pressure goes on in one of three ways:
+ *
+ *   mirror-plain         p_j' = p_j, with which the lowest row of still water starts to fall, until
+ *                        it is near enough to its own images
+ *   mirror               p_j' = p_j + 2 d rho_j g, linearly, where rho_j is rho0 in the momentum
+ *                        equation `reference`: then rho' is T's (4.44), rho_j + 2 d rho0 g/c0^2
+ *   mirror-exponential   by dp/dy = -rho g and the equation of state. The same to first order in
+ *                        d g/c0^2; where sound is slow, rho0 g d/c0^2 is not small, and water that
+ *                        starts as rho0 exp(-g y/c0^2) rests on no other
+ *
+ * In still water the last two continue the pressure through the wall, and its renormalised
+ * gradient, whose excess over the hydrostatic one is reflected like a velocity, as the fixed ghosts
+ * do (ghost.c); plain images reflect all of it.
  *
  * Upright walls do no work, whatever the noise. Particle i meets the image j' exactly when j meets
  * i', and the way from j to i' is the way from i to j' mirrored and turned round: with R the
@@ -57,12 +67,7 @@ static enum status make_room(struct sph *s) {
   struct mirror *m = s->w.data;
   if (m->copies.n <= m->room) return OK;
   m->room = m->copies.n + m->copies.n / 2;
-  free(s->w.pack);
-  free(s->w.G);
-  s->w.pack = NULL;
-  s->w.G = NULL;
-  TRY(sph_allocate(m->room, sizeof *s->w.G, &s->w.G));
-  return sph_allocate(m->room, sizeof *s->w.pack, &s->w.pack);
+  return sph_wall_make_packs(s, m->room);
 }
 
 /* A pair of water and image is at most the support apart, so that either is at most that far from
@@ -89,7 +94,24 @@ static bool has_image(const struct sph *s, const struct sph_images *t, const str
          sph_images_counts(t, a->motion, j->x, j->y);
 }
 
-static void mirror_fill(struct sph *s) {
+/* How the pressure goes on below the bed. */
+enum continuation { PLAIN, LINEAR, EXPONENTIAL };
+
+/* Of the image at height y. */
+SPECIALISE double pressure_at(const struct sph *s, enum continuation c, const struct sph_pack *j,
+                              double y) {
+  switch (c) {
+  case PLAIN:
+    return j->p;
+  case LINEAR:
+    return j->p + sph_weight(s, j->rho, j->y) * (j->y - y);
+  case EXPONENTIAL:
+    return eos_driving_below(&s->eos, j->p, j->y - y);
+  }
+  __builtin_unreachable();
+}
+
+SPECIALISE void fill(struct sph *s, enum continuation c) {
   const struct mirror *m = s->w.data;
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < s->w.n; k++) {
@@ -101,7 +123,7 @@ static void mirror_fill(struct sph *s) {
     sph_motion_turn(motion, j->u, j->v, &u, &v);
     x += motion->at[0];
     y += motion->at[1];
-    const double p = j->p + sph_weight(s, j->rho, j->y) * (j->y - y);
+    const double p = pressure_at(s, c, j, y);
     s->w.pack[k] = (struct sph_pack){.x = x,
                                      .y = y,
                                      .u = u,
@@ -109,19 +131,27 @@ static void mirror_fill(struct sph *s) {
                                      .p = p,
                                      .V = has_image(s, &m->images, a) ? j->V : 0,
                                      .rho = eos_stored(&s->eos, p, y)};
+    sph_wall_hold(s, k, j->u, j->v);
   }
 }
 
-static void mirror_fill_gradients(struct sph *s) {
+/* The gradient at rest of what is reflected, and of its image, Pa/m; their excess is alike. */
+SPECIALISE double gradient_at_rest(const struct sph *s, enum continuation c,
+                                   const struct sph_pack *a) {
+  return c == PLAIN ? 0 : -sph_weight(s, a->rho, a->y);
+}
+
+SPECIALISE void fill_gradients(struct sph *s, enum continuation c) {
   const struct mirror *m = s->w.data;
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < s->w.n; k++) {
     const struct sph_copy *a = &m->copies.copy[k];
     const struct sph_vector *G = &s->G[a->of];
     struct sph_vector *w = &s->w.G[k];
-    const double weight = -sph_weight(s, s->pack[a->of].rho, s->pack[a->of].y);
-    sph_motion_turn(sph_images_motion(&m->images, a->motion), G->x, G->y - weight, &w->x, &w->y);
-    w->y += weight;
+    const struct sph_pack *j = &s->pack[a->of];
+    const double rest = gradient_at_rest(s, c, j);
+    sph_motion_turn(sph_images_motion(&m->images, a->motion), G->x, G->y - rest, &w->x, &w->y);
+    w->y += c == EXPONENTIAL ? gradient_at_rest(s, c, &s->w.pack[k]) : rest;
   }
 }
 
@@ -134,11 +164,21 @@ static void mirror_destroy(struct sph *s) {
   free(m);
 }
 
-const struct sph_wall sph_wall_mirror = {
-    .create = mirror_create,
-    .list = mirror_list,
-    .fill = mirror_fill,
-    .fill_gradients = mirror_fill_gradients,
-    .destroy = mirror_destroy,
-    .moving = true,
-};
+#define MIRROR(variant, continuation)                                                              \
+  static void variant##_fill(struct sph *s) {                                                      \
+    fill(s, continuation);                                                                         \
+  }                                                                                                \
+  static void variant##_fill_gradients(struct sph *s) {                                            \
+    fill_gradients(s, continuation);                                                               \
+  }                                                                                                \
+  const struct sph_wall sph_wall_##variant = {                                                     \
+      .create = mirror_create,                                                                     \
+      .list = mirror_list,                                                                         \
+      .fill = variant##_fill,                                                                      \
+      .fill_gradients = variant##_fill_gradients,                                                  \
+      .destroy = mirror_destroy,                                                                   \
+      .moving = true,                                                                              \
+  };
+MIRROR(mirror_plain, PLAIN)
+MIRROR(mirror, LINEAR)
+MIRROR(mirror_exponential, EXPONENTIAL)

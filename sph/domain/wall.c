@@ -3,13 +3,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define X(variant, help) &sph_wall_##variant,
+#define X(variant, name, help) &sph_wall_##variant,
 const struct sph_wall *const sph_walls[] = {SPH_WALLS(X)};
 #undef X
-#define X(variant, help) #variant,
+#define X(variant, name, help) name,
 const char *const sph_wall_names[] = {SPH_WALLS(X) NULL};
 #undef X
-#define X(variant, help) help,
+#define X(variant, name, help) help,
 const char *const sph_wall_helps[] = {SPH_WALLS(X)};
 #undef X
 
@@ -28,6 +28,29 @@ enum status sph_wall_create(struct sph *s, const struct geo_lines *all) {
 done:
   geo_lines_destroy(&walls);
   return status;
+}
+
+enum status sph_wall_make_packs(struct sph *s, size_t n) {
+  free(s->w.pack);
+  free(s->w.drag);
+  free(s->w.G);
+  s->w.pack = s->w.drag = NULL;
+  s->w.G = NULL;
+  TRY(sph_allocate(n, sizeof *s->w.G, &s->w.G));
+  if (s->scheme.slip == SPH_SLIP_no) TRY(sph_allocate(n, sizeof *s->w.drag, &s->w.drag));
+  return sph_allocate(n, sizeof *s->w.pack, &s->w.pack);
+}
+
+void sph_wall_begin(struct sph *s) {
+  if (s->wall && s->wall->begin) s->wall->begin(s);
+}
+
+void sph_wall_rates(struct sph *s, int stage) {
+  if (s->wall->rates) s->wall->rates(s, stage);
+}
+
+void sph_wall_advance(struct sph *s, const double *weights, int stages, double dt) {
+  if (s->wall && s->wall->advance) s->wall->advance(s, weights, stages, dt);
 }
 
 bool sph_lip_at(const struct sph *s, const double *x, const double *y, const double *over,
@@ -109,6 +132,7 @@ void sph_wall_destroy(struct sph *s) {
   free(s->w.x);
   free(s->w.y);
   free(s->w.pack);
+  free(s->w.drag);
   free(s->w.G);
   sph_grid_destroy(&s->w.grid);
   s->w = (struct sph_wall_particles){0};

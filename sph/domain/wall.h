@@ -1,6 +1,7 @@
 /* Treatments of solid walls. Each one makes wall particles and sets their states before every pair
- * loop; the loops know nothing else about walls. Adding one: one file, one line in wall.c. */
+ * loop; the loops know nothing else about walls. Adding one: one file, one line in this one. */
 #pragma once
+#include "sph/family.h"
 #include "sph/sph.h"
 
 struct sph_wall {
@@ -14,9 +15,16 @@ struct sph_wall {
   /* s->w.G, where the diffusion needs it: after that of the water, which needs s->w.pack; or NULL,
    * and then `fill` does it. */
   void (*fill_gradients)(struct sph *s);
+  /* Where the density of wall particles evolves, else NULL: the start of a step; its rate, once the
+   * packs of a stage are filled; and the state that is at the start, and dt times the weighted sum
+   * of the rates of so many stages. */
+  void (*begin)(struct sph *s);
+  void (*rates)(struct sph *s, int stage);
+  void (*advance)(struct sph *s, const double *weights, int stages, double dt);
   void (*destroy)(struct sph *s);
-  double layer; /* width of the meniscus beside it, particle spacings; see gauge.h */
-  bool moving;  /* the wall particles, no faster than the water */
+  double layer;    /* width of the meniscus beside it, particle spacings; see gauge.h */
+  bool moving;     /* the wall particles, no faster than the water */
+  bool undiffused; /* they take no part in the diffusion of the density */
 };
 
 /* Water at the top of a wall sees the wall particles behind it only through the wall: those towards
@@ -35,20 +43,62 @@ struct sph_lip {
 bool sph_lip_at(const struct sph *s, const double *x, const double *y, const double *over,
                 struct sph_lip *lip);
 
-/* X(variant, help). */
+/* X(variant, what a case calls it, help). */
 #define SPH_WALLS(X)                                                                               \
-  X(ghost, "fixed ghost particles with free slip (Marrone et al. 2011)")                           \
-  X(mirror, "mirror images of the water with free slip (Colagrossi & Landrini 2003)")
+  X(ghost, "ghost",                                                                                \
+    "fixed ghost particles, with p + rho f.(r_g - r) fitted to the water at their mirror points "  \
+    "(Marrone et al. 2011)")                                                                       \
+  X(mirror, "mirror",                                                                              \
+    "mirror images of the water, below the bed with p* = p + 2 d rho g, d the distance from it; "  \
+    "rho g is what the momentum equation has, with momentum: reference rho0 g (thesis, eqs. "      \
+    "(4.42) to (4.44))")                                                                           \
+  X(mirror_plain, "mirror-plain",                                                                  \
+    "mirror images of the water with p* = p (Colagrossi & Landrini 2003): the lowest row of "      \
+    "water at rest starts to fall, by 0.56 g with the radial spline")                              \
+  X(mirror_exponential, "mirror-exponential",                                                      \
+    "mirror images of the water, below the bed by dp/dy = -rho g and the equation of state: rho* " \
+    "= rho exp(2 d g/c0^2) where that is linear")                                                  \
+  X(dynamic, "dynamic",                                                                            \
+    "fixed particles with a density by the continuity equation, p >= 0, from which water keeps "   \
+    "a spacing or two away (Crespo et al. 2007)")
 
-#define X(variant, help) extern const struct sph_wall sph_wall_##variant;
+#define X(variant, name, help) extern const struct sph_wall sph_wall_##variant;
 SPH_WALLS(X)
 #undef X
+
+#define SPH_SLIPS(X, ...)                                                                          \
+  X(free, "wall particles move along the wall as the water does: no friction", ##__VA_ARGS__)      \
+  X(no,                                                                                            \
+    "in the viscous force alone wall particles move as -u, so that water stands at the wall; the " \
+    "divergence keeps the mirrored velocity (Marrone et al. 2013)",                                \
+    ##__VA_ARGS__)
+SPH_FAMILY(sph_slip, SPH_SLIP, SPH_SLIPS);
 
 extern const struct sph_wall *const sph_walls[];
 extern const char *const sph_wall_names[]; /* NULL-terminated */
 extern const char *const sph_wall_helps[]; /* what each is */
 
 enum status sph_wall_create(struct sph *s, const struct geo_lines *walls);
+
+/* Makes s->w.pack, s->w.G and, where there is no slip, s->w.drag of n particles. ERR_MEMORY. */
+enum status sph_wall_make_packs(struct sph *s, size_t n);
+
+/* Walls without slip: where water at the mirror point of wall particle k has the velocity (u, v),
+ * viscosity finds the opposite there. In the continuity equation wall particles keep the reflected
+ * velocity R u, which pressure takes no work from (mirror.c): with -u, whose divergence along the
+ * wall is the wrong way round, the two would exchange energy that is nobody's. Water that the wall
+ * holds has that velocity at the wall, too, since u = 0 there. */
+static inline void sph_wall_hold(const struct sph *s, size_t k, double u, double v) {
+  if (!s->w.drag) return;
+  s->w.drag[k] = s->w.pack[k];
+  s->w.drag[k].u = -u;
+  s->w.drag[k].v = -v;
+}
+
+/* The density of wall particles, where it evolves (above), goes with the water's. */
+void sph_wall_begin(struct sph *s);
+void sph_wall_rates(struct sph *s, int stage);
+void sph_wall_advance(struct sph *s, const double *weights, int stages, double dt);
 
 /* After a step, brings back water that crossed a wall, and marks that which went over the top. */
 void sph_wall_confine(struct sph *s);

@@ -91,6 +91,25 @@ SPECIALISE double eos_driving_of(const struct eos *e, double pressure, double y)
   return e->law == SPH_EOS_dynamic ? pressure - eos_weight(e, y) : pressure;
 }
 
+/* The pressure that drives, `drop` (m) below where it is `driving`, in water at rest: from dp/dy =
+ * -rho g, as far as gravity is left beside it. */
+SPECIALISE double eos_driving_below(const struct eos *e, double driving, double drop) {
+  const double c2 = e->c0 * e->c0, q = e->g * drop / c2;
+  switch (e->law) {
+  case SPH_EOS_linear:
+  case SPH_EOS_split:
+    return driving + (e->rho0 * c2 + driving) * expm1(q);
+  case SPH_EOS_tait: { /* (rho/rho0)^6 grows by 6 q */
+    const double r = exp(log1p(larger(7 * driving / (e->rho0 * c2), 1e-7 - 1)) / 7);
+    const double below = larger(pow(r, 6) + 6 * q, 1e-7);
+    return e->rho0 * c2 / 7 * expm1(7. / 6 * log(below));
+  }
+  case SPH_EOS_dynamic:
+    return driving;
+  }
+  __builtin_unreachable();
+}
+
 /* What is left of gravity beside the pressure that drives, m s^-2. */
 SPECIALISE double eos_gravity(const struct eos *e) {
   return e->law == SPH_EOS_dynamic ? 0 : e->g;

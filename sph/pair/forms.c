@@ -1,6 +1,7 @@
 #include "sph/pair/forms.h"
 
 #include "sph/domain/fitted.h"
+#include "sph/domain/wall.h"
 #include "sph/pair/continuity.h"
 #include "sph/pair/derivative.h"
 #include "sph/pair/diffusion.h"
@@ -80,6 +81,19 @@ static bool is_relaxed_fit(const struct sph_scheme *o) {
   return is_fitted(o) && o->strength[SPH_CORRECTION_tensile] > 0;
 }
 
+static bool is_steep_image(const struct sph_scheme *o) {
+  return o->momentum == SPH_MOMENTUM_reference &&
+         sph_walls[o->walls] == &sph_wall_mirror_exponential;
+}
+
+static bool is_summed_beside_walls(const struct sph_scheme *o) {
+  return sums(o) && sph_walls[o->walls] == &sph_wall_dynamic;
+}
+
+static bool is_held_by_nothing(const struct sph_scheme *o) {
+  return o->slip == SPH_SLIP_no && o->alpha == 0;
+}
+
 static const struct {
   bool (*wrong)(const struct sph_scheme *o);
   const char *key, *text; /* what follows "found " */
@@ -114,6 +128,16 @@ static const struct {
     {is_relaxed_fit, "tensile",
      "a correction of the forces of pairs with a derivative that is a fit and has none; allowed: "
      "0; leave the line out"},
+    {is_steep_image, "walls",
+     "mirror-exponential with momentum: reference, with which water rests on a linear pressure, of "
+     "slope rho0 g (thesis, eqs. (4.26) to (4.28)); allowed: mirror; write walls: mirror"},
+    {is_summed_beside_walls, "walls",
+     "dynamic, whose densities follow the continuity equation, beside water whose densities are "
+     "sums over the neighbours (thesis, eqs. (2.16), (3.18)); allowed: any other walls; write "
+     "walls: mirror"},
+    {is_held_by_nothing, "slip",
+     "no slip without viscosity, the only force by which walls hold water; allowed: with alpha "
+     "above 0; give it or leave the line out"},
     {is_treated_sum, "continuity",
      "densities that are sums over the neighbours at each instant, and forget the "
      "re-initialisation that this run asks for; allowed: divergence, absolute, mass, reference; "

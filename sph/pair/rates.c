@@ -201,6 +201,29 @@ static struct sph_totals totals_of(const struct sph *s, size_t at, const struct 
   return t;
 }
 
+/* Where walls have no slip, viscosity has sums of its own. */
+static void sum_walls(const struct sph *s, const struct evaluation *how, enum sph_diffusion d,
+                      const struct sph_targets *i, const struct sph_near *walls,
+                      struct sph_rates_sums *b) {
+  const struct sph_loops *loops = sph_loops_of(&s->scheme);
+  /* A particle that comes through the wall meets its own image at no distance: nearer than h/100
+   * that must not stop the clock. */
+  const double soft2 = s->wall->moving ? 1e-4 : 1e-24;
+  const enum sph_diffusion at_walls =
+      s->wall->undiffused ? SPH_DIFFUSION_none : diffusion_at_walls(d);
+  loops->rates(s, &(struct sph_rates_how){at_walls, how->bounds, soft2}, i, walls, b);
+  if (!s->w.drag) return;
+  struct sph_near held = *walls;
+  struct sph_rates_sums a;
+  held.pack = s->w.drag;
+  loops->rates(s, &(struct sph_rates_how){SPH_DIFFUSION_none, how->bounds, soft2}, i, &held, &a);
+  for (int l = 0; l < SPH_LANES; l++) {
+    b->vx[l] = a.vx[l];
+    b->vy[l] = a.vy[l];
+    b->pi_most[l] = larger(a.pi_most[l], b->pi_most[l]);
+  }
+}
+
 static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
   const struct evaluation *how = wanted;
   const struct sph_loops *loops = sph_loops_of(&s->scheme);
@@ -212,14 +235,9 @@ static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
   water.G = s->G;
   struct sph_rates_sums a, b = {0};
   loops->rates(s, &(struct sph_rates_how){d, how->bounds, 1e-24}, &i, &water, &a);
-  /* A particle that comes through the wall meets its own image at no distance: nearer than h/100
-   * that must not stop the clock. */
-  const double soft2 = s->wall->moving ? 1e-4 : 1e-24;
   struct sph_lip lip;
   const struct sph_near walls = sph_near_walls(s, cluster, &lip);
-  if (walls.n)
-    loops->rates(s, &(struct sph_rates_how){diffusion_at_walls(d), how->bounds, soft2}, &i, &walls,
-                 &b);
+  if (walls.n) sum_walls(s, how, d, &i, &walls, &b);
 
   struct effects e;
   effects_of(s, s->f.w.rho + at, &a, &b, &e);
@@ -282,6 +300,7 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
     if (s->wall->fill_gradients) s->wall->fill_gradients(s);
   }
   sph_each_cluster(s, cluster_rates, &how);
+  sph_wall_rates(s, stage);
   add_totals(s);
   s->evaluations++;
   return OK;

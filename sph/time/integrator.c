@@ -68,6 +68,7 @@ static enum status start_again(struct sph *s, int attempt) {
   enum status status = attempt > MOST_ATTEMPTS ? refuse(s) : OK;
   copy_state(s->f.n, &s->f.w, &s->f.w0);
   sph_particles_pad(&s->f);
+  sph_wall_advance(s, NULL, 0, 0);
   TRY(status);
   TRY(sph_neighbours_widen(s));
   TRY(sph_rates(s, 0, true, false));
@@ -80,6 +81,7 @@ enum status sph_step(struct sph *s, double dt) {
   struct sph_totals spent;
   bool held = false;
   copy_state(s->f.n, &s->f.w0, &s->f.w);
+  sph_wall_begin(s);
   for (int attempt = 1; !held; attempt++) {
     if (attempt > 1) TRY(start_again(s, attempt));
     spent = (struct sph_totals){0};

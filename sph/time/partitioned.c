@@ -19,6 +19,7 @@
 #include "sph/time/integrator.h"
 #include "sph/time/stages.h"
 
+#include "sph/domain/wall.h"
 #include "sph/pair/rates.h"
 
 /* Sums of rates, to be added to what a field was at the start. */
@@ -61,6 +62,7 @@ static void set_state(struct sph *s, const struct sph_row *row, int r, double dt
   SET(y, row->x, 1, row->own, f->w.v);
   SET(rho, row->rho, 1, 0, NULL);
   sph_particles_pad(f);
+  sph_wall_advance(s, row->rho, r, dt);
 }
 
 /* Powers that velocities lose with their weights at the end of the step, and diffusion, which

@@ -1,5 +1,6 @@
 #include "sph/time/rk.h"
 
+#include "sph/domain/wall.h"
 #include "sph/pair/rates.h"
 
 _Static_assert(SPH_MAX_STAGES == 4, "combine adds four terms at most");
@@ -49,6 +50,7 @@ static void set_state(struct sph *s, const double *weights, int stages, double d
 #undef X
   }
   sph_particles_pad(f);
+  sph_wall_advance(s, weights, stages, dt);
 }
 
 static void spend(struct sph_totals *spent, double weight, const struct sph_totals *t) {

@@ -71,6 +71,16 @@ static inline enum status pool_march(struct sph *s, double t) {
   "tank: {walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]}\n"                            \
   "water: {regions: [[[0, 0], [2 H, 0], [2 H, H], [0, H]]], pressure: released}\n" POOL_TIMES
 
+/* Whether wall particles have what the water has at their mirror points. */
+static inline bool pool_reflects(const char *walls) {
+  return strcmp(walls, "dynamic") != 0;
+}
+
+/* Whether they go on with the pressure of still water, so that it stays still. */
+static inline bool pool_holds_still(const char *walls) {
+  return pool_reflects(walls) && strcmp(walls, "mirror-plain") != 0;
+}
+
 static inline double pool_random(void) { /* in [-1, 1), the same at every run */
   static uint64_t state = 2385;
   state = state * 6364136223846793005u + 1442695040888963407u;
