@@ -41,29 +41,30 @@ static enum status open_theory(const struct case_file *c, const struct case_run 
   return flow_open(c, (struct flow_use){.order = o->order}, w);
 }
 
-/* "a standing wave": those that have a theory. */
-static void name_waves(size_t n, char out[]) {
-  size_t at = (size_t)snprintf(out, n, "a");
-  const char *before = " ";
-  for (size_t i = 0; i < flow_waves.n && at < n; i++) {
-    if (!flow_has_theory(flow_waves.flow[i])) continue;
-    at += (size_t)snprintf(out + at, n - at, "%s%s", before, flow_wave_names[i]);
-    before = " or ";
-  }
-  if (at < n) snprintf(out + at, n - at, " wave");
+/* " standing or airy": those of a list that have a theory. */
+static void name_known(const struct flow_list *l, size_t n, char out[]) {
+  size_t at = 0;
+  for (size_t i = 0; i < l->n && at < n; i++)
+    if (flow_has_theory(l->flow[i]))
+      at += (size_t)snprintf(out + at, n - at, "%s%s", at ? " or " : " ", flow_name(l->flow[i]));
+}
+
+static const char *unknown_water(const struct flow *f) {
+  return flow_is_wave(f)   ? "a wave that no theory follows"
+         : flow_is_body(f) ? "a body that no theory follows"
+                           : "regions of water";
 }
 
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
   struct flow_water w;
   if (!flow_has_theory(c->flow)) {
-    char waves[256];
-    name_waves(sizeof waves, waves);
+    char waves[128], bodies[128];
+    name_known(&flow_waves, sizeof waves, waves);
+    name_known(&flow_bodies, sizeof bodies, bodies);
     problems_add(problems, case_run_line(r, "solver"),
-                 "runs.%s.solver: found 'exact' with %s; allowed: %s; give water.wave or take "
-                 "another solver",
-                 r->name,
-                 flow_is_wave(c->flow) ? "a wave that no theory follows" : "regions of water",
-                 waves);
+                 "runs.%s.solver: found 'exact' with %s; allowed: a%s wave, or a%s; give "
+                 "water.wave or water.body, or take another solver",
+                 r->name, unknown_water(c->flow), waves, bodies);
     return;
   }
   double error = NAN;
@@ -97,7 +98,8 @@ static enum status pressure_of(void *solver, const struct case_probe *probe, dou
 
 static enum status elevation_of(void *solver, const struct case_gauge *gauge, double *elevation) {
   const struct moment *m = solver;
-  *elevation = flow_elevation(m->w, gauge->x, m->t);
+  const bool stands = flow_is_wave(m->w->c->flow);
+  *elevation = stands ? flow_elevation(m->w, gauge->x, m->t) : NAN; /* a body is above the bed */
   return OK;
 }
 
@@ -133,9 +135,27 @@ static void points_destroy(struct surface_points *s) {
   geo_lines_destroy(&s->line);
 }
 
+/* Of the surface at t = 0, m: from wall to wall, or round a body. */
+static double length_of(const struct case_file *c) {
+  return flow_is_wave(c->flow) ? tank_width(c) : geo_piece_length(&c->water, 0);
+}
+
+/* The first of n points is at the left wall, the last at the right one. */
+static void place_on_surface(const struct flow_water *w, size_t i, size_t n, double t,
+                             double p[2]) {
+  const struct geo_box *tank = &w->c->tank;
+  if (flow_is_body(w->c->flow)) {
+    w->c->flow->rim(w, (double)i / (double)n, t, p);
+    return;
+  }
+  double f = (double)i / (double)(n - 1);
+  p[0] = tank->min[0] * (1 - f) + tank->max[0] * f;
+  p[1] = flow_elevation(w, p[0], t);
+}
+
 static enum status points_create(struct surface_points *s, const struct case_file *c,
                                  double resolution) {
-  s->n = (size_t)ceil(tank_width(c) / c->H * resolution) + 1;
+  s->n = (size_t)ceil(length_of(c) / c->H * resolution) + flow_is_wave(c->flow);
   double *all = malloc(5 * s->n * sizeof *all);
   CHECK(all, ERR_MEMORY, "no memory for %zu surface points", s->n);
   s->x = all;
@@ -148,13 +168,13 @@ static enum status points_create(struct surface_points *s, const struct case_fil
 
 static enum status write_output(const struct flow_water *w, double t, struct surface_points *s,
                                 struct result *out) {
-  const struct geo_box *tank = &w->c->tank;
   geo_lines_clear(&s->line);
-  TRY(geo_lines_begin(&s->line, false));
+  TRY(geo_lines_begin(&s->line, flow_is_body(w->c->flow)));
   for (size_t i = 0; i < s->n; i++) {
-    double f = (double)i / (double)(s->n - 1), velocity[2];
-    s->x[i] = tank->min[0] * (1 - f) + tank->max[0] * f;
-    s->y[i] = flow_elevation(w, s->x[i], t);
+    double at[2], velocity[2];
+    place_on_surface(w, i, s->n, t, at);
+    s->x[i] = at[0];
+    s->y[i] = at[1];
     s->phi[i] = flow_potential(w, s->x[i], s->y[i], t);
     flow_velocity(w, s->x[i], s->y[i], t, velocity);
     s->u[i] = velocity[0];
@@ -216,7 +236,7 @@ done:
  * 0.8 ms a sample, 3 kB a point. */
 static void estimate(const struct case_file *c, const struct case_run *r,
                      struct solver_estimate *e) {
-  e->points = ceil(r->resolution * tank_width(c) / c->H);
+  e->points = ceil(r->resolution * length_of(c) / c->H);
   e->unit = "points";
   e->bytes = 30e6 + 3000 * e->points;
   e->seconds = c->end / c->every * e->points * 3e-6 + c->end / c->sample * 0.8e-3;
@@ -224,7 +244,7 @@ static void estimate(const struct case_file *c, const struct case_run *r,
 
 const struct solver exact_solver = {
     .name = "exact",
-    .help = "wave theory, where it knows how the water goes on",
+    .help = "theory, where it knows how a wave or a body of water goes on",
     .params = params,
     .n_params = sizeof params / sizeof *params,
     .options_size = sizeof(struct options),

@@ -50,9 +50,23 @@ static enum status march(const struct case_file *c, struct sph *s, struct sph_ou
   return OK;
 }
 
+/* On the outline at t = 0, where bodies move fastest, m/s. */
+static double outline_speed(const struct case_file *c) {
+  struct flow_water w;
+  double u[2], most = 0;
+  if (flow_open(c, (struct flow_use){0}, &w) == OK)
+    for (size_t i = 0; i < c->water.points; i++) {
+      flow_velocity(&w, c->water.p[i][0], c->water.p[i][1], 0, u);
+      most = fmax(most, hypot(u[0], u[1]));
+    }
+  flow_close(&w);
+  return most;
+}
+
 /* About what the water can reach, m/s: the tip of a dam break on a dry bed. */
 static double reachable_speed(const struct case_file *c) {
   if (!c->water.pieces) return 0;
+  if (flow_is_body(c->flow)) return outline_speed(c);
   struct geo_box w = geo_lines_box(&c->water);
   return 2 * sqrt(c->gravity * (w.max[1] - c->tank.min[1])) + hypot(c->velocity[0], c->velocity[1]);
 }

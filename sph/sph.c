@@ -174,6 +174,7 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   s->seen = (struct sph_seen){.lightest = INFINITY};
   s->c0 = o->c0;
   s->g = c->gravity;
+  if (c->flow->pull) s->pull = c->flow->pull(c);
   s->eos = (struct eos){(enum sph_eos)o->eos, s->rho0, s->c0, s->g, level_at_rest(c)};
   s->adjoint = sph_forms_adjoint(o);
   s->dx = c->H / resolution;

@@ -2,7 +2,7 @@
  * Colagrossi & Marrone, "On the use of numerical diffusive terms in weakly-compressible SPH
  * schemes"). SI units; energies per metre of width.
  *
- *   V = m / rho,  r_ji = r_j - r_i,  body force f = (0, -g) */
+ *   V = m / rho,  r_ji = r_j - r_i,  body force f = (0, -g), and what pulls the flow together */
 #pragma once
 #include <stdbool.h>
 #include <stddef.h>
@@ -10,6 +10,7 @@
 
 #include "common/base/geometry.h"
 #include "common/base/status.h"
+#include "common/flow/flow.h"
 #include "common/tank/tank.h"
 #include "sph/domain/period.h"
 #include "sph/fluid/drift.h"
@@ -88,6 +89,7 @@ struct sph {
   struct sph_scheme scheme;
   struct sph_scale scale;    /* of its kernel */
   double rho0, c0, g, dx, h; /* kg m^-3, m/s, m s^-2, m, m */
+  struct flow_pull pull;
   struct eos eos;
   bool adjoint;   /* momentum and continuity exchange energy exactly (forms.h) */
   double support; /* m, radius of the kernel */

@@ -23,12 +23,15 @@ static const struct unit {
     {"sqrt(gH)", QTY_VELOCITY, 1, 0.5, 0.5},
     {"kg/m^3", QTY_DENSITY, 1, 0, 0},
     {"m/s^2", QTY_ACCELERATION, 1, 0, 0},
+    {"1/s", QTY_RATE, 1, 0, 0},
+    {"sqrt(g/H)", QTY_RATE, 1, -0.5, 0.5},
 };
 enum { N_UNITS = sizeof units / sizeof *units };
 
 static const char *const quantity_names[] = {
     [QTY_NUMBER] = "number",     [QTY_LENGTH] = "length",   [QTY_TIME] = "time",
     [QTY_VELOCITY] = "velocity", [QTY_DENSITY] = "density", [QTY_ACCELERATION] = "acceleration",
+    [QTY_RATE] = "rate",
 };
 
 /* The length of the decimal number at the start of `s`: digits with sign, point and exponent. Not

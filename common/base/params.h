@@ -20,7 +20,15 @@ enum param_type {
 
 /* The dimension of a PARAM_REAL; a value may be given with a unit: "0.266 H", "6 sqrt(H/g)",
  * "20 mm", "12 sqrt(gH)". A bare number is in SI. */
-enum quantity { QTY_NUMBER, QTY_LENGTH, QTY_TIME, QTY_VELOCITY, QTY_DENSITY, QTY_ACCELERATION };
+enum quantity {
+  QTY_NUMBER,
+  QTY_LENGTH,
+  QTY_TIME,
+  QTY_VELOCITY,
+  QTY_DENSITY,
+  QTY_ACCELERATION,
+  QTY_RATE
+};
 
 struct param {
   const char *key;

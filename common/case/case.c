@@ -139,11 +139,11 @@ static void print_section(FILE *out, const char *name, const struct param *param
   fputc('\n', out);
 }
 
-static void print_waves(FILE *out) {
+static void print_kinds(FILE *out, const char *section, const struct flow_list *l) {
   char name[96];
-  for (size_t i = 0; i < flow_waves.n; i++) {
-    snprintf(name, sizeof name, "water.wave of kind %s", flow_wave_names[i]);
-    print_section(out, name, flow_waves.flow[i]->params, flow_waves.flow[i]->n_params);
+  for (size_t i = 0; i < l->n; i++) {
+    snprintf(name, sizeof name, "%s of kind %s", section, flow_name(l->flow[i]));
+    print_section(out, name, l->flow[i]->params, l->flow[i]->n_params);
   }
 }
 
@@ -153,7 +153,8 @@ void case_print_keys(FILE *out) {
   for (size_t i = 0; i < 3; i++)
     for (const struct case_table *t = lists[i]; t->name; t++) {
       print_section(out, t->name, t->params, t->n);
-      if (!strcmp(t->name, "water.wave")) print_waves(out);
+      if (!strcmp(t->name, "water.wave")) print_kinds(out, t->name, &flow_waves);
+      if (!strcmp(t->name, "water.body")) print_kinds(out, t->name, &flow_bodies);
     }
 }
 

@@ -157,10 +157,12 @@ static void check_regions(struct case_draft *d) {
 
 void case_flow_problem(struct case_draft *d, const char *key, const char *found,
                        const char *allowed, const char *todo) {
-  bool wave = flow_is_wave(d->c->flow);
-  int node = wave ? case_doc_member(&d->doc, d->at.water, "wave") : d->at.water;
+  const struct flow *f = d->c->flow;
+  const char *form = flow_is_wave(f) ? "wave" : flow_is_body(f) ? "body" : NULL;
+  int node = form ? case_doc_member(&d->doc, d->at.water, form) : d->at.water;
   char path[CASE_PATH];
-  snprintf(path, sizeof path, "water%s%s%s", wave ? ".wave" : "", key ? "." : "", key ? key : "");
+  snprintf(path, sizeof path, "water%s%s%s%s", form ? "." : "", form ? form : "", key ? "." : "",
+           key ? key : "");
   case_doc_problem(&d->doc,
                    key ? case_doc_member_line(&d->doc, node, key) : case_doc_line(&d->doc, node),
                    path, found, allowed, todo);
@@ -171,7 +173,7 @@ static void check_tank_of_wave(struct case_draft *d) {
   const struct case_file *c = d->c;
   const struct flow_scale scale = c->flow->scale(c);
   double height = c->tank.max[1] - c->tank.min[1], crest = scale.depth + scale.amplitude;
-  char found[96], allowed[128], todo[96];
+  char found[96], allowed[128];
   if (!c->rectangular) {
     case_flow_problem(d, NULL, "a wave in a tank that is not rectangular",
                       "one wall: down the left side, along a flat bed, up the right side",
@@ -191,31 +193,58 @@ static void check_tank_of_wave(struct case_draft *d) {
     snprintf(allowed, sizeof allowed, "up to the walls' top, %.6g m", height);
     case_flow_problem(d, "depth", found, allowed, "make the walls higher");
   }
-  if (c->velocity[0] != 0 || c->velocity[1] != 0) {
-    snprintf(todo, sizeof todo, "remove it: a %s wave %s", flow_name(c->flow),
-             c->flow->at_rest ? "starts at rest" : "has its own");
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "velocity"),
-                     "water.velocity", "a velocity with a wave", "a velocity of regions", todo);
-  }
 }
 
-static void check_wave(struct case_draft *d) {
+static void check_tank_of_body(struct case_draft *d) {
   const struct case_file *c = d->c;
-  if (d->good.tank) check_tank_of_wave(d);
+  if (!c->rectangular)
+    case_flow_problem(d, NULL, "a body in a tank that is not rectangular",
+                      "one wall: down the left side, along a flat bed, up the right side",
+                      "change tank.walls or give water.regions");
+  if (c->gravity > 0)
+    case_flow_problem(d, "kind", "a body under gravity", "a body that floats",
+                      "set fluid.gravity to 0 and give scales.g");
+}
+
+/* The water's own, if it has a form. */
+static void check_no_velocity(struct case_draft *d) {
+  const struct case_file *c = d->c;
+  const char *noun = flow_is_wave(c->flow) ? "wave" : "body";
+  char found[96], todo[96];
+  if (c->velocity[0] == 0 && c->velocity[1] == 0) return;
+  snprintf(found, sizeof found, "a velocity with a %s", noun);
+  if (flow_is_wave(c->flow))
+    snprintf(todo, sizeof todo, "remove it: a %s wave %s", flow_name(c->flow),
+             c->flow->at_rest ? "starts at rest" : "has its own");
+  else
+    snprintf(todo, sizeof todo, "remove it: a %s has its own", flow_name(c->flow));
+  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "velocity"),
+                   "water.velocity", found, "a velocity of regions", todo);
+}
+
+static void check_form(struct case_draft *d) {
+  const struct case_file *c = d->c;
+  if (d->good.tank) {
+    if (flow_is_wave(c->flow))
+      check_tank_of_wave(d);
+    else
+      check_tank_of_body(d);
+    check_no_velocity(d);
+  }
   if (c->flow->check) c->flow->check(c, d);
 }
 
-/* Regions choose their pressure; it is the waves' own. */
+/* Regions choose their pressure; it is the own of waves and bodies. */
 static void check_pressure(struct case_draft *d) {
   const struct case_file *c = d->c;
   const char *name = flow_region_names[d->pressure];
   char found[96], allowed[96];
-  if (!flow_is_wave(c->flow)) {
+  if (!c->flow->scale) {
     if (c->flow->check) c->flow->check(c, d);
     return;
   }
   if (d->pressure == 0) return;
-  snprintf(found, sizeof found, "'%s' with a wave", name);
+  snprintf(found, sizeof found, "'%s' with a %s", name, flow_is_wave(c->flow) ? "wave" : "body");
   snprintf(allowed, sizeof allowed, "%s for regions of water in a rectangular tank", name);
   case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "pressure"),
                    "water.pressure", found, allowed, "write hydrostatic");
@@ -237,8 +266,8 @@ void case_check_geometry(struct case_draft *d) {
                      "periodic sides of one wall: down the left side, along a flat bed, up the "
                      "right side",
                      "change tank.walls or write walls");
-  if (d->good.water && flow_is_wave(c->flow))
-    check_wave(d);
+  if (d->good.water && c->flow->scale)
+    check_form(d);
   else if (d->good.water)
     check_regions(d);
   d->good.shapes = d->good.water && d->good.tank && d->doc.faults == faults;

@@ -72,7 +72,7 @@ static void write_form(FILE *out, const struct flow *flow, const void *form) {
     if (flow->params[i].type != PARAM_REAL) params_write(out, &flow->params[i], 1, form);
 }
 
-/* A wave by its parameters: its outline is only as fine as this version draws it. */
+/* Waves and bodies by their parameters: an outline is only as fine as this version draws it. */
 static void write_water(FILE *out, const struct case_file *c) {
   const double scales[] = {c->density, c->gravity, c->H};
   write_rounded(out, "scales", 3, scales);
@@ -80,8 +80,8 @@ static void write_water(FILE *out, const struct case_file *c) {
   if (c->periodic[0]) fputs("periodic sides\n", out);
   if (c->periodic[1]) fputs("periodic bed\n", out);
   if (c->gravity == 0) fprintf(out, "g %.12g\n", c->g);
-  if (flow_is_wave(c->flow)) {
-    fprintf(out, "wave %zu\n", 1 + flow_place(c->flow));
+  if (c->flow->scale) {
+    fprintf(out, "%s %zu\n", flow_is_wave(c->flow) ? "wave" : "body", 1 + flow_place(c->flow));
     write_form(out, c->flow, c->form);
     return;
   }

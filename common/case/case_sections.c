@@ -118,11 +118,12 @@ static const struct param tank_rows[] = {
 };
 
 struct water_section {
-  int regions, wave, velocity, pressure;
+  int regions, wave, body, velocity, pressure;
 };
 static const struct param water_rows[] = {
     NODE(struct water_section, regions, "", "a list of regions, each a list of points [x, y]"),
     NODE(struct water_section, wave, "", "a mapping with kind and the keys of that kind"),
+    NODE(struct water_section, body, "", "a mapping with kind and the keys of that kind"),
     NODE(struct water_section, velocity, "", "a list of 2 velocities [u, v]"),
     {.key = "pressure",
      .type = PARAM_CHOICE,
@@ -133,18 +134,35 @@ static const struct param water_rows[] = {
      .helps = flow_region_helps},
 };
 
-struct wave_section {
+struct form_section {
   int kind;
 };
 static const struct param wave_rows[] = {
     {.key = "kind",
      .type = PARAM_CHOICE,
-     .offset = offsetof(struct wave_section, kind),
+     .offset = offsetof(struct form_section, kind),
      .choices = flow_wave_names,
      .value = "standing",
      .help = "kind of wave",
      .helps = flow_wave_helps},
 };
+static const struct param body_rows[] = {
+    {.key = "kind",
+     .type = PARAM_CHOICE,
+     .offset = offsetof(struct form_section, kind),
+     .choices = flow_body_names,
+     .help = "kind of body, which floats without gravity in the middle of the tank",
+     .helps = flow_body_helps},
+};
+
+/* Water that a form of its own describes. */
+static const struct form_list {
+  const char *path;
+  const struct param *rows; /* one: the kind */
+  const struct flow_list *flows;
+  const char *const *names;
+} form_of_waves = {"water.wave", wave_rows, &flow_waves, flow_wave_names},
+  form_of_bodies = {"water.body", body_rows, &flow_bodies, flow_body_names};
 
 static const struct param time_rows[] = {
     REAL(struct case_file, end, QTY_TIME, PARAM_ABOVE_0, 1e9, NULL, "last output time"),
@@ -210,26 +228,26 @@ static enum status read_tank(struct case_draft *d) {
   return OK;
 }
 
-/* The kind that a wave says it is, or nearly says: it decides which keys there are. */
-static const struct flow *kind_of_wave(struct case_draft *d, int wave) {
-  const char *text = case_doc_text(&d->doc, case_doc_member(&d->doc, wave, "kind"));
-  const char *name = text ? param_nearest(text, flow_waves.n, flow_wave_names) : NULL;
-  for (size_t i = 0; name && i < flow_waves.n; i++)
-    if (!strcmp(flow_wave_names[i], name)) return flow_waves.flow[i];
-  return flow_waves.flow[0];
+/* The kind that a form says it is, or nearly says: it decides which keys there are. */
+static const struct flow *kind_of_form(struct case_draft *d, int node, const struct form_list *l) {
+  const char *text = case_doc_text(&d->doc, case_doc_member(&d->doc, node, "kind"));
+  const char *name = text ? param_nearest(text, l->flows->n, l->names) : NULL;
+  for (size_t i = 0; name && i < l->flows->n; i++)
+    if (!strcmp(l->names[i], name)) return l->flows->flow[i];
+  return l->flows->flow[0];
 }
 
-static enum status read_wave(struct case_draft *d, int wave) {
-  const struct flow *flow = kind_of_wave(d, wave);
+static enum status read_form(struct case_draft *d, int node, const struct form_list *l) {
+  const struct flow *flow = kind_of_form(d, node, l);
   struct case_file *c = d->c;
-  struct wave_section s = {0};
+  struct form_section s = {0};
   case_release_form(c);
   c->flow = flow;
   c->form = array_memory(NULL, 1, flow->params_size, "parameters of a flow");
   if (!c->form) return ERR_MEMORY;
-  struct case_block blocks[] = {{wave_rows, ROWS(wave_rows), &s, NULL},
+  struct case_block blocks[] = {{l->rows, 1, &s, NULL},
                                 {flow->params, flow->n_params, c->form, NULL}};
-  case_doc_read(&d->doc, wave, "water.wave", case_doc_line(&d->doc, wave), ROWS(blocks), blocks);
+  case_doc_read(&d->doc, node, l->path, case_doc_line(&d->doc, node), ROWS(blocks), blocks);
   return OK;
 }
 
@@ -242,14 +260,17 @@ static enum status read_water(struct case_draft *d) {
   if (d->at.water && case_read_section(d, d->at.water, "water", water_rows, ROWS(water_rows), &s)) {
     d->pressure = s.pressure;
     c->flow = flow_regions.flow[s.pressure];
-    if (!s.regions == !s.wave)
+    const int given = !!s.regions + !!s.wave + !!s.body;
+    if (given != 1)
       case_doc_problem(&d->doc, case_doc_line(&d->doc, d->at.water), "water",
-                       s.wave ? "both regions and wave" : "neither regions nor wave",
-                       "either regions or wave", s.wave ? "remove one" : "add one");
+                       given ? "more than one of regions, wave and body" : "no water",
+                       "one of regions, wave and body", given ? "remove the others" : "add it");
     else if (s.regions)
       TRY(read_lines(&d->doc, s.regions, "water.regions", 3, true, &c->water));
+    else if (s.wave)
+      TRY(read_form(d, s.wave, &form_of_waves));
     else
-      TRY(read_wave(d, s.wave));
+      TRY(read_form(d, s.body, &form_of_bodies));
     if (s.velocity)
       case_read_pair(&d->doc, s.velocity, "water.velocity", &speed, "velocities [u, v]",
                      c->velocity);
@@ -267,8 +288,8 @@ static enum status find_H(struct case_draft *d) {
   enum status status = read_tank(d);
   if (status == OK) status = read_water(d);
   if (doc->faults == faults)
-    d->c->H = flow_is_wave(d->c->flow) ? d->c->flow->scale(d->c).depth
-                                       : geo_lines_box(&d->c->water).max[1] - d->c->tank.min[1];
+    d->c->H = d->c->flow->scale ? d->c->flow->scale(d->c).depth
+                                : geo_lines_box(&d->c->water).max[1] - d->c->tank.min[1];
   bool missed = doc->H_missed;
   problems_destroy(&unheard);
   doc->problems = told;
@@ -363,6 +384,7 @@ const struct case_table case_section_tables[] = {
     {"tank", tank_rows, ROWS(tank_rows)},
     {"water", water_rows, ROWS(water_rows)},
     {"water.wave", wave_rows, ROWS(wave_rows)},
+    {"water.body", body_rows, ROWS(body_rows)},
     {"time", time_rows, ROWS(time_rows)},
     {"probes (a list)", probe_rows, ROWS(probe_rows)},
     {"gauges (a list)", gauge_rows, ROWS(gauge_rows)},
@@ -393,7 +415,7 @@ enum status case_read_sections(struct case_draft *d) {
       SECTION(fluid, "", "a mapping with density, gravity"),
       SECTION(scales, "", "a mapping with H, g"),
       SECTION(tank, NULL, "a mapping with walls, sides, bed"),
-      SECTION(water, NULL, "a mapping with regions or wave"),
+      SECTION(water, NULL, "a mapping with regions, wave or body"),
       SECTION(time, NULL, "a mapping with end, every, sample"),
       SECTION(probes, "", "a list of probes"),
       SECTION(gauges, "", "a list of gauges"),
@@ -426,7 +448,7 @@ enum status case_read_sections(struct case_draft *d) {
 
   TRY(read_tank(d));
   TRY(read_water(d));
-  if (d->good.tank && d->good.water && flow_is_wave(c->flow)) TRY(flow_outline(c, &c->water));
+  if (d->good.tank && d->good.water && c->flow->scale) TRY(flow_outline(c, &c->water));
   read_time(d);
   TRY(read_probes(d));
   TRY(read_gauges(d));

@@ -7,7 +7,7 @@
 
 double case_water_area(const struct case_file *c) {
   double area = 0;
-  if (flow_is_wave(c->flow)) return c->flow->scale(c).mean * (c->tank.max[0] - c->tank.min[0]);
+  if (c->flow->scale) return c->flow->scale(c).mean * (c->tank.max[0] - c->tank.min[0]);
   for (size_t k = 0; k < c->water.pieces; k++) area += geo_piece_area(&c->water, k);
   return area;
 }
@@ -21,6 +21,7 @@ static double box_potential(const struct case_file *c, double area) {
 double case_rest_potential(const struct case_file *c) {
   double wanted = case_water_area(c), low = c->tank.min[1], high = c->tank.max[1];
   double area = 0, centre[2] = {0, 0};
+  if (c->flow->pull) return c->density * flow_pull_rest(c->flow->pull(c), wanted);
   if (c->rectangular) return box_potential(c, wanted);
   if (geo_area_below(&c->walls, high, &area, centre) != OK) return NAN;
   if (area < wanted)

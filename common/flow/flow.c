@@ -12,19 +12,29 @@ enum { OUTLINE_POINTS = 256, MOST_LENGTHS = 64 }; /* of an outline, for each len
 #define HELP(name, help) help,
 static const struct flow *const regions[] = {FLOWS_OF_REGIONS(FLOW)};
 static const struct flow *const waves[] = {FLOWS_OF_WAVES(FLOW)};
+static const struct flow *const bodies[] = {FLOWS_OF_BODIES(FLOW)};
 const struct flow_list flow_regions = {sizeof regions / sizeof *regions, regions};
 const struct flow_list flow_waves = {sizeof waves / sizeof *waves, waves};
+const struct flow_list flow_bodies = {sizeof bodies / sizeof *bodies, bodies};
 const char *const flow_region_names[] = {FLOWS_OF_REGIONS(NAME) NULL};
 const char *const flow_region_helps[] = {FLOWS_OF_REGIONS(HELP) NULL};
 const char *const flow_wave_names[] = {FLOWS_OF_WAVES(NAME) NULL};
 const char *const flow_wave_helps[] = {FLOWS_OF_WAVES(HELP) NULL};
+const char *const flow_body_names[] = {FLOWS_OF_BODIES(NAME) NULL};
+const char *const flow_body_helps[] = {FLOWS_OF_BODIES(HELP) NULL};
 
 bool flow_is_wave(const struct flow *f) {
   return f->elevation != NULL;
 }
 
+bool flow_is_body(const struct flow *f) {
+  return f->outline != NULL;
+}
+
 size_t flow_place(const struct flow *f) {
-  const struct flow_list *list = flow_is_wave(f) ? &flow_waves : &flow_regions;
+  const struct flow_list *list = flow_is_wave(f)   ? &flow_waves
+                                 : flow_is_body(f) ? &flow_bodies
+                                                   : &flow_regions;
   size_t i = 0;
   while (i < list->n && list->flow[i] != f) i++;
   assert(i < list->n);
@@ -32,7 +42,10 @@ size_t flow_place(const struct flow *f) {
 }
 
 const char *flow_name(const struct flow *f) {
-  return (flow_is_wave(f) ? flow_wave_names : flow_region_names)[flow_place(f)];
+  const char *const *names = flow_is_wave(f)   ? flow_wave_names
+                             : flow_is_body(f) ? flow_body_names
+                                               : flow_region_names;
+  return names[flow_place(f)];
 }
 
 bool flow_has_theory(const struct flow *f) {
@@ -87,6 +100,7 @@ static enum status draw(const struct flow_water *w, struct geo_lines *water) {
 
 enum status flow_outline(const struct case_file *c, struct geo_lines *water) {
   struct flow_water w;
+  if (flow_is_body(c->flow)) return c->flow->outline(c, water);
   enum status status = flow_open(c, (struct flow_use){0}, &w);
   if (status == OK) status = draw(&w, water);
   flow_close(&w);

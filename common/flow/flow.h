@@ -1,9 +1,10 @@
 /* The water at t = 0, and what theory knows of it later. An initial state is a struct flow in a
- * file of its own and a line in one of the two lists below; whatever else must know of it - the
+ * file of its own and a line in one of the three lists below; whatever else must know of it - the
  * case reader, `plunge list`, the fingerprints, the solvers, the tests - takes it from there.
  *
  * Places are those of the case: m, y upwards. */
 #pragma once
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -15,11 +16,26 @@ struct case_draft;
 struct case_file;
 
 struct flow_scale {
-  double depth;     /* of the water at rest, m */
+  double depth;     /* of the water at rest, m; of a body, its side or radius */
   double mean;      /* depth of the same water spread evenly over the tank, m */
   double amplitude; /* height of the highest crest above the water at rest, m */
   double length;    /* over which the surface rises and falls once, m */
 };
+
+/* A force that draws water to a point: the acceleration is -rate^2 (r - r0), and the energy for
+ * each mass rate^2 |r - r0|^2/2. A rate of 0: there is none. */
+struct flow_pull {
+  double x, y, rate; /* m, 1/s */
+};
+
+static inline double flow_pull_energy(const struct flow_pull *p, double x, double y) {
+  return 0.5 * p->rate * p->rate * ((x - p->x) * (x - p->x) + (y - p->y) * (y - p->y));
+}
+
+/* Of an area of water, m^2, at rest in it, over density, m^4 s^-2: of a disc. */
+static inline double flow_pull_rest(struct flow_pull p, double area) {
+  return p.rate * p.rate * area * area / (4 * M_PI);
+}
 
 struct flow_point {
   double x, y; /* m */
@@ -48,7 +64,8 @@ struct flow_water {
 };
 
 struct flow {
-  /* Rows of the section `water.wave` into a struct of its own, which case_file.form holds. */
+  /* Rows of the section `water.wave` or `water.body` into a struct of its own, which case_file.form
+   * holds. */
   const struct param *params;
   size_t n_params, params_size;
   const char *example; /* the section `water` of a case whose tank is 4 m long and 2 m high */
@@ -61,14 +78,21 @@ struct flow {
   void (*destroy)(struct flow_water *w);
 
   /* Of waves, which fill a rectangular tank from wall to wall below a surface that is a function of
-   * x. Regions have neither: their outline is the case's. `scale` needs nothing but form and box of
-   * the tank. */
+   * x, and of bodies `scale`, which needs nothing but form and box of the tank. Regions have
+   * neither: their outline is the case's. */
   struct flow_scale (*scale)(const struct case_file *c);
   double (*elevation)(const struct flow_water *w, double x, double t); /* y, m */
 
+  /* Of bodies, which float without gravity in the middle of a rectangular tank and touch no wall:
+   * one closed piece at t = 0; where theory follows them, their rim, clockwise from part = 0 to 1;
+   * what holds them together, or NULL. */
+  enum status (*outline)(const struct case_file *c, struct geo_lines *water);
+  void (*rim)(const struct flow_water *w, double part, double t, double p[2]);
+  struct flow_pull (*pull)(const struct case_file *c);
+
   /* In the water, on its surface, and in its analytic continuation above, m^2/s and m/s: velocity
    * is the potential's gradient. Of the flow as incompressible water has it from t = 0 on; regions
-   * have no potential. */
+   * have no potential, nor have bodies that turn. */
   bool at_rest; /* at t = 0, when neither is asked */
   bool round;   /* they go round a tank with periodic sides; there are none between walls */
   bool sounds;  /* only in compressible water: all of them want use.sound */
@@ -85,8 +109,8 @@ struct flow {
 
   /* How it goes on, for the solver `exact`, and then the functions above hold at any t; or NULL.
    * Pressure is over density, and zero above the water. Energies are of the water in the tank, over
-   * density, m^4 s^-2, potential energy from y = 0. `error` is what the theory leaves out up to
-   * t = end, relative to the wave. */
+   * density, m^4 s^-2, potential energy from y = 0 or in the pull. `error` is what the theory
+   * leaves out up to t = end, relative to the wave. */
   double (*pressure)(const struct flow_water *w, double x, double y, double t);
   double (*kinetic)(const struct flow_water *w, double t);
   double (*potential_energy)(const struct flow_water *w, double t);
@@ -94,7 +118,7 @@ struct flow {
 };
 
 /* X(name, help). Fingerprints hold places in these lists: new ones go to the end. What a case may
- * say for water.pressure of regions, and for water.wave.kind. */
+ * say for water.pressure of regions, for water.wave.kind, and for water.body.kind. */
 #define FLOWS_OF_REGIONS(X)                                                                        \
   X(hydrostatic, "that of the surface above each point")                                           \
   X(released,                                                                                      \
@@ -104,24 +128,31 @@ struct flow {
   X(airy, "a small wave that runs to the right, round a tank with periodic sides")                 \
   X(acoustic, "sound between surface and bed that runs to the right, round the same")              \
   X(pressed, "water at rest under a pressure that varies along the surface, round the same")
+#define FLOWS_OF_BODIES(X)                                                                         \
+  X(patch, "a square that turns like a rigid body: u = rate y, v = -rate x from its middle")       \
+  X(drop,                                                                                          \
+    "a disc that is drawn out, u = strain x, v = -strain y, in a pull -pull^2 r to its middle")
 
 #define X(name, help) extern const struct flow flow_##name;
 FLOWS_OF_REGIONS(X)
 FLOWS_OF_WAVES(X)
+FLOWS_OF_BODIES(X)
 #undef X
 
 struct flow_list {
   size_t n;
   const struct flow *const *flow; /* [n] */
 };
-extern const struct flow_list flow_regions, flow_waves;
+extern const struct flow_list flow_regions, flow_waves, flow_bodies;
 /* Names and helps in the order of the lists, NULL at the end. */
 extern const char *const flow_region_names[], *const flow_region_helps[];
 extern const char *const flow_wave_names[], *const flow_wave_helps[];
+extern const char *const flow_body_names[], *const flow_body_helps[];
 
 const char *flow_name(const struct flow *f);
 size_t flow_place(const struct flow *f); /* in its list */
 bool flow_is_wave(const struct flow *f);
+bool flow_is_body(const struct flow *f);
 bool flow_has_theory(const struct flow *f);
 
 /* What was opened is closed in any case. */
@@ -134,5 +165,5 @@ double flow_potential(const struct flow_water *w, double x, double y, double t);
 void flow_velocity(const struct flow_water *w, double x, double y, double t, double velocity[2]);
 enum status flow_head(const struct flow_water *w, const struct flow_point *p, double *head);
 
-/* Draws the water under the elevation of a wave: one closed piece. ERR_MEMORY. */
+/* Draws the water under the elevation of a wave, or a body: one closed piece. ERR_MEMORY. */
 enum status flow_outline(const struct case_file *c, struct geo_lines *water);

@@ -36,6 +36,7 @@ struct node {
 
 struct release {
   struct tank tank;
+  struct release_drive drive;
   double near, h[2]; /* m: spacing of the lattice in x and y */
   int n[2];          /* nodes in x and y, half a spacing inside the tank */
   int n_unknowns;
@@ -140,17 +141,18 @@ done:
 
 /* ---- the solve ---- */
 
-/* The lower half of the matrix, a row for each node: the flux out of its cell, m. */
+/* The lower half of the matrix, a row for each node: the flux into its cell, m. */
 static void fill_row(const struct release *r, int i, int j, cholmod_triplet *t, double *flux) {
   const struct node *p = node_at(r, i, j);
   double diagonal = 0;
   int *row = t->i, *column = t->j;
   double *value = t->x;
+  flux[p->unknown] = r->drive.source * r->h[0] * r->h[1];
   for (enum way way = 0; way < WAYS; way++) {
     bool upright = way == DOWN || way == UP;
     double across = r->h[!upright], weight = across / p->reach[way];
     if (p->end[way] == WALL) {
-      if (way == DOWN) flux[p->unknown] = across; /* the bed carries the water */
+      if (way == DOWN) flux[p->unknown] += r->drive.weight * across; /* the bed carries the water */
       continue;
     }
     diagonal += weight;
@@ -205,12 +207,13 @@ static enum status solve_heads(struct release *r) {
 }
 
 enum status release_create(const struct geo_lines *water, const struct tank *tank, double spacing,
-                           double near, struct release **out) {
+                           double near, const struct release_drive *drive, struct release **out) {
   enum status status = OK;
   struct release *r = calloc(1, sizeof *r);
   *out = NULL;
   CHECK(r, ERR_MEMORY, "no memory for the released pressure");
   r->tank = *tank;
+  r->drive = *drive;
   r->near = near;
   ATTEMPT(lay_lattice(r, water, spacing));
   ATTEMPT(solve_heads(r));
@@ -255,7 +258,8 @@ static const struct node *nearest_node(const struct release *r, double x, double
 static double seen(const struct release *r, const struct node *p, const int at[2], enum way way) {
   if (p->end[way] == SURFACE) return 0;
   if (p->end[way] == NODE) return r->head[neighbour(r, at[0], at[1], way)->unknown];
-  return r->head[p->unknown] + (way == DOWN ? r->h[1] : 0); /* the mirror image in the wall */
+  const double weight = way == DOWN ? r->drive.weight * r->h[1] : 0;
+  return r->head[p->unknown] + weight; /* the mirror image in the wall */
 }
 
 /* Change of the head along one axis from the node to a distance s: the parabola through the node
@@ -274,5 +278,5 @@ double release_at(const struct release *r, double x, double y) {
   if (!p) return 0;
   double head = r->head[p->unknown] + change(r, p, at, LEFT, RIGHT, x - place(r, 0, at[0])) +
                 change(r, p, at, DOWN, UP, y - place(r, 1, at[1]));
-  return fmax(head, 0); /* no suction in water that is let go */
+  return r->drive.source < 0 ? head : fmax(head, 0); /* no suction in water that is let go */
 }

@@ -29,8 +29,9 @@ static enum status create(struct flow_water *w) {
   struct pressure *p = w->own = calloc(1, sizeof *p);
   CHECK(p, ERR_MEMORY, "no memory for the released pressure");
   p->alone = flow_find_column(c, &p->column) && p->column.left != p->column.right;
-  if (p->alone || w->use.spacing == 0) return OK;
-  return release_create(&c->water, &tank, w->use.spacing, case_near(c), &p->solved);
+  if (p->alone || w->use.spacing == 0 || !(c->gravity > 0)) return OK;
+  const struct release_drive weight = {.weight = 1};
+  return release_create(&c->water, &tank, w->use.spacing, case_near(c), &weight, &p->solved);
 }
 
 static void destroy(struct flow_water *w) {
@@ -42,7 +43,9 @@ static void destroy(struct flow_water *w) {
 static enum status head(const struct flow_water *w, const struct flow_point *p, double *out) {
   const struct pressure *pressure = w->own;
   const struct geo_box *b = &pressure->column.box;
-  if (pressure->alone)
+  if (!(w->c->gravity > 0))
+    *out = 0; /* nothing has held it */
+  else if (pressure->alone)
     *out = release_head(pressure->column.left ? p->x - b->min[0] : b->max[0] - p->x,
                         p->y - b->min[1], b->max[0] - b->min[0], b->max[1] - b->min[1]);
   else

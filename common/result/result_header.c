@@ -42,7 +42,8 @@ static enum status write_attributes(hid_t file, const struct case_file *c,
 static enum status write_parameter(hid_t group, const struct param *p, const void *options) {
   static const char *const units[] = {
       [QTY_NUMBER] = "1",     [QTY_LENGTH] = "m",       [QTY_TIME] = "s",
-      [QTY_VELOCITY] = "m/s", [QTY_DENSITY] = "kg/m^3", [QTY_ACCELERATION] = "m/s^2"};
+      [QTY_VELOCITY] = "m/s", [QTY_DENSITY] = "kg/m^3", [QTY_ACCELERATION] = "m/s^2",
+      [QTY_RATE] = "1/s"};
   const char *at = (const char *)options + p->offset;
   switch (p->type) {
   case PARAM_REAL:

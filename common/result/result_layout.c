@@ -27,11 +27,12 @@ const struct result_column result_point_columns[1 + CASE_POINT_FIELDS] = {
 };
 
 const struct result_scale result_scales[RESULT_SCALES] = {
-    {"H", "m", "scale of length", offsetof(struct result_file, H)},
+    {"H", "m", "scale of length", offsetof(struct result_file, H), false},
     {"g", "m/s^2", "that of the scales: gravity, or scales.g where there is none",
-     offsetof(struct result_file, g)},
-    {"density", "kg/m^3", "density of the water at rest", offsetof(struct result_file, density)},
-    {"spacing", "m", "particle or node spacing", offsetof(struct result_file, spacing)},
+     offsetof(struct result_file, g), false},
+    {"density", "kg/m^3", "density of the water at rest", offsetof(struct result_file, density),
+     false},
+    {"spacing", "m", "particle or node spacing", offsetof(struct result_file, spacing), false},
     {"rest_potential", "J/m", "potential energy of the same water at rest in the tank",
-     offsetof(struct result_file, rest_potential)},
+     offsetof(struct result_file, rest_potential), true},
 };

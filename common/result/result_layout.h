@@ -34,6 +34,7 @@ extern const struct result_column result_point_columns[1 + CASE_POINT_FIELDS];
 struct result_scale {
   const char *name, *units, *help;
   size_t offset;
+  bool any; /* zero and below, too */
 };
 enum { RESULT_SCALES = 5 };
 extern const struct result_scale result_scales[RESULT_SCALES];

@@ -254,8 +254,9 @@ static enum status read_header(hid_t file, struct result_file *f) {
   for (int i = 0; i < RESULT_SCALES; i++) {
     double *value = (double *)((char *)f + result_scales[i].offset);
     TRY(hdf_get_number(file, result_scales[i].name, value));
-    CHECK(isfinite(*value) && *value > 0, ERR_INPUT, "its attribute %s is %g; it must be positive",
-          result_scales[i].name, *value);
+    const double least = result_scales[i].any ? -INFINITY : 0;
+    CHECK(isfinite(*value) && *value > least, ERR_INPUT, "its attribute %s is %g; it must be %s",
+          result_scales[i].name, *value, result_scales[i].any ? "a number" : "positive");
   }
   return OK;
 }

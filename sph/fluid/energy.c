@@ -21,6 +21,7 @@ static void add(const struct sph *s, size_t i, struct result_energy *e) {
   double m = s->f.m[i];
   e->kinetic += 0.5 * m * (w->u[i] * w->u[i] + w->v[i] * w->v[i]);
   e->potential += m * s->g * w->y[i];
+  if (s->pull.rate > 0) e->potential += m * flow_pull_energy(&s->pull, w->x[i], w->y[i]);
   e->internal += m * eos_energy(&s->eos, w->rho[i], w->y[i]);
 }
 
@@ -60,6 +61,7 @@ double sph_energy_of(const struct sph *s, size_t i) {
 double sph_rest_potential(const struct sph *s) {
   double mass = 0, width = s->tank.box.max[0] - s->tank.box.min[0], potential = 0;
   for (size_t i = 0; i < s->f.n; i++) mass += s->f.m[i];
+  if (s->pull.rate > 0) return s->rho0 * flow_pull_rest(s->pull, mass / s->rho0);
   double D = eos_depth(&s->eos, mass / (s->rho0 * width));
   struct eos at_rest = s->eos;
   at_rest.level = D; /* counted from the bed */

@@ -147,6 +147,13 @@ static void add_effects(const struct sph *s, struct effects *e) {
   }
 }
 
+static void add_pull(const struct flow_pull *p, const struct sph_targets *i, struct effects *e) {
+  for (int l = 0; l < SPH_LANES; l++) {
+    e->ax[l] -= p->rate * p->rate * (i->x[l] - p->x);
+    e->ay[l] -= p->rate * p->rate * (i->y[l] - p->y);
+  }
+}
+
 /* The elastic energy of particles of mass m, the stored density and its rate: d(m e) = elastic
  * d rho_stored + lift dy. */
 struct stiffness {
@@ -243,6 +250,7 @@ static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
   effects_of(s, s->f.w.rho + at, &a, &b, &e);
   if (s->scheme.derivative != SPH_DERIVATIVE_kernel) fit_effects(s, &i, &water, &walls, &e);
   add_effects(s, &e);
+  if (s->pull.rate > 0) add_pull(&s->pull, &i, &e);
   struct stiffness stiff;
   find_stiffness(s, at, &stiff);
   const struct sph_state *k = &s->f.k[how->stage];

@@ -19,9 +19,10 @@ struct vectors {
   vec x, y;
 };
 
-/* f^power */
-SPECIALISE vec crowding_of(const struct choice *o, const struct pair *q) {
-  const vec f = kernel_value(o->kernel, q->x, q->y, q->q2) * o->per_W;
+/* f^power, and 0 beyond the support, where the kernel's value is anything. */
+SPECIALISE vec crowding_of(const struct choice *o, const struct pair *q, vec cutoff2) {
+  const vec value = kernel_value(o->kernel, q->x, q->y, q->q2);
+  const vec f = vec_where_less(value, q->reach2, cutoff2) * o->per_W;
   vec product = f;
   for (int k = 1; k < o->power; k++) product *= f;
   return product;
@@ -48,7 +49,7 @@ SPECIALISE void add_vectors(const struct choice o, const struct targets *i,
     }
     case CROWD: {
       const vec e = slope_of(o.kernel, &q, j, cutoff2) * share_of(j, i);
-      const vec w = e * ((real)1 + o.crowding * crowding_of(&o, &q));
+      const vec w = e * ((real)1 + o.crowding * crowding_of(&o, &q, cutoff2));
       a.x += w * q.x;
       a.y += w * q.y;
       break;
@@ -57,7 +58,7 @@ SPECIALISE void add_vectors(const struct choice o, const struct targets *i,
       const struct gradient_of_pair g = gradient_of(o.kernel, &q, j, cutoff2);
       const vec pj = vec_sources(j->p), most = vec_max(i->p, pj);
       const vec ri = i->rho + (real)1, rj = vec_sources(j->rho) + (real)1;
-      const vec p = momentum_pressure(o.momentum, i->p, pj, ri, rj) * crowding_of(&o, &q);
+      const vec p = momentum_pressure(o.momentum, i->p, pj, ri, rj) * crowding_of(&o, &q, cutoff2);
       add_along(o.kernel, &q, &g, vec_where_less(p, most, zero), &a.x, &a.y);
       break;
     }

@@ -11,6 +11,11 @@
 #include "sph/treat/loops.h"
 #include "sph/treat/treat.h"
 
+/* Of what is moved with (u, v), W/kg. */
+static double work_of_pull(const struct flow_pull *p, double x, double y, double u, double v) {
+  return p->rate * p->rate * (u * (x - p->x) + v * (y - p->y));
+}
+
 static void mix(struct sph *s, int stage, size_t cluster, struct sph_totals *totals) {
   const struct sph_treat_loops *loops = sph_treat_loops_of(&s->scheme);
   const struct sph_targets i = sph_targets_of(s, cluster);
@@ -25,10 +30,10 @@ static void mix(struct sph *s, int stage, size_t cluster, struct sph_totals *tot
                    kernel_value_scale((enum sph_kernel)s->scheme.kernel) * s->c0;
   const struct sph_state *k = &s->f.k[stage];
   for (size_t l = 0, at = cluster * SPH_LANES; l < SPH_LANES; l++, at++) {
-    const double v = W * (a.y[l] + b.y[l]);
-    k->x[at] += W * (a.x[l] + b.x[l]);
+    const double u = W * (a.x[l] + b.x[l]), v = W * (a.y[l] + b.y[l]);
+    k->x[at] += u;
     k->y[at] += v;
-    totals->xsph -= s->f.m[at] * s->g * v;
+    totals->xsph -= s->f.m[at] * (s->g * v + work_of_pull(&s->pull, i.x[l], i.y[l], u, v));
   }
 }
 

@@ -156,7 +156,7 @@ static void test_long_texts_are_shortened_in_messages(void) {
       text, n,
       "odd.yaml:1: title: found 'waveswaveswaveswaveswaveswaveswaveswaveswave...'; allowed: one "
       "line of text of at most 200 bytes\n"
-      "odd.yaml:2: water: found '1'; allowed: a mapping with the keys regions, wave, velocity, "
+      "odd.yaml:2: water: found '1'; allowed: a mapping with the keys regions, wave, body, velocity, "
       "pressure\n"
       "odd.yaml:3: tank: found '1'; allowed: a mapping with the keys walls, sides, bed\n"
       "odd.yaml:4: time: found '1'; allowed: a mapping with the keys end, every, sample\n"

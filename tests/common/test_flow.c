@@ -13,8 +13,9 @@ static struct case_file *example(const struct flow *f) {
   struct case_file *c = NULL;
   char text[2000];
   snprintf(text, sizeof text,
-           "tank: {walls: [[[0, 2], [0, 0], [4, 0], [4, 2]]], sides: %s}\nwater: {%s}\n"
+           "%stank: {walls: [[[0, 2], [0, 0], [4, 0], [4, 2]]], sides: %s}\nwater: {%s}\n"
            "time: {end: 1}\nruns: [{solver: sph, resolution: 20}]\n",
+           flow_is_body(f) ? "fluid: {gravity: 0}\nscales: {g: 1}\n" : "",
            f->round ? "periodic" : "walls", f->example);
   if (case_parse("example", text, &fake_registry, &problems, &c) != OK)
     TEST_FAIL("%s: %s", flow_name(f), problems.n ? problems.text[0] : status_message());
@@ -31,15 +32,18 @@ static void for_each(const struct flow_list *list, void (*test)(const struct cas
 }
 
 static void expect_listed(const struct case_file *c) {
-  const struct flow_list *list = flow_is_wave(c->flow) ? &flow_waves : &flow_regions;
+  const struct flow_list *list = flow_is_wave(c->flow)   ? &flow_waves
+                                 : flow_is_body(c->flow) ? &flow_bodies
+                                                         : &flow_regions;
   EXPECT(list->flow[flow_place(c->flow)] == c->flow);
-  if (!strstr(c->text, flow_name(c->flow)) && flow_place(c->flow) > 0)
+  if (!strstr(c->text, flow_name(c->flow)) && (flow_place(c->flow) > 0 || c->flow->scale))
     TEST_FAIL("the example of %s does not name it", flow_name(c->flow));
 }
 
 static void test_example_of_a_flow_is_that_flow(void) {
   for_each(&flow_regions, expect_listed);
   for_each(&flow_waves, expect_listed);
+  for_each(&flow_bodies, expect_listed);
 }
 
 static struct flow_water opened(const struct case_file *c, int order) {
@@ -199,6 +203,72 @@ static void test_theory_starts_from_the_flow_and_knows_its_error(void) {
   for_each(&flow_waves, expect_theory);
 }
 
+/* ---- bodies ---- */
+
+/* A polygon of the body's own area, all of whose water theory has at pressure, and whose rim it has
+ * without. */
+static void expect_outline(const struct case_file *c) {
+  struct flow_water w = opened(c, 1);
+  EXPECT_NEAR(geo_piece_area(&c->water, 0), case_water_area(c), 1e-13);
+  for (double part = 0; c->flow->rim && part < 1; part += 0.0731) {
+    double p[2];
+    c->flow->rim(&w, part, 0.7, p);
+    EXPECT_NEAR(c->flow->pressure(&w, p[0], p[1], 0.7), 0, 1e-14);
+    EXPECT(c->flow->pressure(&w, 2 + 0.9 * (p[0] - 2), 1 + 0.9 * (p[1] - 1), 0.7) > 0);
+  }
+  flow_close(&w);
+}
+
+static void test_outline_of_a_body_is_its_rim(void) {
+  for_each(&flow_bodies, expect_outline);
+}
+
+/* du/dt = -grad p - Omega^2 r by central differences over e, whose error is of order e^2; and the
+ * rim moves with the water. */
+static void expect_motion(const struct case_file *c) {
+  if (!flow_has_theory(c->flow)) return;
+  struct flow_water w = opened(c, 1);
+  const double e = 1e-4;
+  const struct flow_pull pull = c->flow->pull(c);
+  for (double t = 0.1; t < 6; t += 0.37) {
+    double at[2], u[2], early[2], late[2], before[2], after[2];
+    c->flow->rim(&w, 0.137, t, at);
+    c->flow->rim(&w, 0.137, t - e, before);
+    c->flow->rim(&w, 0.137, t + e, after);
+    c->flow->velocity(&w, at[0], at[1], t, u);
+    for (int k = 0; k < 2; k++) EXPECT_NEAR((after[k] - before[k]) / (2 * e), u[k], 1e-6);
+    double x = 2 + 0.6 * (at[0] - 2), y = 1 + 0.6 * (at[1] - 1);
+    c->flow->velocity(&w, x, y, t, u);
+    c->flow->velocity(&w, x - e * u[0], y - e * u[1], t - e, early);
+    c->flow->velocity(&w, x + e * u[0], y + e * u[1], t + e, late);
+    double px = c->flow->pressure(&w, x + e, y, t) - c->flow->pressure(&w, x - e, y, t);
+    double py = c->flow->pressure(&w, x, y + e, t) - c->flow->pressure(&w, x, y - e, t);
+    double pull2 = pull.rate * pull.rate;
+    EXPECT_NEAR((late[0] - early[0]) / (2 * e), -px / (2 * e) - pull2 * (x - pull.x), 1e-6);
+    EXPECT_NEAR((late[1] - early[1]) / (2 * e), -py / (2 * e) - pull2 * (y - pull.y), 1e-6);
+  }
+  flow_close(&w);
+}
+
+static void test_theory_of_a_body_obeys_euler(void) {
+  for_each(&flow_bodies, expect_motion);
+}
+
+/* What there is at the start is there at any time, and at rest a disc would have the rest. */
+static void expect_energy(const struct case_file *c) {
+  if (!flow_has_theory(c->flow)) return;
+  struct flow_water w = opened(c, 1);
+  const double first = energy_of(&w, 0), rest = case_rest_potential(c) / c->density;
+  EXPECT(c->flow->kinetic(&w, 0) > 0);
+  EXPECT_NEAR(c->flow->potential_energy(&w, 0), rest, 1e-14);
+  for (double t = 0.1; t < 50; t += 3.7) EXPECT_NEAR(energy_of(&w, t), first, 1e-9 * first);
+  flow_close(&w);
+}
+
+static void test_theory_of_a_body_keeps_its_energy(void) {
+  for_each(&flow_bodies, expect_energy);
+}
+
 int main(void) {
   RUN(test_example_of_a_flow_is_that_flow);
   RUN(test_scales_of_a_wave_are_those_of_its_elevation);
@@ -206,5 +276,8 @@ int main(void) {
   RUN(test_pressure_ends_at_the_surface);
   RUN(test_particles_start_where_the_wave_has_moved_them);
   RUN(test_theory_starts_from_the_flow_and_knows_its_error);
+  RUN(test_outline_of_a_body_is_its_rim);
+  RUN(test_theory_of_a_body_obeys_euler);
+  RUN(test_theory_of_a_body_keeps_its_energy);
   return TEST_RESULT;
 }

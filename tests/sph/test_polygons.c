@@ -151,6 +151,8 @@ static void test_water_that_falls_free_has_no_pressure(void) {
 
 /* ---- released pressure ---- */
 
+static const struct release_drive weight = {.weight = 1};
+
 static struct geo_lines rectangle(double x0, double x1, double y1) {
   struct geo_lines l = {0};
   const double p[4][2] = {{x0, 0}, {x1, 0}, {x1, y1}, {x0, y1}};
@@ -166,7 +168,7 @@ static double released_error(double x0, double x1, double from, double side, dou
   struct tank tank = {.box = {{0, 0}, {4, 3}}, .top = {3, 3}, .lowest_top = 3};
   struct geo_lines water = rectangle(x0, x1, H);
   struct release *r;
-  EXPECT_OK(release_create(&water, &tank, spacing, 1e-9, &r));
+  EXPECT_OK(release_create(&water, &tank, spacing, 1e-9, &weight, &r));
   double sum = 0, L = side > 0 ? x1 - from : from - x0;
   int n = 0;
   for (double x = 0.003; x < L; x += 0.0171)
@@ -202,7 +204,7 @@ static double triangle_error(double spacing) {
   struct tank tank = {.box = {{0, 0}, {4, 3}}, .top = {3, 3}, .lowest_top = 3};
   struct case_file *c = water_of("regions: [[[0, 0], [1, 0], [0, 1]]], pressure: released", 20);
   struct release *r;
-  EXPECT_OK(release_create(&c->water, &tank, spacing, 1e-9, &r));
+  EXPECT_OK(release_create(&c->water, &tank, spacing, 1e-9, &weight, &r));
   double worst = 0;
   for (double x = 0.003; x < 1; x += 0.0171)
     for (double y = 0.0021; y < 1 - x; y += 0.0171)
@@ -236,7 +238,8 @@ static void test_regions_that_touch_are_one_water(void) {
                20)};
   struct release *r[2];
   struct tank tank = {.box = c[0]->tank, .top = {3, 3}, .lowest_top = 3};
-  for (int k = 0; k < 2; k++) EXPECT_OK(release_create(&c[k]->water, &tank, 0.05, 1e-9, &r[k]));
+  for (int k = 0; k < 2; k++)
+    EXPECT_OK(release_create(&c[k]->water, &tank, 0.05, 1e-9, &weight, &r[k]));
   double worst = 0, most = 0;
   for (double x = 0.01; x < 4; x += 0.0371)
     for (double y = 0.01; y < surface_of_L(x); y += 0.0371) {
