@@ -12,8 +12,8 @@
  * by its weight (Adami, Hu & Adams 2012).
  *
  * Where the forms are adjoint, the work that water does on them is their elastic energy, to the
- * error of the time steps. Water sees them without slip as particles at rest; with free slip
- * viscosity does not see them. */
+ * error of the time steps. They see all water, that above the top of a wall, too. Water sees them
+ * without slip as particles at rest; with free slip viscosity does not see them. */
 #include <math.h>
 #include <stdlib.h>
 
