@@ -33,7 +33,8 @@ static void mix(struct sph *s, int stage, size_t cluster, struct sph_totals *tot
     const double u = W * (a.x[l] + b.x[l]), v = W * (a.y[l] + b.y[l]);
     k->x[at] += u;
     k->y[at] += v;
-    totals->xsph -= s->f.m[at] * (s->g * v + work_of_pull(&s->pull, i.x[l], i.y[l], u, v));
+    totals->xsph -= s->f.m[at] * s->g * v;
+    if (s->pull.rate > 0) totals->xsph -= s->f.m[at] * work_of_pull(&s->pull, i.x[l], i.y[l], u, v);
   }
 }
 
