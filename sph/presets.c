@@ -33,7 +33,7 @@
   X(hsph, "hsph",                                                                                  \
     T_SCHEME SET("kernel", "quintic") SET("h_over_dx", "1") SET("momentum", "reference")           \
         SET("continuity", "reference") SET("derivative", "mls") SET("free_surface", "fitted")      \
-            SET("projection", "15") SET("cfl_acoustic", "1"),                                      \
+            SET("projection", "15") SET("cfl_acoustic", "1.16"),                                   \
     "T eqs. (4.1), (4.2): du/dt = -grad p/rho0 + g, dp/dt = -rho0 c0^2 div u, derivatives by "     \
     "MLS, p = 0 on the first row, waves re-projected; in a periodic tank")
 

@@ -93,7 +93,7 @@ const struct param sph_params[SPH_N_PARAMS] = {
      "of the sums over neighbours; all else is double", precision_helps},
     {"cfl_acoustic", PARAM_REAL, QTY_NUMBER, AT(cfl_acoustic), 1e-3, 10, "2.2", NULL,
      "factor of the bound from sound and convection (paper, eq. 29): of rk4 with the gaussian "
-     "kernel and h/dx = 4/3, scaled for others as sound on a lattice is",
+     "kernel and h/dx = 4/3, scaled for others, and other derivatives, as sound on a lattice is",
      NULL},
     {"cfl_diffusive", PARAM_REAL, QTY_NUMBER, AT(cfl_diffusive), 1e-3, 10, "0.44", NULL,
      "factor of the bound from diffusion (paper, eq. 27): of rk4 with the gaussian kernel and h/dx "

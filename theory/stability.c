@@ -6,13 +6,15 @@
 
 #include <math.h>
 
+#include "sph/pair/derivative.h"
+#include "sph/pair/forms.h"
 #include "sph/time/integrator.h"
 #include "theory/kernels.h"
 #include "theory/theory.h"
 
 struct stability {
-  int kernel, integrator, diffusion, waves, points;
-  double ratio, delta, alpha, rate, to;
+  int kernel, integrator, diffusion, derivative, continuity, waves, points;
+  double ratio, radius, delta, alpha, rate, to;
 };
 
 static const struct param params[] = {
@@ -21,6 +23,11 @@ static const struct param params[] = {
                   "the integrator"),
     THEORY_CHOICE(stability, diffusion, theory_diffusion_names, NULL, "antuono",
                   "the diffusive term"),
+    THEORY_CHOICE(stability, derivative, theory_derivative_names, NULL, "kernel",
+                  "how gradients and divergences are taken"),
+    THEORY_REAL(stability, radius, 1, 3, "1.5", "of mls and mueller, in h"),
+    THEORY_CHOICE(stability, continuity, theory_continuity_names, NULL, "divergence",
+                  "the continuity equation; what matters is whether the density is a sum"),
     THEORY_REAL_OR(stability, delta, 0, 10, sph_delta_words, sph_delta_word_helps, "auto",
                    "its coefficient"),
     THEORY_REAL(stability, alpha, 0, 1, "0", "artificial viscosity"),
@@ -63,7 +70,12 @@ static enum status fill(const struct stability *p, const struct sph_scheme *o, s
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {
   const struct stability *p = with;
-  const struct sph_scheme o = {.kernel = p->kernel,
+  const bool pairs = p->derivative == SPH_DERIVATIVE_kernel;
+  const struct sph_scheme o = {.momentum = pairs ? SPH_MOMENTUM_plus : SPH_MOMENTUM_minus,
+                               .derivative = p->derivative,
+                               .derivative_radius = p->radius,
+                               .continuity = p->continuity,
+                               .kernel = p->kernel,
                                .integrator = p->integrator,
                                .diffusion = p->diffusion,
                                .h_over_dx = p->ratio,
@@ -71,6 +83,8 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
                                .alpha = p->alpha,
                                .c0 = 1};
   struct sph_modes *m;
+  const char *key, *wrong = sph_forms_refusal(&o, &key);
+  CHECK(!wrong, ERR_USAGE, "%s: found %s", key, wrong);
   TRY(sph_modes_create(&o, p->waves, &m));
   enum status status = fill(p, &o, m, curve);
   sph_modes_destroy(m);

@@ -41,6 +41,11 @@ static bool is_curved_exponential(const struct sph_scheme *o) {
   return !eos_is_linear((enum sph_eos)o->eos) && sph_integrators[sph_integrator_chosen(o)]->split;
 }
 
+static bool is_split_gradient(const struct sph_scheme *o) {
+  return diffusion_needs_gradient((enum sph_diffusion)o->diffusion) &&
+         sph_integrators[sph_integrator_chosen(o)]->split;
+}
+
 static bool sums(const struct sph_scheme *o) {
   return continuity_sums((enum sph_continuity)o->continuity);
 }
@@ -108,6 +113,9 @@ static const struct {
     {is_curved_exponential, "integrator",
      "rk4-split, whose exponential is that of a linear equation of state, with another; allowed: "
      "any other integrator; write integrator: rk4"},
+    {is_split_gradient, "integrator",
+     "rk4-split with a diffusion that needs the density gradient, in each of its stages; allowed: "
+     "any other; take rk4-frozen or leave the line out"},
     {is_diffused_sum, "diffusion",
      "a diffusion of densities that are sums over the neighbours at each instant, and forget it "
      "(thesis, eqs. (2.16), (3.18)); allowed: none; write diffusion: none"},
@@ -149,6 +157,14 @@ void sph_forms_check(const struct case_run *r, struct problems *problems) {
     if (refusals[k].wrong(r->options))
       problems_add(problems, case_run_line(r, refusals[k].key), "runs.%s.%s: found %s", r->name,
                    refusals[k].key, refusals[k].text);
+}
+
+const char *sph_forms_refusal(const struct sph_scheme *o, const char **key) {
+  for (size_t k = 0; k < sizeof refusals / sizeof *refusals; k++) {
+    *key = refusals[k].key;
+    if (refusals[k].wrong(o)) return refusals[k].text;
+  }
+  return NULL;
 }
 
 const char *sph_forms_warning(const struct sph_scheme *o) {

@@ -11,6 +11,9 @@ bool sph_forms_adjoint(const struct sph_scheme *o);
 /* Refuses what makes no sense together, for a reason that the message gives. */
 void sph_forms_check(const struct case_run *r, struct problems *problems);
 
+/* The first of these: its key, and what follows "found "; NULL when there is none. */
+const char *sph_forms_refusal(const struct sph_scheme *o, const char **key);
+
 /* What a user of these forms should know before the run; NULL when there is nothing. */
 const char *sph_forms_warning(const struct sph_scheme *o);
 

@@ -22,6 +22,8 @@ void sph_lattice_of(enum sph_kernel k, double h_over_dx, struct sph_lattice *l) 
   const double dx = 1 / h_over_dx, V = dx * dx;
   assert(rows <= SPH_LATTICE_REACH);
   l->kernel = k;
+  l->derivative = SPH_DERIVATIVE_kernel;
+  l->radius = 0;
   l->h_over_dx = h_over_dx;
   l->n = 0;
   for (int i = -rows; i <= rows; i++)
@@ -36,6 +38,12 @@ void sph_lattice_of(enum sph_kernel k, double h_over_dx, struct sph_lattice *l) 
       a->gy *= V;
       l->n++;
     }
+}
+
+void sph_lattice_of_scheme(const struct sph_scheme *o, struct sph_lattice *l) {
+  sph_lattice_of((enum sph_kernel)o->kernel, o->h_over_dx, l);
+  l->derivative = (enum sph_derivative)o->derivative;
+  l->radius = o->derivative_radius * (1 + 1e-5); /* as the pair loop has it */
 }
 
 /* ---- moments ---- */
@@ -109,19 +117,32 @@ static double wave_cos(const struct tables *x, const struct tables *y,
   return x->cos[i] * y->cos[j] - x->sin[i] * y->sin[j];
 }
 
-/* The renormalised gradient of the wave, over i. On a square lattice L is a multiple of one. */
-static void renormalised(const struct sph_lattice *l, const struct tables *tx,
-                         const struct tables *ty, double g[2]) {
-  double L = 0;
+/* The gradient of the wave by a fit, over i, with weights of slope V, or of 1 within a radius. On a
+ * square lattice the matrix of the fit is a multiple of one, and means vanish. */
+static void fitted(const struct sph_lattice *l, bool hat, const struct tables *tx,
+                   const struct tables *ty, double g[2]) {
+  double xx = 0;
   g[0] = g[1] = 0;
   for (const struct sph_neighbour *a = l->near; a < l->near + l->n; a++) {
-    const double s = a->e * wave_sin(tx, ty, a);
-    L += a->e * a->x * a->x;
+    const double weight = !hat ? a->e : a->q2 < l->radius * l->radius ? 1 : 0;
+    const double s = weight * wave_sin(tx, ty, a);
+    xx += weight * a->x * a->x;
     g[0] += s * a->x;
     g[1] += s * a->y;
   }
-  g[0] /= L;
-  g[1] /= L;
+  if (xx == 0) return; /* nobody within the radius */
+  g[0] /= xx;
+  g[1] /= xx;
+}
+
+/* What drives the wave and what it compresses by; g: the renormalised gradient. */
+static void set_gradient(const struct sph_lattice *l, const struct tables *tx,
+                         const struct tables *ty, const double g[2], struct sph_symbols *out) {
+  double own[2] = {g[0], g[1]};
+  if (l->derivative == SPH_DERIVATIVE_kernel) return;
+  if (l->derivative != SPH_DERIVATIVE_renormalised) fitted(l, true, tx, ty, own);
+  out->Gx = own[0];
+  out->Gy = own[1];
 }
 
 void sph_lattice_symbols(const struct sph_lattice *l, enum sph_diffusion d, double kx, double ky,
@@ -130,7 +151,7 @@ void sph_lattice_symbols(const struct sph_lattice *l, enum sph_diffusion d, doub
   double g[2];
   tabulate(kx / l->h_over_dx, &tx);
   tabulate(ky / l->h_over_dx, &ty);
-  renormalised(l, &tx, &ty, g);
+  fitted(l, false, &tx, &ty, g);
   *out = (struct sph_symbols){0};
   for (const struct sph_neighbour *a = l->near; a < l->near + l->n; a++) {
     const double c = wave_cos(&tx, &ty, a), s = wave_sin(&tx, &ty, a);
@@ -147,6 +168,7 @@ void sph_lattice_symbols(const struct sph_lattice *l, enum sph_diffusion d, doub
     out->xy += drag * a->x * a->y;
     out->yy += drag * a->y * a->y;
   }
+  set_gradient(l, &tx, &ty, g, out);
 }
 
 void sph_lattice_extremes(const struct sph_lattice *l, enum sph_diffusion d, double *sound,

@@ -4,7 +4,7 @@
  * Odd sums vanish, so that each symbol is real, up to a factor i of the gradient:
  *
  *   sum W V f                        ->  W f
- *   sum grad W V (f_j +- f_i)        ->  i (Gx, Gy) f
+ *   sum grad W V (f_j +- f_i)        ->  i (Gx, Gy) f     or the gradient by a fit (derivative.h)
  *   D of a density diffusion         -> -D f       h^2 D of pair/diffusion.h, without delta
  *   sum pi_ij grad W V (h^2 of it)   -> -[xx xy; xy yy] (u, v)
  *
@@ -14,8 +14,10 @@
 #pragma once
 #include <stddef.h>
 
+#include "sph/pair/derivative.h"
 #include "sph/pair/diffusion.h"
 #include "sph/pair/kernel.h"
+#include "sph/scheme.h"
 
 enum { SPH_LATTICE_REACH = 12 }; /* rows on either side that there is room for */
 
@@ -28,13 +30,17 @@ struct sph_neighbour {
 
 struct sph_lattice {
   enum sph_kernel kernel;
+  enum sph_derivative derivative; /* what Gx and Gy are of */
   double h_over_dx;
-  size_t n; /* of neighbours, the particle itself included */
+  double radius; /* h: of the neighbours in mls and mueller */
+  size_t n;      /* of neighbours, the particle itself included */
   struct sph_neighbour near[(2 * SPH_LATTICE_REACH + 1) * (2 * SPH_LATTICE_REACH + 1)];
 };
 
-/* For kernel_support times h_over_dx of SPH_LATTICE_REACH at most: a case asks for 9. */
+/* For kernel_support times h_over_dx of SPH_LATTICE_REACH at most: a case asks for 9. By the
+ * kernel's sums, or as a scheme takes derivatives. */
 void sph_lattice_of(enum sph_kernel k, double h_over_dx, struct sph_lattice *l);
+void sph_lattice_of_scheme(const struct sph_scheme *o, struct sph_lattice *l);
 
 /* sum x^m y^n W V, sum x^m y^n gx, sum x^m y^n e over the neighbours that are at most `above` rows
  * higher: SPH_LATTICE_REACH is all of them, n the particle n rows below a surface. */

@@ -1,5 +1,5 @@
 /* What was found with P's kernel, the renormalised Gaussian on a lattice with h/dx = 4/3, carried
- * over to another kernel or h/dx by what the two do on a lattice: all are 1 for P's. */
+ * over to another kernel, h/dx or derivative by what the two do on a lattice: all are 1 for P's. */
 #pragma once
 #include "sph/scheme.h"
 

@@ -7,12 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sph/pair/continuity.h"
 #include "sph/pair/rates.h"
 #include "sph/sph.h"
 #include "sph/theory/lattice.h"
 #include "sph/time/integrator.h"
 
-enum { COLUMNS = 3 }; /* of a wave: a "particle" each */
+enum { COLUMNS = 3 }; /* of a wave: a "particle" each; the first is of rho, or of displacement */
 
 struct sph_modes {
   struct sph_stand_in stand_in;
@@ -21,6 +22,8 @@ struct sph_modes {
   double (*k)[2];              /* [n], wave numbers, 1/h, owned */
   struct sph_symbols *symbols; /* [n], owned */
   double fastest;              /* largest decay rate, delta D */
+  bool sums;                   /* the density follows from displacements */
+  double whole;                /* sum W V */
 };
 
 /* ---- the right-hand side ---- */
@@ -40,8 +43,20 @@ static double diffuse(struct sph *s, double *D) {
   return modes_of(s)->fastest;
 }
 
+/* Densities that are sums over neighbours: with -i (x, y) for displacements, sum m W is G . x, and
+ * Shepard's quotient, which takes volumes from it, that smoothed once. */
+static void sum_densities(struct sph *s) {
+  const struct sph_modes *m = modes_of(s);
+  for (size_t i = 0; i < s->f.n; i++) {
+    const struct sph_symbols *a = &m->symbols[i / COLUMNS];
+    const double once = s->scheme.continuity == SPH_CONTINUITY_shepard ? a->W / m->whole : 1;
+    s->f.w.rho[i] = once * (a->Gx * s->f.w.x[i] + a->Gy * s->f.w.y[i]);
+  }
+}
+
 static void rates(struct sph *s, int stage, bool diffuse) {
   const struct sph_modes *m = modes_of(s);
+  if (m->sums) sum_densities(s);
   const struct sph_state *w = &s->f.w, *k = &s->f.k[stage];
   const double alpha = s->scheme.alpha;
   if (diffuse) diffusion(s, s->f.D);
@@ -61,7 +76,8 @@ static void set_waves(struct sph_modes *m, int n) {
   const struct sph_scheme *o = &m->s.scheme;
   struct sph_lattice l;
   const double step = M_PI * o->h_over_dx / n;
-  sph_lattice_of((enum sph_kernel)o->kernel, o->h_over_dx, &l);
+  sph_lattice_of_scheme(o, &l);
+  m->whole = sph_lattice_moment(&l, 0, 0, SPH_LATTICE_REACH);
   m->n = 0;
   for (int i = 1; i <= n; i++)
     for (int j = 0; j <= i; j++, m->n++) {
@@ -85,6 +101,7 @@ enum status sph_modes_create(const struct sph_scheme *o, int n, struct sph_modes
   m->s.scheme.integrator = sph_integrator_chosen(o);
   m->s.split = sph_integrators[m->s.scheme.integrator]->split;
   m->s.stand_in = &m->stand_in;
+  m->sums = continuity_sums((enum sph_continuity)o->continuity);
   ATTEMPT(sph_allocate(waves, sizeof *m->k, &m->k));
   ATTEMPT(sph_allocate(waves, sizeof *m->symbols, &m->symbols));
   ATTEMPT(sph_particles_create(&m->s.f, COLUMNS * waves));
@@ -108,20 +125,39 @@ void sph_modes_destroy(struct sph_modes *m) {
 
 /* ---- a step ---- */
 
+/* Along which a displacement compresses; any direction where none does. */
+static void direction_of(const struct sph_symbols *a, double d[2]) {
+  const double G = hypot(a->Gx, a->Gy);
+  d[0] = G > 0 ? a->Gx / G : 1;
+  d[1] = G > 0 ? a->Gy / G : 0;
+}
+
+static void set_columns(struct sph_modes *m) {
+  const struct sph_state *w = &m->s.f.w;
+  const size_t bytes = m->s.f.room * sizeof(double);
+#define X(q, unit, help) memset(w->q, 0, bytes);
+  SPH_EVOLVING(X)
+#undef X
+  for (size_t k = 0; k < m->n; k++) {
+    const size_t i = COLUMNS * k;
+    double d[2];
+    direction_of(&m->symbols[k], d);
+    w->rho[i] = m->sums ? 0 : 1;
+    w->x[i] = m->sums ? d[0] : 0;
+    w->y[i] = m->sums ? d[1] : 0;
+    w->u[i + 1] = w->v[i + 2] = 1;
+  }
+#define X(q, unit, help) memcpy(m->s.f.w0.q, w->q, bytes);
+  SPH_EVOLVING(X)
+#undef X
+}
+
 static enum status advance(struct sph_modes *m, double courant) {
   struct sph *s = &m->s;
   const int threads = omp_get_max_threads();
   struct sph_totals spent = {0};
   bool held = true;
-  const size_t bytes = s->f.room * sizeof(double);
-#define X(q, unit, help) memset(s->f.w.q, 0, bytes);
-  SPH_EVOLVING(X)
-#undef X
-  for (size_t i = 0; i < s->f.n; i++)
-    (i % COLUMNS == 0 ? s->f.w.rho : i % COLUMNS == 1 ? s->f.w.u : s->f.w.v)[i] = 1;
-#define X(q, unit, help) memcpy(s->f.w0.q, s->f.w.q, bytes);
-  SPH_EVOLVING(X)
-#undef X
+  set_columns(m);
   const struct sph_integrator *method = sph_integrators[s->scheme.integrator];
   enum status status = OK;
   omp_set_num_threads(1); /* waking another takes as long as the whole step */
@@ -134,9 +170,11 @@ done:
 
 static void matrix_of(const struct sph_modes *m, size_t wave, double T[COLUMNS][COLUMNS]) {
   const struct sph_state *w = &m->s.f.w;
+  double d[2];
+  direction_of(&m->symbols[wave], d);
   for (size_t c = 0; c < COLUMNS; c++) {
     const size_t i = COLUMNS * wave + c;
-    T[0][c] = w->rho[i];
+    T[0][c] = m->sums ? d[0] * w->x[i] + d[1] * w->y[i] : w->rho[i];
     T[1][c] = w->u[i];
     T[2][c] = w->v[i];
   }

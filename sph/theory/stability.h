@@ -6,10 +6,11 @@
  *
  *   rho' = G . w - delta D rho,   w' = -G rho - alpha [xx xy; xy yy] w
  *
- * and a step multiplies (rho, w) by a matrix of 3 x 3. It is found by giving the integrator, in
- * place of particles, the three columns of the unit matrix for each wave, and in place of the pair
- * loops the right-hand side above (struct sph_stand_in): an integrator needs nothing more than its
- * step. */
+ * and a step multiplies (rho, w) by a matrix of 3 x 3. Where the density is a sum over neighbours
+ * it follows from displacements i X, X' = w: rho = G . X, and the matrix is that of (X along G, w).
+ * It is found by giving the integrator, in place of particles, the three columns of the unit matrix
+ * for each wave, and in place of the pair loops the right-hand side above (struct sph_stand_in): an
+ * integrator needs nothing more than its step. */
 #pragma once
 #include "common/base/status.h"
 #include "sph/scheme.h"

@@ -3,10 +3,12 @@
 #include "tests/test.h"
 
 #include "common/base/array.h"
+#include "sph/pair/continuity.h"
 #include "sph/pair/rates.h"
 #include "sph/theory/lattice.h"
 #include "sph/theory/stability.h"
 #include "sph/time/integrator.h"
+#include "sph/time/linear.h"
 #include "sph/time/timestep.h"
 #include "tests/sph/pool.h"
 
@@ -222,6 +224,80 @@ static void test_longest_stable_steps(void) {
   }
 }
 
+/* The 9-point fit: i (sin a (1 + 2 cos b), sin b (1 + 2 cos a))/3 h for phases (a, b) of a spacing,
+ * at most 1/h, which RK4 stands to 2 sqrt(2). */
+static void test_waves_by_a_fit(void) {
+  struct sph_scheme o = scheme(SPH_KERNEL_quintic, SPH_DIFFUSION_none, 0, SPH_INTEGRATOR_rk4);
+  struct sph_lattice l;
+  struct sph_symbols a;
+  double courant;
+  o.derivative_radius = 1.5;
+  o.h_over_dx = 1;
+  EXPECT_OK(sph_stable_courant(&o, slowly, &courant));
+  EXPECT(courant > 3.2); /* by the kernel's sums */
+  for (int d = SPH_DERIVATIVE_mls; d <= SPH_DERIVATIVE_mueller; d++) {
+    o.derivative = d;
+    sph_lattice_of_scheme(&o, &l);
+    sph_lattice_symbols(&l, SPH_DIFFUSION_none, 1.3, 0.7, &a);
+    EXPECT_NEAR(a.Gx, sin(1.3) * (1 + 2 * cos(0.7)) / 3, 1e-14);
+    EXPECT_NEAR(a.Gy, sin(0.7) * (1 + 2 * cos(1.3)) / 3, 1e-14);
+    EXPECT_OK(sph_stable_courant(&o, slowly, &courant));
+    EXPECT_NEAR(courant / (2 * sqrt(2)), 1, 3e-3);
+  }
+  o.derivative = SPH_DERIVATIVE_renormalised; /* exact for long waves */
+  sph_lattice_of_scheme(&o, &l);
+  sph_lattice_symbols(&l, SPH_DIFFUSION_none, 1e-3, 0, &a);
+  EXPECT_NEAR(a.Gx / 1e-3, 1, 1e-6);
+}
+
+/* Densities that are sums: each integrator's own step of a displacement (time/linear.h). */
+static void test_waves_of_densities_that_are_sums(void) {
+  for (int k = 0; k < SPH_INTEGRATOR_COUNT; k++) {
+    struct sph_scheme o = scheme(SPH_KERNEL_gaussian, SPH_DIFFUSION_none, 0, k);
+    const struct sph_lattice l = lattice(SPH_KERNEL_gaussian, 4. / 3);
+    struct sph_modes *m;
+    struct sph_symbols a;
+    double growth, alone, wave[2];
+    o.continuity = SPH_CONTINUITY_summation;
+    EXPECT_OK(sph_modes_create(&o, 16, &m));
+    EXPECT_OK(sph_modes_growth(m, 3.1, &growth, wave));
+    sph_lattice_symbols(&l, SPH_DIFFUSION_none, wave[0], wave[1], &a);
+    const struct sph_linear sound = sph_linear_sound_direct(hypot(a.Gx, a.Gy));
+    EXPECT_OK(sph_linear_growth(sph_integrators[k], &sound, 3.1, &alone));
+    EXPECT_NEAR(growth, alone, 1e-7); /* of a pair that meets */
+    sph_modes_destroy(m);
+  }
+}
+
+static void test_modified_pc_is_neutral_where_the_density_is_a_sum(void) {
+  struct sph_scheme o = scheme(SPH_KERNEL_gaussian, SPH_DIFFUSION_none, 0, SPH_INTEGRATOR_rk4);
+  double rk4, summed, shepard, advanced;
+  EXPECT_OK(sph_stable_courant(&o, slowly, &rk4));
+  o.integrator = SPH_INTEGRATOR_modified_pc;
+  EXPECT_OK(sph_stable_courant(&o, slowly, &advanced));
+  o.continuity = SPH_CONTINUITY_summation;
+  EXPECT_OK(sph_stable_courant(&o, slowly, &summed));
+  o.continuity = SPH_CONTINUITY_shepard;
+  EXPECT_OK(sph_stable_courant(&o, slowly, &shepard));
+  EXPECT(advanced < 0.02);
+  EXPECT_NEAR(summed * sqrt(2) / rk4, 1, 1e-3);
+  EXPECT(shepard > summed);
+}
+
+static void test_steps_at_rest_are_stable_for_every_derivative(void) {
+  for (int k = 0; k < SPH_KERNEL_COUNT; k++)
+    for (int d = 0; d < SPH_DERIVATIVE_COUNT; d++) {
+      struct sph_scheme o = scheme((enum sph_kernel)k, SPH_DIFFUSION_none, -1, SPH_INTEGRATOR_AUTO);
+      struct sph_bounds bounds;
+      double courant;
+      o.derivative = d;
+      o.derivative_radius = 1.5;
+      EXPECT_OK(sph_stable_courant(&o, slowly, &courant));
+      const double part = sph_courant_at_rest(&o, &bounds) / courant;
+      EXPECT_NEAR(part, 2.2 / 3.292, 5e-3);
+    }
+}
+
 /* The bounds of a run, for every kernel, stay within what is stable. */
 static void test_steps_at_rest_are_stable_for_every_kernel(void) {
   for (int k = 0; k < SPH_KERNEL_COUNT; k++)
@@ -321,6 +397,10 @@ int main(void) {
   RUN(test_rows_below_a_surface);
   RUN(test_diffusion_below_a_surface);
   RUN(test_longest_stable_steps);
+  RUN(test_waves_by_a_fit);
+  RUN(test_waves_of_densities_that_are_sums);
+  RUN(test_modified_pc_is_neutral_where_the_density_is_a_sum);
+  RUN(test_steps_at_rest_are_stable_for_every_derivative);
   RUN(test_steps_at_rest_are_stable_for_every_kernel);
   RUN(test_modes_grow_as_the_integrator_has_it);
   RUN(test_solver_is_stable_up_to_the_longest_steps);
