@@ -42,7 +42,7 @@ SPH_TREATMENTS(WORDS)
 
 const char *const sph_delta_words[] = {"auto", NULL};
 const char *const sph_delta_word_helps[] = {
-    "antuono 0.2, molteni 0.5, ferrari 1 (paper), times (D/w)(gaussian, h/dx = 4/3)/(D/w), with D "
+    "the usual one of the diffusion (paper), times (D/w)(gaussian, h/dx = 4/3)/(D/w), with D "
     "the largest decay rate by the diffusion and w the largest frequency of sound on a lattice",
     NULL};
 
@@ -97,8 +97,7 @@ const struct param sph_params[SPH_N_PARAMS] = {
      NULL},
     {"cfl_diffusive", PARAM_REAL, QTY_NUMBER, AT(cfl_diffusive), 1e-3, 10, "0.44", NULL,
      "factor of the bound from diffusion (paper, eq. 27): of rk4 with the gaussian kernel and h/dx "
-     "= 4/3, scaled for others as decay on a lattice is; molteni and ferrari take 0.72 of it in "
-     "rk4-frozen",
+     "= 4/3, scaled for others as decay on a lattice is",
      NULL},
     {"cfl_viscous", PARAM_REAL, QTY_NUMBER, AT(cfl_viscous), 1e-3, 10, "0.125", NULL,
      "factor of the bound from viscosity (paper, eq. 28)", NULL},

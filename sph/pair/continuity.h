@@ -45,11 +45,51 @@ SPECIALISE vec continuity_flux(enum sph_continuity c, vec flow, vec own, vec ri,
   __builtin_unreachable();
 }
 
+/* Whether rho0 multiplies the divergence, and not the particle's density. */
+SPECIALISE bool continuity_is_of_reference(enum sph_continuity c) {
+  switch (c) {
+  case SPH_CONTINUITY_divergence:
+  case SPH_CONTINUITY_absolute:
+  case SPH_CONTINUITY_mass:
+  case SPH_CONTINUITY_summation:
+  case SPH_CONTINUITY_shepard:
+    return false;
+  case SPH_CONTINUITY_reference:
+    return true;
+  }
+  __builtin_unreachable();
+}
+
 SPECIALISE double continuity_density(enum sph_continuity c, double rho0, double rho) {
-  return c == SPH_CONTINUITY_reference ? rho0 : rho;
+  return continuity_is_of_reference(c) ? rho0 : rho;
 }
 
 /* Whether the density is a sum over neighbours. */
 SPECIALISE bool continuity_sums(enum sph_continuity c) {
-  return c == SPH_CONTINUITY_summation || c == SPH_CONTINUITY_shepard;
+  switch (c) {
+  case SPH_CONTINUITY_divergence:
+  case SPH_CONTINUITY_absolute:
+  case SPH_CONTINUITY_mass:
+  case SPH_CONTINUITY_reference:
+    return false;
+  case SPH_CONTINUITY_summation:
+  case SPH_CONTINUITY_shepard:
+    return true;
+  }
+  __builtin_unreachable();
+}
+
+/* Whether that sum is over one of volumes. */
+SPECIALISE bool continuity_divides(enum sph_continuity c) {
+  switch (c) {
+  case SPH_CONTINUITY_divergence:
+  case SPH_CONTINUITY_absolute:
+  case SPH_CONTINUITY_mass:
+  case SPH_CONTINUITY_reference:
+  case SPH_CONTINUITY_summation:
+    return false;
+  case SPH_CONTINUITY_shepard:
+    return true;
+  }
+  __builtin_unreachable();
 }

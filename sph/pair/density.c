@@ -23,7 +23,7 @@ static void sum_masses(struct sph *s, bool over_volumes) {
  * one whatever the compression. */
 void sph_density_sum(struct sph *s) {
   sum_masses(s, false);
-  if (s->scheme.continuity != SPH_CONTINUITY_shepard) return;
+  if (!continuity_divides((enum sph_continuity)s->scheme.continuity)) return;
   sph_pack_water(s);
   s->wall->fill(s);
   sum_masses(s, true);

@@ -25,16 +25,16 @@ struct sph_slopes sph_slopes_of(const struct sph *s, const struct sph_targets *i
                                 const struct sph_near *water, const struct sph_near *walls) {
   const enum sph_derivative d = (enum sph_derivative)s->scheme.derivative;
   const double F = kernel_slope_scale((enum sph_kernel)s->scheme.kernel);
+  const bool within = derivative_has_radius(d);
   const struct sph_loops *loops = sph_loops_of(&s->scheme);
-  sph_fit_loop *fit = d == SPH_DERIVATIVE_renormalised ? loops->slope_fit : loops->hat_fit;
+  sph_fit_loop *fit = within ? loops->hat_fit : loops->slope_fit;
   struct sph_fit_sums a = {0};
   sph_sums_add(s, fit, true, i, water, &a);
   sph_sums_add(s, fit, true, i, walls, &a);
   struct sph_slopes g;
   for (int l = 0; l < SPH_LANES; l++) {
-    if (d == SPH_DERIVATIVE_mls) centre(&a, l);
-    const double floor =
-        d == SPH_DERIVATIVE_renormalised ? smallest_eigenvalue / F : smallest_spread * a.w[l];
+    if (derivative_takes_means(d)) centre(&a, l);
+    const double floor = within ? smallest_spread * a.w[l] : smallest_eigenvalue / F;
     double ux, uy, vx, vy;
     moments_solve(a.xx[l], a.xy[l], a.yy[l], floor, a.px[l], a.py[l], &g.px[l], &g.py[l]);
     moments_solve(a.xx[l], a.xy[l], a.yy[l], floor, a.ux[l], a.uy[l], &ux, &uy);

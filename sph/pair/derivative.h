@@ -11,6 +11,8 @@
  * pressure vanishes there. Where neighbours do not span the plane M is kept from being singular as
  * that of other fits (moments.h), and the slope fades out. */
 #pragma once
+#include <stdbool.h>
+
 #include "sph/family.h"
 #include "sph/fluid/particles.h"
 
@@ -29,6 +31,44 @@
     "eqs. (3.13), (3.14)); with momentum minus or reference",                                      \
     ##__VA_ARGS__)
 SPH_FAMILY(sph_derivative, SPH_DERIVATIVE, SPH_DERIVATIVES);
+
+SPECIALISE bool derivative_is_fit(enum sph_derivative d) {
+  switch (d) {
+  case SPH_DERIVATIVE_kernel:
+    return false;
+  case SPH_DERIVATIVE_renormalised:
+  case SPH_DERIVATIVE_mls:
+  case SPH_DERIVATIVE_mueller:
+    return true;
+  }
+  __builtin_unreachable();
+}
+
+/* Whether neighbours within derivative_radius count alike; else they have the kernel's weights. */
+SPECIALISE bool derivative_has_radius(enum sph_derivative d) {
+  switch (d) {
+  case SPH_DERIVATIVE_kernel:
+  case SPH_DERIVATIVE_renormalised:
+    return false;
+  case SPH_DERIVATIVE_mls:
+  case SPH_DERIVATIVE_mueller:
+    return true;
+  }
+  __builtin_unreachable();
+}
+
+/* Whether it fits a mean, too, instead of going through the particle's own value. */
+SPECIALISE bool derivative_takes_means(enum sph_derivative d) {
+  switch (d) {
+  case SPH_DERIVATIVE_kernel:
+  case SPH_DERIVATIVE_renormalised:
+  case SPH_DERIVATIVE_mueller:
+    return false;
+  case SPH_DERIVATIVE_mls:
+    return true;
+  }
+  __builtin_unreachable();
+}
 
 struct sph;
 struct sph_near;

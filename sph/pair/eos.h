@@ -82,13 +82,27 @@ SPECIALISE double eos_stored(const struct eos *e, double driving, double y) {
   __builtin_unreachable();
 }
 
+/* Whether the pressure that drives is what exceeds the hydrostatic one, and takes gravity's place.
+ */
+SPECIALISE bool eos_drives_by_excess(enum sph_eos law) {
+  switch (law) {
+  case SPH_EOS_linear:
+  case SPH_EOS_tait:
+  case SPH_EOS_split:
+    return false;
+  case SPH_EOS_dynamic:
+    return true;
+  }
+  __builtin_unreachable();
+}
+
 /* The pressure, from the one that drives; and back. */
 SPECIALISE double eos_pressure(const struct eos *e, double driving, double y) {
-  return e->law == SPH_EOS_dynamic ? driving + eos_weight(e, y) : driving;
+  return eos_drives_by_excess(e->law) ? driving + eos_weight(e, y) : driving;
 }
 
 SPECIALISE double eos_driving_of(const struct eos *e, double pressure, double y) {
-  return e->law == SPH_EOS_dynamic ? pressure - eos_weight(e, y) : pressure;
+  return eos_drives_by_excess(e->law) ? pressure - eos_weight(e, y) : pressure;
 }
 
 /* The pressure that drives, `drop` (m) below where it is `driving`, in water at rest: from dp/dy =
@@ -112,22 +126,47 @@ SPECIALISE double eos_driving_below(const struct eos *e, double driving, double 
 
 /* What is left of gravity beside the pressure that drives, m s^-2. */
 SPECIALISE double eos_gravity(const struct eos *e) {
-  return e->law == SPH_EOS_dynamic ? 0 : e->g;
+  return eos_drives_by_excess(e->law) ? 0 : e->g;
 }
 
 /* How the density changes with height alone, kg m^-4. */
 SPECIALISE double eos_density_rises(const struct eos *e) {
-  return e->law == SPH_EOS_split ? -e->rho0 * e->g / (e->c0 * e->c0) : 0;
+  switch (e->law) {
+  case SPH_EOS_linear:
+  case SPH_EOS_tait:
+  case SPH_EOS_dynamic:
+    return 0;
+  case SPH_EOS_split:
+    return -e->rho0 * e->g / (e->c0 * e->c0);
+  }
+  __builtin_unreachable();
 }
 
-/* Whether the density that evolves is the density, and the pressure that drives the pressure. */
+/* Whether the density that evolves is the density, and the pressure that drives the pressure: if
+ * not, gravity has gone into one of them. */
 SPECIALISE bool eos_is_plain(enum sph_eos law) {
-  return law == SPH_EOS_linear || law == SPH_EOS_tait;
+  switch (law) {
+  case SPH_EOS_linear:
+  case SPH_EOS_tait:
+    return true;
+  case SPH_EOS_dynamic:
+  case SPH_EOS_split:
+    return false;
+  }
+  __builtin_unreachable();
 }
 
 /* Whether the pressure that drives is c0^2 times the stored density, but for a constant. */
 SPECIALISE bool eos_is_linear(enum sph_eos law) {
-  return law != SPH_EOS_tait;
+  switch (law) {
+  case SPH_EOS_linear:
+  case SPH_EOS_dynamic:
+  case SPH_EOS_split:
+    return true;
+  case SPH_EOS_tait:
+    return false;
+  }
+  __builtin_unreachable();
 }
 
 /* e = c0^2 (ln(rho/rho0) + rho0/rho - 1); Tait's is (c0^2/7) ((r^6 - 1)/6 + 1/r - 1), r =

@@ -6,10 +6,11 @@
 #include "sph/pair/derivative.h"
 #include "sph/pair/diffusion.h"
 #include "sph/pair/kernel.h"
+#include "sph/pair/momentum.h"
 #include "sph/time/integrator.h"
 
 bool sph_forms_adjoint(const struct sph_scheme *o) {
-  if (o->derivative != SPH_DERIVATIVE_kernel) return false;
+  if (derivative_is_fit((enum sph_derivative)o->derivative)) return false;
   if (!eos_is_plain((enum sph_eos)o->eos)) return false;
   switch ((enum sph_momentum)o->momentum) {
   case SPH_MOMENTUM_plus:
@@ -26,11 +27,11 @@ bool sph_forms_adjoint(const struct sph_scheme *o) {
 }
 
 static bool shares_gravity(const struct sph_scheme *o) {
-  return o->eos == SPH_EOS_dynamic || o->eos == SPH_EOS_split;
+  return !eos_is_plain((enum sph_eos)o->eos);
 }
 
 static bool is_light_momentum(const struct sph_scheme *o) {
-  return shares_gravity(o) && o->momentum != SPH_MOMENTUM_reference;
+  return shares_gravity(o) && !momentum_is_of_reference((enum sph_momentum)o->momentum);
 }
 
 static bool is_mixed_density(const struct sph_scheme *o) {
@@ -60,7 +61,7 @@ static bool is_treated_sum(const struct sph_scheme *o) {
 }
 
 static bool is_fitted(const struct sph_scheme *o) {
-  return o->derivative != SPH_DERIVATIVE_kernel;
+  return derivative_is_fit((enum sph_derivative)o->derivative);
 }
 
 static bool is_paired_fit(const struct sph_scheme *o) {
@@ -72,14 +73,16 @@ static bool is_summed_fit(const struct sph_scheme *o) {
          o->continuity != SPH_CONTINUITY_reference;
 }
 
+static bool has_radius(const struct sph_scheme *o) {
+  return derivative_has_radius((enum sph_derivative)o->derivative);
+}
+
 static bool is_wide_fit(const struct sph_scheme *o) {
-  const bool hat = o->derivative == SPH_DERIVATIVE_mls || o->derivative == SPH_DERIVATIVE_mueller;
-  return hat && o->derivative_radius > kernel_support((enum sph_kernel)o->kernel);
+  return has_radius(o) && o->derivative_radius > kernel_support((enum sph_kernel)o->kernel);
 }
 
 static bool is_narrow_fit(const struct sph_scheme *o) {
-  const bool hat = o->derivative == SPH_DERIVATIVE_mls || o->derivative == SPH_DERIVATIVE_mueller;
-  return hat && o->derivative_radius * o->h_over_dx < 1.45;
+  return has_radius(o) && o->derivative_radius * o->h_over_dx < 1.45;
 }
 
 static bool is_relaxed_fit(const struct sph_scheme *o) {
@@ -172,7 +175,7 @@ const char *sph_forms_warning(const struct sph_scheme *o) {
     return "densities that are sums over neighbours are too low beside a free surface, where "
            "the pressure then is -0.1 to -0.2 rho0 c0^2: the surface contracts with some tenths "
            "of the speed of sound (thesis, 2.5.6)";
-  if (o->eos == SPH_EOS_dynamic)
+  if (eos_drives_by_excess((enum sph_eos)o->eos))
     return "eos dynamic has no dynamic pressure at a free surface, instead of no pressure: water "
            "does not fall";
   if (is_fitted(o) && o->free_surface == SPH_FREE_SURFACE_natural)

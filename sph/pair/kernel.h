@@ -45,7 +45,17 @@ SPH_FAMILY(sph_kernel, SPH_KERNEL, SPH_KERNELS);
 
 /* Whether W is a function of the distance alone. */
 SPECIALISE bool kernel_is_radial(enum sph_kernel k) {
-  return k != SPH_KERNEL_tensor;
+  switch (k) {
+  case SPH_KERNEL_gaussian:
+  case SPH_KERNEL_cubic:
+  case SPH_KERNEL_wendland_c2:
+  case SPH_KERNEL_wendland_c4:
+  case SPH_KERNEL_quintic:
+    return true;
+  case SPH_KERNEL_tensor:
+    return false;
+  }
+  __builtin_unreachable();
 }
 
 /* Radius of the support, in h: of the circle round it. */

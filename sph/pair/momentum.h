@@ -45,7 +45,21 @@ SPECIALISE vec momentum_pressure(enum sph_momentum m, vec pi, vec pj, vec ri, ve
   __builtin_unreachable();
 }
 
-/* The density that divides the gradient of the pressure: at rest that is this times gravity. */
+/* Whether rho0 divides the gradient of the pressure, and not the particle's density. */
+SPECIALISE bool momentum_is_of_reference(enum sph_momentum m) {
+  switch (m) {
+  case SPH_MOMENTUM_plus:
+  case SPH_MOMENTUM_minus:
+  case SPH_MOMENTUM_neighbour:
+  case SPH_MOMENTUM_mass:
+    return false;
+  case SPH_MOMENTUM_reference:
+    return true;
+  }
+  __builtin_unreachable();
+}
+
+/* The density that does: at rest the gradient is this times gravity. */
 SPECIALISE double momentum_density(enum sph_momentum m, double rho0, double rho) {
-  return m == SPH_MOMENTUM_reference ? rho0 : rho;
+  return momentum_is_of_reference(m) ? rho0 : rho;
 }

@@ -173,7 +173,7 @@ static void find_stiffness(const struct sph *s, size_t at, struct stiffness *k) 
     k->elastic[l] = k->pV[l] / k->rho[l];
     k->lift[l] = 0;
   }
-  if (eos_is_plain(s->eos.law) && c != SPH_CONTINUITY_reference) return;
+  if (eos_is_plain(s->eos.law) && !continuity_is_of_reference(c)) return;
   for (size_t l = 0; l < SPH_LANES; l++) {
     const double y = s->f.w.y[at + l], rho = eos_density(&s->eos, s->f.w.rho[at + l], y);
     const double pV = eos_pressure(&s->eos, s->f.p[at + l], y) * s->f.m[at + l] / rho;
@@ -248,7 +248,8 @@ static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
 
   struct effects e;
   effects_of(s, s->f.w.rho + at, &a, &b, &e);
-  if (s->scheme.derivative != SPH_DERIVATIVE_kernel) fit_effects(s, &i, &water, &walls, &e);
+  if (derivative_is_fit((enum sph_derivative)s->scheme.derivative))
+    fit_effects(s, &i, &water, &walls, &e);
   add_effects(s, &e);
   if (s->pull.rate > 0) add_pull(&s->pull, &i, &e);
   struct stiffness stiff;

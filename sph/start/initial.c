@@ -152,7 +152,8 @@ static enum status fill_columns(struct filling *w) {
 enum status sph_initial_fill(struct sph *s, const struct case_file *c) {
   struct filling w = {.s = s, .c = c};
   enum status status = OK;
-  const bool even = s->scheme.momentum == SPH_MOMENTUM_reference; /* thesis, eq. (4.27) */
+  const bool even =
+      momentum_is_of_reference((enum sph_momentum)s->scheme.momentum); /* thesis, eq. (4.27) */
   const struct flow_use use = {.spacing = s->dx, .sound = s->c0, .even = even};
   ATTEMPT(flow_open(c, use, &w.water));
   ATTEMPT(c->flow->start          ? fill_lattice(&w)

@@ -21,7 +21,7 @@ const char *const sph_integrator_helps[] = {
 #define X(variant, name, help) help,
     SPH_INTEGRATORS(X)
 #undef X
-        "rk4-split with molteni or ferrari, which frozen need shorter steps, else rk4-frozen"};
+        "rk4-split with a diffusion that frozen needs shorter steps, else rk4-frozen"};
 
 int sph_integrator_chosen(const struct sph_scheme *o) {
   if (o->integrator != SPH_INTEGRATOR_AUTO) return o->integrator;

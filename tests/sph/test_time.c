@@ -272,7 +272,7 @@ static void test_auto_freezes_only_what_is_stable_frozen(void) {
     struct sph *s;
     EXPECT_OK(sph_create(c, 20, &o, &s));
     const struct sph_integrator *m = sph_integrators[s->scheme.integrator];
-    EXPECT(m->frozen == (d != SPH_DIFFUSION_molteni && d != SPH_DIFFUSION_ferrari));
+    EXPECT(m->frozen == (diffusion_frozen((enum sph_diffusion)d) == 1));
     EXPECT(m->split == !m->frozen);
     sph_destroy(s);
     case_destroy(c);
