@@ -48,7 +48,7 @@ const char *const sph_delta_word_helps[] = {
 
 static const char *const precision_names[] = {"single", "double", NULL};
 static const char *const precision_helps[] = {
-    "differences of doubles, rounded: costs 1e-7 of a pair's contribution",
+    "differences of doubles, rounded: costs 1e-6 of a pair's contribution",
     "takes up to twice the time; conserves to 1e-13"};
 
 #define AT(member) offsetof(struct sph_scheme, member)

@@ -64,7 +64,7 @@ static void start_cluster(struct sph *s, struct dynamic *d, size_t cluster) {
     i.x[l] = s->w.x[k];
     i.y[l] = s->w.y[k];
   }
-  if (near.n) sph_loops_of(&s->scheme)->fit(s, &i, &near, &a);
+  if (near.n) sph_loops_for(s, &i)->fit(s, &i, &near, &a);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
     const double y = i.y[l], lowest = lowest_density(s, y);
     d->rho[at + l] = lowest;
@@ -116,8 +116,8 @@ static void cluster_rates(struct sph *s, struct dynamic *d, int stage, size_t cl
     i.rho[l] = w->rho;
   }
   if (near.n)
-    sph_loops_of(&s->scheme)
-        ->rates(s, &(struct sph_rates_how){SPH_DIFFUSION_none, false, 1e-24}, &i, &near, &a);
+    sph_loops_for(s, &i)->rates(s, &(struct sph_rates_how){SPH_DIFFUSION_none, false, 1e-24}, &i,
+                                &near, &a);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
     const double rho = eos_density(&s->eos, i.rho[l], i.y[l]);
     d->k[stage][at + l] = -continuity_density(form, s->rho0, rho) * per_time * a.div[l];

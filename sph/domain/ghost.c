@@ -71,7 +71,7 @@ static void fill_cluster(struct sph *s, size_t cluster) {
     i.y[l] = node->y[at + l];
   }
   struct sph_mls f;
-  sph_mls_at(s, sph_loops_of(&s->scheme), farthest2 * s->scale.inside, &i, &near, &f);
+  sph_mls_at(s, sph_loops_for(s, &i), farthest2 * s->scale.inside, &i, &near, &f);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
     const double rx = node->rx[at + l], ry = node->ry[at + l];
     const double gravity = -sph_weight(s, eos_stored(&s->eos, f.p[l], i.y[l]), i.y[l]);

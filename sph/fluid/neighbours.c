@@ -10,6 +10,9 @@
 
 static const double rounding = 1 + 1e-5; /* of squares in single precision, and more */
 
+/* In reaches: a cluster that is wider is searched for in doubles, and not in all of its box. */
+static const double wide = 4;
+
 /* In particle spacings: wide enough for a cluster of eight to be about square. */
 static const double column_width = 2.83, bin_height = 1;
 
@@ -75,12 +78,15 @@ size_t sph_grid_sort(struct sph_grid *g, size_t n, const double *x, const double
 struct cluster {
   double x0, y0, left, right, low, high; /* m; the box around it */
   vec x[SPH_PARTS], y[SPH_PARTS];
+  double all_x[SPH_LANES], all_y[SPH_LANES]; /* m, as they are */
 };
 
 static struct cluster cluster_of(const double *x, const double *y, size_t i, size_t n) {
-  struct cluster c = {x[i], y[i], x[i], x[i], y[i], y[i], {{0}}, {{0}}};
+  struct cluster c = {x[i], y[i], x[i], x[i], y[i], y[i], {{0}}, {{0}}, {0}, {0}};
   for (size_t l = 0; l < SPH_LANES; l++) {
     const size_t at = i + l < n ? i + l : i;
+    c.all_x[l] = x[at];
+    c.all_y[l] = y[at];
     c.left = smaller(x[at], c.left);
     c.right = larger(x[at], c.right);
     c.low = smaller(y[at], c.low);
@@ -104,18 +110,22 @@ SPECIALISE bool is_near(const struct cluster *c, double x, double y, vec limit) 
   return any;
 }
 
+static enum status make_room(struct sph_chunk *k, size_t n) {
+  if (n <= k->room) return OK;
+  const size_t room = 2 * n;
+  uint32_t *j = realloc(k->j, room * sizeof *j);
+  CHECK(j, ERR_MEMORY, "no memory for the neighbour lists");
+  k->j = j;
+  k->room = room;
+  return OK;
+}
+
 /* Appends the sources of cells [from, to) that are near one of the cluster's points. By itself, so
  * that the cluster stays in registers: lists take a third of the time that way. */
 __attribute__((noinline)) static enum status append(struct sph_chunk *k, size_t *n, size_t from,
                                                     size_t to, const struct cluster *c,
                                                     const struct sph_points *s, double reach) {
-  if (*n + (to - from) > k->room) {
-    size_t room = 2 * (*n + (to - from));
-    uint32_t *j = realloc(k->j, room * sizeof *j);
-    CHECK(j, ERR_MEMORY, "no memory for the neighbour lists");
-    k->j = j;
-    k->room = room;
-  }
+  TRY(make_room(k, *n + (to - from)));
   const struct cluster t = *c; /* out of the reach of what is written */
   const double *x = s->x, *y = s->y;
   const vec limit = vec_of((real)(reach * reach * rounding));
@@ -130,10 +140,61 @@ __attribute__((noinline)) static enum status append(struct sph_chunk *k, size_t 
   return OK;
 }
 
+/* The same for a wide cluster. */
+static enum status append_to_wide(struct sph_chunk *k, size_t *n, size_t from, size_t to,
+                                  const struct cluster *c, const struct sph_points *s,
+                                  double reach) {
+  TRY(make_room(k, *n + (to - from)));
+  for (size_t j = from; j < to; j++) {
+    bool near = false;
+    for (size_t l = 0; l < SPH_LANES; l++) {
+      const double x = s->x[j] - c->all_x[l], y = s->y[j] - c->all_y[l];
+      near |= x * x + y * y < reach * reach;
+    }
+    k->j[*n] = s->first + (uint32_t)j;
+    *n += near;
+  }
+  return OK;
+}
+
+/* Between which heights a column may hold sources near a cluster's points. */
+struct heights {
+  double low, high;
+};
+
+static struct heights heights_in(const struct sph_grid *g, size_t column, const struct cluster *c,
+                                 double far) {
+  struct heights h = {INFINITY, -INFINITY};
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    if (column < column_of(g, c->all_x[l] - far) || column > column_of(g, c->all_x[l] + far))
+      continue;
+    h.low = smaller(c->all_y[l] - far, h.low);
+    h.high = larger(c->all_y[l] + far, h.high);
+  }
+  return h;
+}
+
+static enum status build_wide(struct sph_chunk *k, size_t *n, const struct cluster *t,
+                              const struct sph_points *s, double reach) {
+  const struct sph_grid *g = s->grid;
+  const double far = reach + s->drift;
+  const size_t last = column_of(g, t->right + far);
+  for (size_t c = column_of(g, t->left - far); c <= last; c++) {
+    const struct heights h = heights_in(g, c, t, far);
+    if (h.low > h.high) continue;
+    size_t a = cell_of(g, c, bin_of(g, h.low)), b = cell_of(g, c, bin_of(g, h.high));
+    size_t from = g->start[a < b ? a : b], to = g->start[(a < b ? b : a) + 1];
+    if (from < to) TRY(append_to_wide(k, n, from, to, t, s, reach));
+  }
+  return OK;
+}
+
 static enum status build_cluster(struct sph_chunk *k, size_t *n, const struct cluster *t,
                                  const struct sph_points *s, double reach) {
   const struct sph_grid *g = s->grid;
   const double far = reach + s->drift;
+  if (larger(t->right - t->left, t->high - t->low) > wide * reach)
+    return build_wide(k, n, t, s, reach);
   const size_t bin0 = bin_of(g, t->low - far), bin1 = bin_of(g, t->high + far);
   const size_t last = column_of(g, t->right + far);
   for (size_t c = column_of(g, t->left - far); c <= last; c++) {

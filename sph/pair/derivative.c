@@ -26,7 +26,7 @@ struct sph_slopes sph_slopes_of(const struct sph *s, const struct sph_targets *i
   const enum sph_derivative d = (enum sph_derivative)s->scheme.derivative;
   const double F = kernel_slope_scale((enum sph_kernel)s->scheme.kernel);
   const bool within = derivative_has_radius(d);
-  const struct sph_loops *loops = sph_loops_of(&s->scheme);
+  const struct sph_loops *loops = sph_loops_for(s, i);
   sph_fit_loop *fit = within ? loops->hat_fit : loops->slope_fit;
   struct sph_fit_sums a = {0};
   sph_sums_add(s, fit, true, i, water, &a);

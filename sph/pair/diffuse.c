@@ -21,7 +21,7 @@ static void cluster_diffusion(struct sph *s, size_t cluster, const void *wanted)
   const struct sph_targets i = sph_targets_of(s, cluster);
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
   struct sph_diffusion_sums a;
-  sph_loops_of(&s->scheme)->diffusion(s, &i, &water, &a);
+  sph_loops_for(s, &i)->diffusion(s, &i, &water, &a);
   const double per_time =
       2 * s->scheme.delta * s->c0 / s->h * kernel_slope_scale((enum sph_kernel)s->scheme.kernel);
   double most = 0;

@@ -8,8 +8,8 @@ static const double smallest_eigenvalue = 0.1;
 
 static void cluster_gradient(struct sph *s, size_t cluster, const void *wanted) {
   (void)wanted;
-  const struct sph_loops *loops = sph_loops_of(&s->scheme);
   const struct sph_targets i = sph_targets_of(s, cluster);
+  const struct sph_loops *loops = sph_loops_for(s, &i);
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
   struct sph_gradient_sums a, b = {0};
   loops->gradient(s, &i, &water, &a);

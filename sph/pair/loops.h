@@ -4,8 +4,16 @@
  *
  * Sums are made in the precision of the scheme, and all else is double: what enters a sum is the
  * difference of positions and of velocities, taken in double from a particle of the cluster and
- * then rounded, so that single precision costs about 1e-7 of a pair's contribution wherever the
- * water is and however fast. Within the loops units are h, c0 and rho0. */
+ * then rounded. Single precision so rounds places to 2.4e-7 h within 8h of that particle, and a
+ * pair's contribution by up to 1e-6 of what neighbours contribute, wherever the water is and
+ * however fast; a cluster whose particles are farther apart (the last of one body of water and the
+ * first of the next, or spray) is summed in doubles. Two things remain. Pressures are counted from
+ * 0, so that the diffusion, which takes their differences, is off by 6e-8 p: of a difference
+ * between neighbours, rho0 g dx, that is 6e-8 times the depth over dx. And the slope of the
+ * Gaussian is exp(-9) at the edge of its support, not 0: a pair that is there within 2e-6 of its
+ * distance may count in one precision and not in the other, at most 1.3e-4 (p_i + p_j)/(rho0 h) of
+ * acceleration (at H/dx = 100 that is up to 0.2 m/s^2 at the bed, H = 1 m), as it comes and goes
+ * when the particle crosses the edge. Within the loops units are h, c0 and rho0. */
 #pragma once
 #include "sph/domain/wall.h"
 #include "sph/pair/diffusion.h"
@@ -81,9 +89,21 @@ struct sph_loops {
 extern const struct sph_loops sph_loops_single[SPH_KERNEL_COUNT],
     sph_loops_double[SPH_KERNEL_COUNT];
 
-/* Those of the scheme. */
-static inline const struct sph_loops *sph_loops_of(const struct sph_scheme *o) {
-  return (o->precision == SPH_PRECISION_double ? sph_loops_double : sph_loops_single) + o->kernel;
+/* In h. A cluster of water that hangs together is up to 4.2 h wide: two columns of the sort. */
+enum { SPH_WIDE = 6 };
+
+/* Whether the sums around these targets are made in doubles: where the scheme says so, and where
+ * rounded places would have too few digits. */
+static inline bool sph_takes_doubles(const struct sph *s, const struct sph_targets *i) {
+  double far = 0;
+  for (size_t l = 0; l < SPH_LANES; l++)
+    far = larger(larger(fabs(i->x[l] - i->x[0]), fabs(i->y[l] - i->y[0])), far);
+  return s->scheme.precision == SPH_PRECISION_double || far > SPH_WIDE * s->h;
+}
+
+static inline const struct sph_loops *sph_loops_for(const struct sph *s,
+                                                    const struct sph_targets *i) {
+  return (sph_takes_doubles(s, i) ? sph_loops_double : sph_loops_single) + s->scheme.kernel;
 }
 
 /* Clusters whose sources stay in the caches, so that asking for them ahead only costs. */

@@ -212,7 +212,7 @@ static struct sph_totals totals_of(const struct sph *s, size_t at, const struct 
 static void sum_walls(const struct sph *s, const struct evaluation *how, enum sph_diffusion d,
                       const struct sph_targets *i, const struct sph_near *walls,
                       struct sph_rates_sums *b) {
-  const struct sph_loops *loops = sph_loops_of(&s->scheme);
+  const struct sph_loops *loops = sph_loops_for(s, i);
   /* A particle that comes through the wall meets its own image at no distance: nearer than h/100
    * that must not stop the clock. */
   const double soft2 = s->wall->moving ? 1e-4 : 1e-24;
@@ -233,11 +233,11 @@ static void sum_walls(const struct sph *s, const struct evaluation *how, enum sp
 
 static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
   const struct evaluation *how = wanted;
-  const struct sph_loops *loops = sph_loops_of(&s->scheme);
   const enum sph_diffusion d =
       how->diffuse ? (enum sph_diffusion)s->scheme.diffusion : SPH_DIFFUSION_none;
   const size_t at = cluster * SPH_LANES;
   const struct sph_targets i = sph_targets_of(s, cluster);
+  const struct sph_loops *loops = sph_loops_for(s, &i);
   struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
   water.G = s->G;
   struct sph_rates_sums a, b = {0};

@@ -32,8 +32,8 @@ void sph_sums_add(const struct sph *s, sph_fit_loop *fit, bool from_targets,
 }
 
 struct sph_fit_sums sph_sums_around(const struct sph *s, size_t cluster, unsigned of) {
-  sph_fit_loop *fit = sph_loops_of(&s->scheme)->fit;
   const struct sph_targets i = sph_targets_of(s, cluster);
+  sph_fit_loop *fit = sph_loops_for(s, &i)->fit;
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
   struct sph_lip lip;
   const struct sph_near walls = sph_near_walls(s, cluster, &lip);

@@ -22,7 +22,8 @@ struct sph_treat_loops {
 extern const struct sph_treat_loops sph_treat_loops_single[SPH_KERNEL_COUNT],
     sph_treat_loops_double[SPH_KERNEL_COUNT];
 
-static inline const struct sph_treat_loops *sph_treat_loops_of(const struct sph_scheme *o) {
-  return (o->precision == SPH_PRECISION_double ? sph_treat_loops_double : sph_treat_loops_single) +
-         o->kernel;
+static inline const struct sph_treat_loops *sph_treat_loops_for(const struct sph *s,
+                                                                const struct sph_targets *i) {
+  return (sph_takes_doubles(s, i) ? sph_treat_loops_double : sph_treat_loops_single) +
+         s->scheme.kernel;
 }

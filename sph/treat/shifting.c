@@ -25,7 +25,7 @@ static const double smallest_eigenvalue = 0.1; /* of the moments that the normal
 /* A cluster's sums of one loop: over the water and, of the moments alone, the walls. */
 static struct sph_gradient_sums moments_of(const struct sph *s, const struct sph_targets *i,
                                            size_t cluster, bool walls_too) {
-  const struct sph_loops *loops = sph_loops_of(&s->scheme);
+  const struct sph_loops *loops = sph_loops_for(s, i);
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
   struct sph_gradient_sums a, b;
   loops->gradient(s, i, &water, &a);
@@ -75,8 +75,8 @@ static void keep_along(double nx, double ny, double *x, double *y) {
 
 static void shift_cluster(struct sph *s, size_t cluster, const void *wanted) {
   const double factor = *(const double *)wanted;
-  const struct sph_treat_loops *loops = sph_treat_loops_of(&s->scheme);
   const struct sph_targets i = sph_targets_of(s, cluster);
+  const struct sph_treat_loops *loops = sph_treat_loops_for(s, &i);
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
   struct sph_lip lip;
   const struct sph_near walls = sph_near_walls(s, cluster, &lip);

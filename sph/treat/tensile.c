@@ -10,8 +10,8 @@
 #include "sph/treat/treat.h"
 
 static void relax(struct sph *s, int stage, size_t cluster, struct sph_totals *totals) {
-  const struct sph_treat_loops *loops = sph_treat_loops_of(&s->scheme);
   const struct sph_targets i = sph_targets_of(s, cluster);
+  const struct sph_treat_loops *loops = sph_treat_loops_for(s, &i);
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
   struct sph_lip lip;
   const struct sph_near walls = sph_near_walls(s, cluster, &lip);

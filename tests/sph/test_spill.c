@@ -126,7 +126,7 @@ static double pull_at(struct sph *s, double x, double y) {
   struct sph_lip lip;
   struct sph_gradient_sums sums;
   if (sph_lip_at(s, at.x, at.y, over, &lip)) walls.lip = &lip;
-  sph_loops_of(&s->scheme)->gradient(s, &at, &walls, &sums);
+  sph_loops_for(s, &at)->gradient(s, &at, &walls, &sums);
   free(all);
   return sums.x[0];
 }

@@ -288,7 +288,7 @@ static void test_shifts_keep_the_centre_of_mass(void) {
     const struct sph_targets i = sph_targets_of(s, k);
     const struct sph_near water = sph_near_of(&s->water_water, k, s->pack);
     struct sph_vector_sums a;
-    sph_treat_loops_of(&s->scheme)->crowd(s, 0.2, &i, &water, &a);
+    sph_treat_loops_for(s, &i)->crowd(s, 0.2, &i, &water, &a);
     for (size_t l = 0; l < SPH_LANES; l++) {
       x += s->f.m[k * SPH_LANES + l] * a.x[l];
       size += s->f.m[k * SPH_LANES + l] * fabs(a.x[l]);
