@@ -8,9 +8,9 @@
 #include "sph/time/timestep.h"
 
 /* Measured on dam breaks of H/dx = 50 to 800, all diffusions alike: 28 MB and 650 bytes a particle
- * at rest, up to 1000 when it moves (lists and pages of output grow). Of a whole run an
- * evaluation takes a particle 0.19 to 0.33 microseconds of one processor, more on a busy machine;
- * twice that in double precision. */
+ * at rest, up to 1000 when it moves (lists and pages of output grow); with 12 MB to spare. Of a
+ * whole run an evaluation takes a particle 0.19 to 0.33 microseconds of one processor, of which the
+ * upper end is taken; more on a busy machine; twice that in double precision. */
 static const double BYTES_ALONE = 40e6, BYTES_OF_PARTICLE = 1000, BYTES_OF_CELL = 4;
 static const double SECONDS_OF_EVALUATION = 300e-9;
 /* Threads that share an evaluation start and wait for each other a few dozen times: 5,000 particles

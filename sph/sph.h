@@ -62,7 +62,7 @@ struct sph_budget {
  * largest values that bound the time step. */
 struct sph_totals {
 #define X(name, ...) double name;
-  SPH_POWERS(X)
+  SPH_SPENT(X)
 #undef X
   double acceleration2; /* max |a|^2, m^2 s^-4 */
   double speed;         /* max (|u_i| + h max_j |pi_ij|), m/s */

@@ -75,9 +75,10 @@ void sph_particles_pad(struct sph_particles *p) {
 #define X(name, unit, help) p->w.name[i] = p->w.name[p->n - 1];
     SPH_EVOLVING(X)
 #undef X
-    p->m[i] = 0;
-    p->over[i] = p->over[p->n - 1];
-    p->D[i] = 0;
+#define X(name, unit, help) p->name[i] = p->name[p->n - 1];
+    SPH_KEPT(X)
+#undef X
+    p->m[i] = p->D[i] = 0; /* it is not there */
   }
 }
 

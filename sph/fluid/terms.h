@@ -18,6 +18,9 @@
 /* Those that an integrator takes by itself. */
 #define SPH_STEP_TERMS(X) X(damping, "energy taken out so far by the damping of the integrator")
 
+/* What a step takes out of the water. */
+#define SPH_SPENT(X) SPH_POWERS(X) SPH_STEP_TERMS(X)
+
 /* And one for each treatment between steps, which is what the energy fell by while it was applied.
  */
-#define SPH_TERMS(X) SPH_POWERS(X) SPH_STEP_TERMS(X) SPH_TREATMENTS(X)
+#define SPH_TERMS(X) SPH_SPENT(X) SPH_TREATMENTS(X)

@@ -90,7 +90,7 @@ enum status sph_step(struct sph *s, double dt) {
   }
   s->again = false;
 #define X(name, ...) s->budget.name += spent.name;
-  SPH_POWERS(X)
+  SPH_SPENT(X)
 #undef X
   sph_wall_confine(s);
   s->t += dt;

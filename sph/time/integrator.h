@@ -23,7 +23,9 @@ struct sph_integrator {
   struct sph_stages (*stages)(double damping);
   /* From the state s->f.w0 and the rates of stage 0: the state after dt into s->f.w, what the step
    * dissipates into *spent. *held becomes false, and all else is void, when the neighbour lists do
-   * not hold for a state in between. */
+   * not hold for a state in between. Of the state after dt nobody asks: no sum over pairs is taken
+   * of it before the next step has brought the lists up to date (sph_neighbours_update, with which
+   * stage 0 begins); what outputs sum in between has lists of its own (observe/). */
   enum status (*step)(struct sph *s, const struct sph_integrator *method, double dt,
                       struct sph_totals *spent, bool *held);
 };

@@ -107,7 +107,7 @@ static enum status step(struct sph *s, const struct sph_integrator *method, doub
     spend(spent, end, r, dt, &s->totals);
   }
   set_state(s, end, stages.n, dt);
-  s->budget.damping += energy_damped(s, damping);
+  spent->damping += energy_damped(s, damping);
   return OK;
 }
 

@@ -9,6 +9,10 @@ _Static_assert(SPH_MAX_STAGES == 4, "combine adds four terms at most");
 static void combine(size_t n, double *w, const double *w0, int n_terms, const double *c,
                     const double *const *k) {
   switch (n_terms) {
+  case 0:
+#pragma omp for simd schedule(static) nowait
+    for (size_t i = 0; i < n; i++) w[i] = w0[i];
+    break;
   case 1: {
     const double *k0 = k[0];
 #pragma omp for simd schedule(static) nowait
@@ -21,7 +25,8 @@ static void combine(size_t n, double *w, const double *w0, int n_terms, const do
     for (size_t i = 0; i < n; i++) w[i] = w0[i] + (c[0] * k0[i] + c[1] * k1[i]);
     break;
   }
-  default: {
+  case 3:
+  case 4: {
     const double *k0 = k[0], *k1 = k[1], *k2 = k[2], *k3 = k[n_terms > 3 ? 3 : 2];
     double c3 = n_terms > 3 ? c[3] : 0;
 #pragma omp for simd schedule(static) nowait
