@@ -30,20 +30,29 @@
 static enum status march(const struct case_file *c, struct sph *s, struct sph_output *output,
                          struct progress *progress) {
   TRY(sph_watch_state(s));
+  sph_enter(s, SPH_PHASE_output);
   TRY(sph_output_step(output, s, 0));
+  sph_enter(s, SPH_PHASE_other);
   double work = 0;
   while (s->t < c->end) {
     if (progress_stop_requested()) return status_raise(INTERRUPTED, "stopped at t = %g s", s->t);
     TRY(sph_remove_outside(s));
+    sph_enter(s, SPH_PHASE_treat);
     TRY(sph_treat(s));
     TRY(sph_rates(s, 0, true, true));
+    sph_enter(s, SPH_PHASE_output);
     TRY(sph_output_rates(output, s));
+    sph_enter(s, SPH_PHASE_check);
     double next = sph_output_next(output), dt = sph_timestep(s, next);
     TRY(sph_watch_step(s, dt, next - s->t));
+    sph_enter(s, SPH_PHASE_step);
     TRY(sph_step(s, dt));
     if (next - s->t < 1e-9 * dt) s->t = next;
+    sph_enter(s, SPH_PHASE_check);
     TRY(sph_watch_state(s));
+    sph_enter(s, SPH_PHASE_output);
     TRY(sph_output_step(output, s, dt));
+    sph_enter(s, SPH_PHASE_other);
     work += (double)s->f.n;
     progress_step(progress, s->steps, s->t, dt, work, "particles", sph_output_drift(output));
   }

@@ -65,6 +65,7 @@ static enum status list_walls(struct sph *s, double least) {
 static enum status sort_and_list(struct sph *s, const unsigned char *drop, double least,
                                  double least_wall) {
   struct sph_particles *f = &s->f;
+  const enum sph_phase was = sph_enter(s, SPH_PHASE_sort);
   sph_period_wrap(s);
   size_t n = sph_grid_sort(&s->grid, f->n, f->w.x, f->w.y, drop, f->key, f->order);
   sph_particles_permute(f, n);
@@ -80,7 +81,9 @@ static enum status sort_and_list(struct sph *s, const unsigned char *drop, doubl
   const struct sph_sources water = sph_sources_of_water(s);
   TRY(sph_lists_build(&s->water_water, n, f->w.x, f->w.y, &water, s->support + s->skin));
   s->rebuilds++;
-  return list_walls(s, least_wall);
+  TRY(list_walls(s, least_wall));
+  sph_enter(s, was);
+  return OK;
 }
 
 /* A particle that leaves the straight way by this much, m, may still be listed. */
@@ -104,13 +107,20 @@ bool sph_lists_hold(const struct sph *s, double elapsed) {
 }
 
 /* Lists made for water that went farther are made anew when half as wide would do. */
-enum status sph_neighbours_update(struct sph *s) {
+static enum status update(struct sph *s) {
   sph_drift_measure(s, longer_step * s->dt);
   const double left = sph_drift_left(s);
   const bool wide = s->skin > 2 * usual_skin * s->dx && left > s->skin / 2 && !s->again;
   if (left < 0 || wide || sph_period_left(s) < 0) return sort_and_list(s, NULL, 0, 0);
   s->drift.walls = sph_drift_at_walls(s, s->drift.ahead);
   if (s->drift.walls > wall_reserve(s)) return list_walls(s, 0);
+  return OK;
+}
+
+enum status sph_neighbours_update(struct sph *s) {
+  const enum sph_phase was = sph_enter(s, SPH_PHASE_sort);
+  TRY(update(s));
+  sph_enter(s, was);
   return OK;
 }
 

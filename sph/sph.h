@@ -18,6 +18,7 @@
 #include "sph/fluid/particles.h"
 #include "sph/fluid/terms.h"
 #include "sph/pair/eos.h"
+#include "sph/phase.h"
 #include "sph/scheme.h"
 #include "sph/theory/scale.h"
 
@@ -100,6 +101,7 @@ struct sph {
   struct sph_budget budget;
   struct sph_totals totals; /* of the last evaluation */
   struct sph_seen seen;
+  struct sph_clock clock;
 
   struct sph_particles f; /* the water */
   struct sph_pack *pack;  /* of the water; from f.room on of its images (period.h);

@@ -22,9 +22,12 @@ static enum status add(struct result_tolerances *t, const char *pattern, bool ig
 
 enum status result_tolerances_default(struct result_tolerances *t, double relative,
                                       double absolute) {
-  static const char *const ignored[] = {
-      "@created",         "@version", "@revision", "@fingerprint", "series/run/wall_time",
-      "statistics/*wall*"};
+  static const char *const ignored[] = {"@created",
+                                        "@version",
+                                        "@revision",
+                                        "@fingerprint",
+                                        "series/run/wall_time",
+                                        "statistics/wall_time*"};
   *t = (struct result_tolerances){0};
   TRY(add(t, "*", false, relative, absolute));
   for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++) TRY(add(t, ignored[i], true, 0, 0));

@@ -97,7 +97,12 @@ enum status sph_watch_write(const struct sph *s, struct result *result) {
       {"steps_cut", (double)s->seen.cut, "1",
        "time steps that speed or acceleration cut to less than a tenth of what water at rest "
        "allows"},
-      {"spilled_volume", s->budget.spilled_volume, "m^2", "water that left over the top of a wall"},
+#define X(phase, what)                                                                             \
+  {"wall_time_" #phase, s->clock.seconds[SPH_PHASE_##phase], "s", "clock on the wall: " what},
+      SPH_PHASES(X)
+#undef X
+          {"spilled_volume", s->budget.spilled_volume, "m^2",
+           "water that left over the top of a wall"},
       {"lost_volume", s->budget.removed_volume - s->budget.spilled_volume, "m^2",
        "water that left through a wall or the bed"},
   };

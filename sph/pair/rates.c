@@ -300,6 +300,7 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
     s->stand_in->rates(s, stage, how.diffuse);
     return OK;
   }
+  const enum sph_phase was = sph_enter(s, SPH_PHASE_rates);
   if (stage == 0) TRY(sph_neighbours_update(s));
   sph_pack_water(s);
   s->wall->fill(s);
@@ -312,5 +313,6 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
   sph_wall_rates(s, stage);
   add_totals(s);
   s->evaluations++;
+  sph_enter(s, was);
   return OK;
 }
