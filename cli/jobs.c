@@ -5,6 +5,7 @@
 #include <math.h>
 #include <omp.h>
 #include <poll.h>
+#include <sched.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
@@ -100,6 +101,26 @@ struct crew {
   int *exit_code;
 };
 
+/* A thread that OpenMP has bound (OMP_PROC_BIND) stays where it is after a fork, and binds those
+ * that join it as if the process were alone: children would share the first processors. So each
+ * takes its own of the places, one for each of its threads, which stay with it. */
+static void take_places(const struct job_plan *plan, size_t k) {
+  const int places = omp_get_num_places(), threads = jobs_threads(plan, k);
+  int first = 0;
+  if (omp_get_proc_bind() == omp_proc_bind_false || places == 0) return;
+  for (size_t j = 0; j < k; j++) first += jobs_threads(plan, j);
+#pragma omp parallel num_threads(threads)
+  {
+    const int place = (first + omp_get_thread_num()) % places;
+    int processor[omp_get_place_num_procs(place) + 1];
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    omp_get_place_proc_ids(place, processor);
+    for (int p = 0; p < omp_get_place_num_procs(place); p++) CPU_SET((size_t)processor[p], &set);
+    (void)sched_setaffinity(0, sizeof set, &set); /* refused: it works there as well */
+  }
+}
+
 static _Noreturn void be_child(const struct crew *crew, size_t k, const struct job *job, int words,
                                int notes, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -109,6 +130,7 @@ static _Noreturn void be_child(const struct crew *crew, size_t k, const struct j
   dup2(words, STDERR_FILENO);
   progress_send(crew->progress, notes);
   omp_set_num_threads(jobs_threads(crew->plan, k));
+  take_places(crew->plan, k);
   exit(crew->work(crew->data, job->item));
 }
 

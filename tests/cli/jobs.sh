@@ -62,6 +62,20 @@ done
 "$program" run dam.yaml --jobs 0 >log 2>&1
 [ $? = 2 ] || fail "--jobs 0 is taken"
 
+# ---- bound to processors, each to its own ----
+if [ "$(nproc)" -gt 1 ]; then
+  OMP_NUM_THREADS=2 OMP_PROC_BIND=true "$program" run long.yaml --only one,two --jobs 2 --out bound >log 2>&1 &
+  pid=$!
+  wait_for_children 2
+  wait_for_outputs bound/one.h5
+  wait_for_outputs bound/two.h5
+  at=$(for child in "${children[@]}"; do grep Cpus_allowed_list: /proc/"$child"/status; done | sort -u | wc -l)
+  [ "$at" = 2 ] || fail "bound, both runs are on one processor"
+  kill -TERM $pid
+  wait $pid 2>/dev/null
+  gone TERM
+fi
+
 # ---- one that fails, among others: its file cannot be written ----
 mkdir -p failing/one.h5
 got=0
