@@ -10,6 +10,7 @@ has() { grep -qwE "$1" /proc/cpuinfo; }
 # name | what the processor must have | C flags | tuned for this processor | OpenBLAS kernel | threads
 rows=(
   "v2       | ssse3   | -march=x86-64-v2 | OFF | Prescott | 1"
+  "wide     | ssse3   | -march=x86-64-v2 -DPLUNGE_WIDE_VECTORS | OFF | Prescott | 1"
   "v3       | avx2    | -march=x86-64-v3 | OFF | Haswell  | 2"
   "O1       | sse2    | -O1              | ON  | Nehalem  | 1"
   "native   | sse2    |                  | ON  | Zen      | 2"

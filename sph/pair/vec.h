@@ -31,9 +31,15 @@ typedef double real;
 typedef int64_t real_bits;
 #endif
 
+/* PLUNGE_WIDE_VECTORS takes the widest ones on any processor, in pieces, so that two sources at a
+ * time are tested everywhere (tests/matrix.sh). */
 #if defined __AVX512F__
+#define SPH_AVX512
+enum { SPH_VEC_BYTES = 64 };
+#elif defined PLUNGE_WIDE_VECTORS
 enum { SPH_VEC_BYTES = 64 };
 #elif defined __AVX2__
+#define SPH_AVX2
 enum { SPH_VEC_BYTES = 32 };
 #else
 enum { SPH_VEC_BYTES = 16 };
@@ -66,7 +72,7 @@ SPECIALISE vec vec_sources(const real *a) {
 /* Eight numbers a and eight b, aligned to 64 bytes, in turn: out[2 k] = a[k], out[2 k + 1] = b[k].
  */
 SPECIALISE void vec_interleave(const real *a, const real *b, real *out) {
-#if defined __AVX512F__ && defined SPH_SINGLE
+#if defined SPH_AVX512 && defined SPH_SINGLE
   const __m512i place = _mm512_set_epi32(23, 7, 22, 6, 21, 5, 20, 4, 19, 3, 18, 2, 17, 1, 16, 0);
   _mm512_storeu_ps(out, _mm512_permutex2var_ps(_mm512_castps256_ps512(_mm256_load_ps(a)), place,
                                                _mm512_castps256_ps512(_mm256_load_ps(b))));
@@ -80,10 +86,10 @@ SPECIALISE void vec_interleave(const real *a, const real *b, real *out) {
 
 /* a where x < limit, else 0. */
 SPECIALISE vec vec_where_less(vec a, vec x, vec limit) {
-#if defined __AVX512F__ && defined SPH_SINGLE
+#if defined SPH_AVX512 && defined SPH_SINGLE
   return (vec)_mm512_maskz_mov_ps(_mm512_cmp_ps_mask((__m512)x, (__m512)limit, _CMP_LT_OQ),
                                   (__m512)a);
-#elif defined __AVX512F__
+#elif defined SPH_AVX512
   return (vec)_mm512_maskz_mov_pd(_mm512_cmp_pd_mask((__m512d)x, (__m512d)limit, _CMP_LT_OQ),
                                   (__m512d)a);
 #else
@@ -93,13 +99,13 @@ SPECIALISE vec vec_where_less(vec a, vec x, vec limit) {
 
 /* Whether x < limit in any element. */
 SPECIALISE bool vec_any_less(vec x, vec limit) {
-#if defined __AVX512F__ && defined SPH_SINGLE
+#if defined SPH_AVX512 && defined SPH_SINGLE
   return _mm512_cmp_ps_mask((__m512)x, (__m512)limit, _CMP_LT_OQ) != 0;
-#elif defined __AVX512F__
+#elif defined SPH_AVX512
   return _mm512_cmp_pd_mask((__m512d)x, (__m512d)limit, _CMP_LT_OQ) != 0;
-#elif defined __AVX2__ && defined SPH_SINGLE
+#elif defined SPH_AVX2 && defined SPH_SINGLE
   return _mm256_movemask_ps((__m256)(x < limit)) != 0;
-#elif defined __AVX2__
+#elif defined SPH_AVX2
   return _mm256_movemask_pd((__m256d)(x < limit)) != 0;
 #else
   vec_bits m = x < limit;
@@ -110,9 +116,9 @@ SPECIALISE bool vec_any_less(vec x, vec limit) {
 }
 
 SPECIALISE vec vec_max(vec a, vec b) {
-#if defined __AVX512F__ && defined SPH_SINGLE
+#if defined SPH_AVX512 && defined SPH_SINGLE
   return (vec)_mm512_max_ps((__m512)a, (__m512)b);
-#elif defined __AVX512F__
+#elif defined SPH_AVX512
   return (vec)_mm512_max_pd((__m512d)a, (__m512d)b);
 #else
   vec_bits m = a < b;
@@ -132,13 +138,13 @@ SPECIALISE vec vec_with_sign(vec a, vec b) {
 }
 
 SPECIALISE vec vec_sqrt(vec a) {
-#if defined __AVX512F__ && defined SPH_SINGLE
+#if defined SPH_AVX512 && defined SPH_SINGLE
   return (vec)_mm512_sqrt_ps((__m512)a);
-#elif defined __AVX512F__
+#elif defined SPH_AVX512
   return (vec)_mm512_sqrt_pd((__m512d)a);
-#elif defined __AVX2__ && defined SPH_SINGLE
+#elif defined SPH_AVX2 && defined SPH_SINGLE
   return (vec)_mm256_sqrt_ps((__m256)a);
-#elif defined __AVX2__
+#elif defined SPH_AVX2
   return (vec)_mm256_sqrt_pd((__m256d)a);
 #else
   for (int k = 0; k < SPH_REALS; k++) a[k] = (real)sqrt((double)a[k]);
