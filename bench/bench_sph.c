@@ -103,46 +103,75 @@ static double measure(struct sph *s, enum status (*what)(struct sph *), double *
   return median(t);
 }
 
-/* Buchner's dam break with one run for each diffusion, and at the lowest resolution for each kernel
- * and named scheme. */
-static struct case_file *dam_break(double resolution, bool all) {
+static struct case_file *parse(char *text) {
   static const struct solver *const solvers[] = {&sph_solver};
   const struct registry registry = {.solvers = solvers, .n_solvers = 1};
-  char text[4000];
-  int at = snprintf(text, sizeof text,
-                    "title: speed\nscales: {H: 0.6}\n"
-                    "tank: {walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]}\n"
-                    "water: {regions: [[[0, 0], [2 H, 0], [2 H, H], [0, H]]], pressure: released}\n"
-                    "time: {end: 1, every: 1, sample: 1}\nruns:\n");
-#define X(name, help)                                                                              \
-  at += snprintf(text + at, sizeof text - (size_t)at,                                              \
-                 "  - {name: %s, solver: sph, resolution: %g, diffusion: %s}\n", #name,            \
-                 resolution, #name);
-  SPH_DIFFUSIONS(X)
-#undef X
-#define X(name, help)                                                                              \
-  at += snprintf(text + at, sizeof text - (size_t)at,                                              \
-                 "  - {name: %s, solver: sph, resolution: %g, kernel: %s}\n", #name, resolution,   \
-                 #name);
-  if (all) {
-    SPH_KERNELS(X)
-  }
-#undef X
-  for (size_t k = 0; all && k < SPH_N_PRESETS; k++) { /* but those are there, or need a period */
-    const struct param_preset *p = &sph_presets[k];
-    if (!param_preset_value(p, "walls") || param_preset_value(p, "projection")) continue;
-    at += snprintf(text + at, sizeof text - (size_t)at,
-                   "  - {name: %s, solver: sph, resolution: %g, scheme: %s}\n", p->name, resolution,
-                   p->name);
-  }
   struct problems problems = {0};
-  struct case_file *c;
-  if (case_parse("bench", text, &registry, &problems, &c) != OK) {
-    fprintf(stderr, "%s\n", status_message());
+  struct case_file *c = NULL;
+  if (!text || case_parse("bench", text, &registry, &problems, &c) != OK) {
+    for (size_t k = 0; k < problems.n; k++) fprintf(stderr, "%s\n", problems.text[k]);
+    fprintf(stderr, "%s\n", text ? status_message() : "no memory");
     exit(1);
   }
   problems_destroy(&problems);
+  free(text);
   return c;
+}
+
+/* A preset that projects on waves needs some, and a periodic tank. */
+static bool is_of_waves(const struct param_preset *p) {
+  return param_preset_value(p, "projection");
+}
+
+static void add_presets(FILE *f, double resolution, bool of_waves) {
+  for (const struct param_preset *p = sph_presets; p < sph_presets + SPH_N_PRESETS; p++)
+    if (param_preset_value(p, "walls") &&
+        is_of_waves(p) == of_waves) /* else: those of diffusions */
+      fprintf(f, "  - {name: %s, solver: sph, resolution: %g, scheme: %s}\n", p->name, resolution,
+              p->name);
+}
+
+/* Buchner's dam break with one run for each diffusion, and at the lowest resolution for each kernel
+ * and named scheme. */
+static struct case_file *dam_break(double resolution, bool all) {
+  char *text = NULL;
+  size_t size;
+  FILE *f = open_memstream(&text, &size);
+  if (!f) return parse(NULL);
+  fprintf(f, "title: speed\nscales: {H: 0.6}\n"
+             "tank: {walls: [[[0, 3 H], [0, 0], [5.366 H, 0], [5.366 H, 3 H]]]}\n"
+             "water: {regions: [[[0, 0], [2 H, 0], [2 H, H], [0, H]]], pressure: released}\n"
+             "time: {end: 1, every: 1, sample: 1}\nruns:\n");
+#define X(name, help)                                                                              \
+  fprintf(f, "  - {name: %s, solver: sph, resolution: %g, diffusion: %s}\n", #name, resolution,    \
+          #name);
+  SPH_DIFFUSIONS(X)
+#undef X
+#define X(name, help)                                                                              \
+  fprintf(f, "  - {name: %s, solver: sph, resolution: %g, kernel: %s}\n", #name, resolution, #name);
+  if (all) {
+    SPH_KERNELS(X)
+    add_presets(f, resolution, false);
+  }
+#undef X
+  fclose(f);
+  return parse(text);
+}
+
+/* As many particles in one wave. */
+static struct case_file *wave(double resolution) {
+  char *text = NULL;
+  size_t size;
+  FILE *f = open_memstream(&text, &size);
+  if (!f) return parse(NULL);
+  fprintf(f,
+          "title: speed\nscales: {H: 1}\n"
+          "tank: {walls: [[[0, 2], [0, 0], [1, 0], [1, 2]]], sides: periodic}\n"
+          "water: {wave: {kind: airy, profile: deep, amplitude: 1e-3, wavelength: 1, depth: 1}}\n"
+          "time: {end: 1, every: 1, sample: 1}\nruns:\n");
+  add_presets(f, round(M_SQRT2 * resolution), true);
+  fclose(f);
+  return parse(text);
 }
 
 static size_t pairs_listed(const struct sph_lists *l) {
@@ -225,6 +254,10 @@ int main(int argc, char **argv) {
     c = dam_break(resolution, !first);
     if (!first) first = c;
     for (size_t r = 0; r < c->n_runs; r++) bench(c, &c->runs[r]);
+    if (c != first) continue;
+    struct case_file *waves = wave(resolution);
+    for (size_t r = 0; r < waves->n_runs; r++) bench(waves, &waves->runs[r]);
+    case_destroy(waves);
   }
   if (c != first) {
     for (size_t r = 0; r < c->n_runs; r++) growth(first, c, r);
