@@ -16,6 +16,7 @@
 #include "sph/observe/diagnose.h"
 #include "sph/observe/output.h"
 #include "sph/observe/watch.h"
+#include "sph/owners.h"
 #include "sph/pair/diffusion.h"
 #include "sph/pair/forms.h"
 #include "sph/pair/kernel.h"
@@ -205,17 +206,20 @@ static void check_integrator(const struct case_run *r, struct problems *problems
 
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
   const struct sph_scheme *o = r->options;
+  const bool diffuses = o->diffusion != SPH_DIFFUSION_none && o->delta != 0;
   double dx = c->H / r->resolution;
   double support = kernel_support((enum sph_kernel)o->kernel) * o->h_over_dx * dx;
   double width = c->tank.max[0] - c->tank.min[0], height = c->tank.max[1] - c->tank.min[1];
-  if (o->integrator != SPH_INTEGRATOR_AUTO && sph_integrators[o->integrator]->frozen &&
-      (o->diffusion == SPH_DIFFUSION_none || o->delta == 0))
+  if (o->integrator != SPH_INTEGRATOR_AUTO && !diffuses &&
+      (sph_integrators[o->integrator]->frozen || sph_integrators[o->integrator]->split))
     problems_add(problems, case_run_line(r, "integrator"),
-                 "runs.%s.integrator: found '%s', which freezes a diffusion that there is none of "
-                 "(paper, eq. (25)); allowed: any other; take rk4, which it is then, or leave the "
+                 "runs.%s.integrator: found '%s', which %s a diffusion that there is none of; "
+                 "allowed: any other; take rk4, which it is then, or leave the "
                  "line out",
-                 r->name, sph_integrator_names[o->integrator]);
+                 r->name, sph_integrator_names[o->integrator],
+                 sph_integrators[o->integrator]->frozen ? "freezes" : "splits off");
   sph_forms_check(r, problems);
+  sph_owners_check(r, problems);
   check_integrator(r, problems);
   if (o->free_surface == SPH_FREE_SURFACE_fitted && !flow_is_wave(c->flow))
     problems_add(

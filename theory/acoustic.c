@@ -1,11 +1,17 @@
 /* Acoustic modes of a stratified tank (T, eqs 2.57-2.63, figures 2-14 to 2-18): wavenumbers nu_n,
+ *
  *     exact        nu H cot nu H = delta H (kappa^2 - delta^2 - nu^2)/(kappa^2 + delta^2 + nu^2)
- *     leading      a_n = (2 n + 1) pi/2                                                      (2.58)
- *     first order  a_n - (delta H/a_n) (1 - k^2)/(1 + k^2), k = a_n/(kappa H): (2.59, 2.60),
- * corrected and frequencies c sqrt(kappa^2 + delta^2 + nu^2), or on a square lattice, dx = h,
- * tensor product of cubic B-splines, mean theta = delta H: omega^2 = (c/h)^2 {[sin(nu h) Wx]^2 +
- * [sin(kappa h) Wy]^2 + 8 theta sin^4(nu h/2)}, Wx = 1 - (2/3) sin^2(kappa h/2), Wy = 1 - (2/3)
- * sin^2(nu h/2), nu = a_n/H. Units: g = H = 1. */
+ *     leading      a_n = (2 n + 1) pi/2                                       (2.58)
+ *     first order  a_n - (delta H/a_n) (1 - k^2)/(1 + k^2), k = a_n/(kappa H)
+ *                                                                 (2.59, 2.60, corrected)
+ *
+ * and frequencies c sqrt(kappa^2 + delta^2 + nu^2); or on a square lattice, dx = h, with the tensor
+ * product of cubic B-splines and the mean theta = delta H
+ *
+ *     omega^2 = (c/h)^2 {[sin(nu h) Wx]^2 + [sin(kappa h) Wy]^2 + 8 theta sin^4(nu h/2)}
+ *     Wx = 1 - (2/3) sin^2(kappa h/2),  Wy = 1 - (2/3) sin^2(nu h/2),  nu = a_n/H
+ *
+ * Units: g = H = 1. */
 #include <math.h>
 
 #include "theory/modes.h"

@@ -1,10 +1,15 @@
 /* Sound with diffusion (P, section III). The linearised equations (17) for density and velocity,
- *     rho_t + rho0 u_x + delta h^3 c0 B rho_xxxx = 0,   u_t + (c0^2/rho0) rho_x = alpha h c0/2
- * u_xx, have plane waves exp(i k (x - (a + i b) t)). With mu = k h, F = 1 - (mu^2/4) (alpha/2 - B
- * delta mu^2)^2                                         (19) F >= 0: a = c0 sqrt(F),  b = -(c0
- * mu/2) (alpha/2 + B delta mu^2)                    (20) F < 0:  a = 0,           b = c0 {-(mu/2)
- * (alpha/2 + B delta mu^2) +- sqrt(-F)}      (21) B = <q_x^2>/4 is 1/8 for the Gaussian: (16), as
- * printed, is -1 in one dimension.
+ *
+ *     rho_t + rho0 u_x + delta h^3 c0 B rho_xxxx = 0
+ *     u_t + (c0^2/rho0) rho_x = (alpha h c0/2) u_xx
+ *
+ * have plane waves exp(i k (x - (a + i b) t)). With mu = k h,
+ *
+ *     F = 1 - (mu^2/4) (alpha/2 - B delta mu^2)^2                                 (19)
+ *     F >= 0:  a = c0 sqrt(F),  b = -(c0 mu/2) (alpha/2 + B delta mu^2)           (20)
+ *     F < 0:   a = 0,  b = c0 {-(mu/2) (alpha/2 + B delta mu^2) +- sqrt(-F)}      (21)
+ *
+ * B = <q_x^2>/4 is 1/8 for the Gaussian: (16), as printed, is -1 in one dimension.
  *
  * On a square lattice the particle solver has G for mu, D for B mu^4 and X for mu^2/2, from the
  * sums over neighbours (sph/theory/lattice.h), of waves along a row: with d = delta D and x = alpha

@@ -1,11 +1,13 @@
 /* Modes that decay with depth, e^(mu y) cos(kappa x) e^(w t), and do not satisfy the surface
  * condition (T, section 2.6.2, table 2.4, figures 2-28 and 2-29):
- *     potential  w^2 = c^2 (mu^2 - kappa^2) - g mu       if the velocity potential has this form
- * (2.176) pressure   w^2 = c^2 (mu^2 - kappa^2) + g mu       if pressure and density have it
- * (2.195) lattice    w^2 = c^2 {[sinh(mu h)/h (1 - (2/3) sin^2(kappa h/2))]^2
+ *
+ *     potential  w^2 = c^2 (mu^2 - kappa^2) - g mu, if the velocity potential has this form (2.176)
+ *     pressure   w^2 = c^2 (mu^2 - kappa^2) + g mu, if pressure and density have it (2.195)
+ *     lattice    w^2 = c^2 {[sinh(mu h)/h (1 - (2/3) sin^2(kappa h/2))]^2
  *                           - [sin(kappa h)/h (1 + (2/3) sinh^2(mu h/2))]^2} + g sinh(mu h)/h
  *                on a square lattice, dx = h, tensor product of cubic B-splines
  *     discrete   ln R(w dt)/dt of the lattice's w, R = 1 + z + z^2/2 + z^3/6 + z^4/24 that of RK4
+ *
  * The first two are the same modes: a pressure e^(mu y) has the potential e^((mu + 2 delta) y).
  * Their growth is the travel of the large values at the surface downwards, and ends at t = |y|/c.
  * T's table 2.4 calls the first one of no stratification and the second one hydrostatic; without

@@ -1,10 +1,14 @@
 /* Growth of sound in a column at rest with RK4 (T, figure 2-33): the largest |lambda| - 1 of a
- * step. printed      the matrix (2.273) as it stands, which has five misprinted entries equations
- * RK4 of the equations (2.270)-(2.272) as printed: neutral or damped for mu_c <= 1, since 8 s2 +
- * s1^2 <= 8 and z = mu_c sqrt(8 s2 + s1^2) <= 2 sqrt(2) stratified   RK4 of the equations with the
- * masses that rest needs: y'' = (c/h)^2 {-s1^2 - 8 theta s2^2 - 2 i delta h s1 (2 - cos kh)} y The
- * growth of the last is that of the amplitude of sound that travels into lighter water; the bounded
- * column is neutral. Units: g = H = 1. */
+ * step, by
+ *
+ *     printed     the matrix (2.273) as it stands, which has five misprinted entries
+ *     equations   RK4 of the equations (2.270)-(2.272) as printed: neutral or damped for mu_c <= 1,
+ *                 since 8 s2 + s1^2 <= 8 and z = mu_c sqrt(8 s2 + s1^2) <= 2 sqrt(2)
+ *     stratified  RK4 of the equations with the masses that rest needs:
+ *                 y'' = (c/h)^2 {-s1^2 - 8 theta s2^2 - 2 i delta h s1 (2 - cos kh)} y
+ *
+ * The growth of the last is that of the amplitude of sound that travels into lighter water; the
+ * bounded column is neutral. Units: g = H = 1. */
 #include <math.h>
 
 #include "theory/column.h"

@@ -1,11 +1,14 @@
 /* Modes e^(i nu y) cos(kappa x) of a column at rest that do not satisfy the surface condition (T,
  * section 2.6.2, second row of table 2.4): how fast their amplitude grows in stratified water,
- *     continuum   w = sqrt{[-a + sqrt(a^2 + g^2 nu^2)]/2}, a = c^2 (nu^2 + kappa^2) (2.179) leading
- * g nu/(2 c sqrt(nu^2 + kappa^2)), c delta = g/(2 c) for kappa = 0 printed     delta nu/(nu^2 +
- * kappa^2) (2.180, 2.197), which is no rate: a factor c nu is lost lattice     (c/2) |theta'| [2 +
- * (gamma - 2) cos nu h], theta' = -2 delta, with the masses that rest needs; the printed (2.243)
- * has equal masses and gamma - 3 in place of gamma discrete    ln |lambda|/dt with RK4, gamma = 1,
- * theta = 0 all without growth where the water is uniform. Units: g = H = 1. */
+ *
+ *     continuum  w = sqrt{[-a + sqrt(a^2 + g^2 nu^2)]/2}, a = c^2 (nu^2 + kappa^2)    (2.179)
+ *     leading    g nu/(2 c sqrt(nu^2 + kappa^2)), c delta = g/(2 c) for kappa = 0
+ *     printed    delta nu/(nu^2 + kappa^2) (2.180, 2.197), which is no rate: a factor c nu is lost
+ *     lattice    (c/2) |theta'| [2 + (gamma - 2) cos nu h], theta' = -2 delta, with the masses that
+ *                rest needs; the printed (2.243) has equal masses and gamma - 3 in place of gamma
+ *     discrete   ln |lambda|/dt with RK4, gamma = 1, theta = 0
+ *
+ * all without growth where the water is uniform. Units: g = H = 1. */
 #include <math.h>
 
 #include "theory/column.h"

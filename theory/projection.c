@@ -1,9 +1,12 @@
 /* What the filters of a single wavenumber find in 2 phi_-1 + phi_n, unit potentials (T,
- * eqs 2.93-2.95, figure 2-21): the amplitude 2, and an error that is plain     (s_n - e^(-kappa H)
- * psi_n(-H))/(1 - e^(-2 kappa H)) weighted  I_-1n/I_-1-1,  I_-1-1 = kappa^2 (1 - e^(-2 (kappa -
- * delta) H))/(kappa - delta) exact     0 s_n is largest, delta/kappa, at nu = kappa. With psi_-1 =
- * e^((kappa - delta) y), as T prints it, (2.94) is not the projection; (2.96) is then superfluous.
- */
+ * eqs 2.93-2.95, figure 2-21): the amplitude 2, and an error that is
+ *
+ *     plain     (s_n - e^(-kappa H) psi_n(-H))/(1 - e^(-2 kappa H))
+ *     weighted  I_-1n/I_-1-1,  I_-1-1 = kappa^2 (1 - e^(-2 (kappa - delta) H))/(kappa - delta)
+ *     exact     0
+ *
+ * s_n is largest, delta/kappa, at nu = kappa. With psi_-1 = e^((kappa - delta) y), as T prints it,
+ * (2.94) is not the projection; (2.96) is then superfluous. */
 #include "theory/projection.h"
 
 #include <math.h>

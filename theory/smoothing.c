@@ -1,11 +1,18 @@
 /* How often velocity and density must be smoothed so that sound in a column at rest does not grow
  * (T, eqs 4.51-4.55, figure 4-18): every n steps an application multiplies waves by S(kh) = (2 +
- * cos kh)/3, and a step of RK4 by lambda: period    n < -ln S/ln |lambda| printed   1/((|lambda| -
- * 1) (1 - (kh)^2/6))      (4.55), whose 1 should be (kh)^2/6: as it stands waves could grow that
- * smoothing does not touch; negative for kh > sqrt(6) with |lambda| of printed     the matrix
- * (2.273); `entry`: its first entry literally, or with 8/3 for 1/3 equations   RK4 of
- * (2.270)-(2.272): no growth, no period corrected   the same with P = c^2 (rho - rho_f): theta = 2
- * delta |y|, theta' = -2 delta; the growth of a step is at most mu_c g h/c^2 */
+ * cos kh)/3, and a step of RK4 by lambda:
+ *
+ *     period   n < -ln S/ln |lambda|. Growth does not vanish with kh, so that n does: the least
+ *              one is that of waves shorter than kh = `from`
+ *     printed  1/((|lambda| - 1) (1 - (kh)^2/6)) (4.55), whose 1 should be (kh)^2/6: as it stands
+ *              waves could grow that smoothing does not touch; negative for kh > sqrt(6)
+ *
+ * with |lambda| of
+ *
+ *     printed    the matrix (2.273); `reading`: its first entry literally, or with 8/3 for 1/3
+ *     equations  RK4 of (2.270)-(2.272): no growth, no period
+ *     corrected  the same with P = c^2 (rho - rho_f): theta = 2 delta |y|, theta' = -2 delta; the
+ *                growth of a step is at most mu_c g h/c^2 */
 #include <math.h>
 
 #include "theory/column.h"
@@ -18,7 +25,7 @@ static const char *const layer_helps[] = {"the matrix (2.273)",
 enum { PRINTED, EQUATIONS, CORRECTED };
 
 struct smoothing {
-  double courant, beta, spacing, depth;
+  double courant, beta, spacing, depth, from;
   int layer, reading, points;
 };
 
@@ -31,6 +38,8 @@ static const struct param params[] = {
                 "c^2/(g H), of corrected: T, 4.3.8"),
     THEORY_REAL(smoothing, spacing, PARAM_ABOVE_0, 1, "0.0416666666666667", "h/H, of corrected"),
     THEORY_REAL(smoothing, depth, 0, 1, "0.5", "|y|/H of the particles, of corrected"),
+    THEORY_REAL(smoothing, from, PARAM_ABOVE_0, 3, "0.5",
+                "k h of the longest wave of period_least"),
     THEORY_POINTS(smoothing),
 };
 static const struct theory_column columns[] = {
@@ -57,7 +66,7 @@ enum { LEAST, LEAST_AT, PERIOD, PERIOD_AT, WORST, WORST_AT };
 static const struct theory_value values[] = {
     [LEAST] = {"printed_least", "1", "least n of (4.55)"},
     [LEAST_AT] = {"printed_kh", "1", "k h of that"},
-    [PERIOD] = {"period_least", "1", "least exact n"},
+    [PERIOD] = {"period_least", "1", "least exact n for k h from `from` on"},
     [PERIOD_AT] = {"period_kh", "1", "k h of that"},
     [WORST] = {"growth_most", "1", "largest growth in a step"},
     [WORST_AT] = {"kh_most", "1", "k h of that"},
@@ -82,24 +91,38 @@ static void note(double *extreme, double *at, double value, double kh, double si
   *at = kh;
 }
 
+/* What there is at one wavenumber; NaN: none. */
+struct at {
+  double growth, printed, period;
+};
+
+static enum status measure(const struct smoothing *p, double kh, struct at *at) {
+  const double rounding = 1e-12;
+  double radius;
+  struct theory_matrix m = step_of(p, kh);
+  TRY(theory_radius(&m, &radius));
+  *at = (struct at){radius - 1, NAN, NAN};
+  if (radius <= 1 + rounding) return OK;
+  at->period = -log((2 + cos(kh)) / 3) / log(radius);
+  if (kh < 2.4) /* beyond: towards its pole at sqrt(6), then negative */
+    at->printed = 1 / ((radius - 1) * (1 - kh * kh / 6));
+  return OK;
+}
+
 static enum status evaluate(const void *with, struct theory_curve *curve) {
   const struct smoothing *p = with;
-  const double rounding = 1e-12;
   double *v = curve->value;
+  struct at at;
   for (int i = 1; i <= p->points; i++) {
-    double kh = M_PI * i / p->points, radius, printed = NAN, period = NAN;
-    struct theory_matrix m = step_of(p, kh);
-    TRY(theory_radius(&m, &radius));
-    if (radius > 1 + rounding) {
-      printed = 1 / ((radius - 1) * (1 - kh * kh / 6));
-      period = -log((2 + cos(kh)) / 3) / log(radius);
-    }
-    if (kh >= 2.4) printed = NAN; /* towards its pole at sqrt(6), and negative beyond */
-    TRY(THEORY_ROW(curve, kh, printed, period, radius - 1));
-    note(&v[LEAST], &v[LEAST_AT], printed, kh, -1);
-    note(&v[PERIOD], &v[PERIOD_AT], period, kh, -1);
-    note(&v[WORST], &v[WORST_AT], radius - 1, kh, 1);
+    double kh = M_PI * i / p->points;
+    TRY(measure(p, kh, &at));
+    TRY(THEORY_ROW(curve, kh, at.printed, at.period, at.growth));
+    note(&v[LEAST], &v[LEAST_AT], at.printed, kh, -1);
+    if (kh > p->from) note(&v[PERIOD], &v[PERIOD_AT], at.period, kh, -1);
+    note(&v[WORST], &v[WORST_AT], at.growth, kh, 1);
   }
+  TRY(measure(p, p->from, &at));
+  note(&v[PERIOD], &v[PERIOD_AT], at.period, p->from, -1);
   return OK;
 }
 

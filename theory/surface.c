@@ -1,12 +1,16 @@
 /* Rows of an undisturbed square lattice below a flat surface, pressure hydrostatic and zero at the
  * surface (T, section 2.5.6, figure 2-24, eqs 2.157-2.170, 3.17; P, eqs 3, 4, 8-10). Row j lies
  * `offset` + j spacings deep. What the sums over its incomplete supports give:
- *     fill, slope        sum V W; -dx sum V dW/dy
- *     variable, plus, minus   dv/dt over g by (2.12), by the sum of P_b + P_a (4.40, 3.16) and by
- * the difference (3.16); 0 is rest molteni, ferrari, antuono   the diffusive term on the
- * hydrostatic density, rho0 g/(c^2 dx) gradient_x, gradient_y  sum V x dW/dx and sum V y dW/dy: of
- * u_x and v_y in drho/dt (2.163), and of P_x and P_y (2.159, 2.160). (2.157) and (2.163) silently
- * use differences of velocity; a row of velocity v itself has besides v sum V dW/dy. */
+ *
+ *     fill, slope                sum V W; -dx sum V dW/dy
+ *     variable, plus, minus      dv/dt over g by (2.12), by the sum P_b + P_a (4.40, 3.16) and by
+ *                                the difference (3.16); 0 is rest
+ *     molteni, ferrari, antuono  the diffusive term on the hydrostatic density, rho0 g/(c^2 dx)
+ *     gradient_x, gradient_y     sum V x dW/dx and sum V y dW/dy: of u_x and v_y in drho/dt
+ *                                (2.163), and of P_x and P_y (2.159, 2.160)
+ *
+ * (2.157) and (2.163) silently use differences of velocity; a row of velocity v itself has besides
+ * v sum V dW/dy. */
 #include <math.h>
 
 #include "sph/theory/lattice.h"

@@ -53,11 +53,11 @@ static enum status growth(const struct viscosity *p, double courant, double kh, 
   return OK;
 }
 
-/* Over all waves; those of k h = 0 and pi neither move nor grow. */
+/* Over all waves; those of k h = 0 neither move nor grow, those of pi move by viscosity only. */
 static enum status worst(const struct viscosity *p, double courant, double *most, double *at) {
   enum { WAVES = 720 };
   *most = -INFINITY;
-  for (int i = 1; i < WAVES; i++) {
+  for (int i = 1; i <= WAVES; i++) {
     double kh = M_PI * i / WAVES, excess;
     TRY(growth(p, courant, kh, &excess));
     if (excess <= *most) continue;

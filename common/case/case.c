@@ -181,6 +181,7 @@ void case_destroy(struct case_file *c) {
     free(r->name);
     free(r->options);
     free(r->key_line);
+    free(r->key_given);
   }
   for (size_t i = 0; i < c->compare.n_tolerances; i++) {
     free(c->compare.tolerances[i].measure);

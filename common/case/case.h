@@ -52,6 +52,7 @@ struct case_run {
   void *options;     /* the solver's own struct, filled from its table; owned */
   int line;          /* of the run in the file, for messages */
   int *key_line;     /* of its keys: see case_run_line; owned */
+  bool *key_given;   /* whether the run has them itself: see case_run_gives; owned */
 };
 
 struct case_tolerance {
@@ -172,6 +173,9 @@ void problems_finish(struct problems *p, const char *file, size_t n_set, const c
 
 /* Where to point when value `key` of a run is wrong: the line of the key, of the run without it. */
 int case_run_line(const struct case_run *r, const char *key);
+
+/* Whether a run has value `key` itself, not from a named scheme or the solver's table. */
+bool case_run_gives(const struct case_run *r, const char *key);
 
 /* For the check of a flow: what is wrong at a key of its section (NULL: with all of it), as
  * case_doc_problem takes it. */

@@ -37,24 +37,40 @@ static const struct solver *find_solver(struct case_draft *d, int run, const cha
   return NULL;
 }
 
-static enum status note_lines(struct case_draft *d, int node, struct case_run *run) {
-  const struct solver *solver = run->solver;
-  size_t n = solver ? solver->n_params : 0;
-  TRY(array_create(&run->key_line, ROWS(run_rows) + n, "entries of the case"));
-  for (size_t i = 0; i < ROWS(run_rows); i++)
-    run->key_line[i] = case_doc_member_line(&d->doc, node, run_rows[i].key);
-  for (size_t i = 0; i < n; i++)
-    run->key_line[ROWS(run_rows) + i] = case_doc_member_line(&d->doc, node, solver->params[i].key);
+static const char *key_name(const struct case_run *r, size_t i) {
+  return i < ROWS(run_rows) ? run_rows[i].key : r->solver->params[i - ROWS(run_rows)].key;
+}
+
+static size_t n_keys(const struct case_run *r) {
+  return ROWS(run_rows) + (r->solver ? r->solver->n_params : 0);
+}
+
+static enum status note_keys(struct case_draft *d, int node, struct case_run *run) {
+  const size_t n = n_keys(run);
+  TRY(array_create(&run->key_line, n, "entries of the case"));
+  TRY(array_create(&run->key_given, n, "entries of the case"));
+  for (size_t i = 0; i < n; i++) {
+    run->key_line[i] = case_doc_member_line(&d->doc, node, key_name(run, i));
+    run->key_given[i] = case_doc_member(&d->doc, node, key_name(run, i)) != 0;
+  }
   return OK;
 }
 
+/* Where it is among the keys of a run; n_keys: it is none. */
+static size_t find_key(const struct case_run *r, const char *key) {
+  size_t i = 0;
+  while (i < n_keys(r) && strcmp(key_name(r, i), key)) i++;
+  return i;
+}
+
 int case_run_line(const struct case_run *r, const char *key) {
-  if (!r->key_line) return r->line;
-  for (size_t i = 0; i < ROWS(run_rows); i++)
-    if (!strcmp(run_rows[i].key, key)) return r->key_line[i];
-  for (size_t i = 0; i < r->solver->n_params; i++)
-    if (!strcmp(r->solver->params[i].key, key)) return r->key_line[ROWS(run_rows) + i];
-  return r->line;
+  const size_t i = find_key(r, key);
+  return r->key_line && i < n_keys(r) ? r->key_line[i] : r->line;
+}
+
+bool case_run_gives(const struct case_run *r, const char *key) {
+  const size_t i = find_key(r, key);
+  return r->key_given && i < n_keys(r) && r->key_given[i];
 }
 
 /* The preset that the run's key `scheme` names; the table reports a name that is none. */
@@ -90,7 +106,7 @@ static enum status read_run(struct case_draft *d, int node, size_t i, struct cas
   run->solver = solver;
   run->resolution = section.resolution;
   run->line = case_doc_line(&d->doc, node);
-  TRY(note_lines(d, node, run));
+  TRY(note_keys(d, node, run));
   if (!run->name && solver) {
     run->name = strdup(solver->name);
     CHECK(run->name, ERR_MEMORY, "no memory for the name of a run");

@@ -92,12 +92,12 @@ SPECIALISE vec diffusion_psi(enum sph_diffusion d, vec dp, vec x, vec y, vec q2,
 
 /* What a pair counts for in a bound on decay, where no gradient is needed: no density field decays
  * faster than twice the largest sum of these times V_j over a particle's neighbours, itself
- * included, in delta c0/h, up to what the cut at the edge of the support makes of it. The term is
- * -(S
- * - B) for the matrix B of the weights times V_j off its diagonal and S of their sums on it; with C
- * such that B + C is positive definite, S - B is at most S + C, and that at most its largest sum of
- * a row (Gershgorin). For Molteni's term C is the slope on the diagonal, for Ferrari's the lift
- * (kernel.h); for any C = |B| would do. */
+ * included, in delta c0/h, up to what the cut at the edge of the support makes of it.
+ *
+ * The term is B - S for the matrix B of the weights times V_j off its diagonal and S of their sums
+ * on it; with C such that B + C is positive definite, S - B is at most S + C, and that at most its
+ * largest sum of a row (Gershgorin). For Molteni's term C is the slope on the diagonal, for
+ * Ferrari's the lift (kernel.h); for any C = |B| would do. */
 SPECIALISE vec diffusion_weight(enum sph_diffusion d, enum sph_kernel k, vec slope, vec q2) {
   const vec psi = diffusion_psi(d, vec_of(1), (vec){0}, (vec){0}, q2, (vec){0}, (vec){0}) * slope;
   if (!kernel_is_definite(k)) return psi * (real)2;

@@ -151,6 +151,17 @@ static void test_smoothing_corrected(void) {
   EXPECT_NEAR(most / bound, 1, 1e-3);
   EXPECT_NEAR(most, 2.8e-4, 1e-6);
   theory_result_destroy(&r);
+  /* waves of kh > 0.5, whatever the points of the curve: 161.26, 162.41 and 163.58 steps */
+  static const double period[] = {161.260, 162.413, 163.579};
+  for (int fine = 0; fine < 2; fine++) {
+    r = THEORY("smoothing", "layer", "corrected", "courant", "0.8", "depth", "0, 0.5, 1", "points",
+               fine ? "3142" : "7");
+    for (size_t c = 0; c < 3; c++) {
+      EXPECT_NEAR(value_of(&r, c, "period_least"), period[c], 0.01);
+      EXPECT(value_of(&r, c, "period_kh") == 0.5);
+    }
+    theory_result_destroy(&r);
+  }
 }
 
 int main(void) {
