@@ -104,7 +104,7 @@ SPECIALISE void choose_rates(struct rates_choice o, const struct targets *i,
     own_loop[o.kernel][o.diffusion][o.viscous][o.bounds](o.soft2, i, block, G, n, sums);
     return;
   }
-  o.viscous = o.bounds = true;
+  o.bounds = true;
   add_rates(o, i, block, G, n, sums);
 }
 
