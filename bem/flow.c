@@ -47,7 +47,10 @@ enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f) {
 enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
   const struct bem_surface *s = &f->surface;
   const size_t n = s->n;
-  bem_panels_set(&f->panels, n, state, state + n, s->length);
+  if (s->walls)
+    TRY(bem_panels_set_walls(&f->panels, n, state, state + n, s->walls, s->side[0]));
+  else
+    bem_panels_set(&f->panels, n, state, state + n, s->length);
   TRY(bem_solve_first(f->solve, &f->panels, state + 2 * n, f->psi, keep));
   bem_panels_velocity(&f->panels, state + 2 * n, f->psi, f->w);
   for (size_t k = 0; k < n; k++) {

@@ -43,7 +43,7 @@ static enum status polyline(struct bem_output *o) {
   TRY(geo_lines_begin(&o->line, false));
   for (size_t k = 0; k < s->n; k++) {
     double px = x[k], py = y[k];
-    bool beyond = px > s->tank;
+    bool beyond = !s->walls && px > s->tank;
     if (beyond && k > 0) {
       double a = (s->tank - x[k - 1]) / (x[k] - x[k - 1]);
       px = s->tank;
@@ -84,11 +84,14 @@ static enum status write_surface(struct bem_output *o, double seconds) {
 static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
   const struct bem_output *o = solver;
   const struct case_file *c = o->c;
-  double p[RECORD_PARTS][2], sum = 0;
+  double p[RECORD_PARTS][2], part, sum = 0;
   size_t parts = record_sensor(c, probe, p);
-  for (size_t i = 0; i < parts; i++)
-    sum += bem_pressure_at(&o->pressure, &o->view, o->view.surface.state,
-                           (p[i][0] - c->tank.min[0]) / c->H, (p[i][1] - c->tank.min[1]) / c->H);
+  for (size_t i = 0; i < parts; i++) {
+    TRY(bem_pressure_at(&o->pressure, &o->view, o->view.surface.state,
+                        (p[i][0] - c->tank.min[0]) / c->H, (p[i][1] - c->tank.min[1]) / c->H,
+                        &part));
+    sum += part;
+  }
   *pressure = c->density * c->gravity * c->H * sum / (double)parts;
   return OK;
 }

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "common/base/array.h"
 
@@ -35,6 +36,7 @@ void bem_panels_destroy(struct bem_panels *p) {
   free(p->weight_re);
   free(p->weight_im);
   free(p->slope);
+  free(p->chart);
   *p = (struct bem_panels){0};
 }
 
@@ -83,20 +85,13 @@ static void derivative(const double complex t[BEM_DERIVATIVE], size_t at,
   }
 }
 
-void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y,
-                    double length) {
-  p->n = n;
-  p->length = length;
-#pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
-  for (size_t k = 0; k < n; k++) {
-    double complex z = CMPLX(x[k], y[k]);
-    p->zeta[k] = bem_map(length, z);
-    p->dzeta[k] = bem_map_slope(length, z);
-    p->re[k] = creal(p->zeta[k]);
-    p->im[k] = cimag(p->zeta[k]);
-  }
+/* What follows from the nodes in the mapped plane. */
+static void interpolate(struct bem_panels *p) {
+  const size_t n = p->n;
 #pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
   for (size_t j = 0; j < n; j++) {
+    p->re[j] = creal(p->zeta[j]);
+    p->im[j] = cimag(p->zeta[j]);
     size_t first = bem_stencil_first(n, j, BEM_DERIVATIVE);
     derivative(p->zeta + first, j - first, p->slope[j]);
     if (j + 1 == n) continue;
@@ -120,6 +115,55 @@ void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const doubl
       p->weight_im[first + m] += cimag(p->weight[j][m]);
     }
   }
+}
+
+void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y,
+                    double length) {
+  p->n = n;
+  p->length = length;
+#pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
+  for (size_t k = 0; k < n; k++) {
+    double complex z = CMPLX(x[k], y[k]);
+    p->zeta[k] = bem_map(length, z);
+    p->dzeta[k] = bem_map_slope(length, z);
+  }
+  interpolate(p);
+}
+
+/* Charts for n nodes; those that there were stay. */
+static enum status reserve_charts(struct bem_panels *p, size_t n) {
+  if (n <= p->charts) return OK;
+  TRY(array_resize(&p->chart, n, "charts of a map"));
+  memset(p->chart + p->charts, 0, (n - p->charts) * sizeof *p->chart);
+  p->charts = n;
+  return OK;
+}
+
+/* A node is looked up in the chart that it had, else in one that comes from its neighbour's, along
+ * the surface. */
+static enum status look_up(struct bem_panels *p, size_t k, double complex z,
+                           const struct bem_conformal *walls, size_t side) {
+  struct bem_chart *c = p->chart + k;
+  if (bem_chart_find(c, z, p->zeta + k, p->dzeta + k)) return OK;
+  if (k == 0) {
+    TRY(bem_conformal_start(walls, side, z, c));
+  } else {
+    *c = c[-1];
+    TRY(bem_chart_walk(walls, c, z));
+  }
+  bem_chart_find(c, z, p->zeta + k, p->dzeta + k);
+  return OK;
+}
+
+enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x, const double *y,
+                                 const struct bem_conformal *walls, size_t side) {
+  p->n = n;
+  TRY(reserve_charts(p, n));
+  for (size_t k = 0; k < n; k++) TRY(look_up(p, k, CMPLX(x[k], y[k]), walls, side));
+  p->zeta[0] = creal(p->zeta[0]); /* walls are on the real axis */
+  p->zeta[n - 1] = creal(p->zeta[n - 1]);
+  interpolate(p);
+  return OK;
 }
 
 void bem_panels_velocity(const struct bem_panels *p, const double *phi, const double *psi,

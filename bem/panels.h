@@ -3,7 +3,8 @@
  * which opens the tank 0 < x < L, y > 0 into the lower half plane: the bed becomes 0 <= zeta <= 1,
  * the left wall zeta >= 1, the right wall zeta <= 0. There beta = phi + i psi with psi = 0 on the
  * walls continues to the upper half plane by Schwarz reflection, beta(conj zeta) = conj beta(zeta),
- * so the surface and its mirror image close the contour and walls need no nodes.
+ * so the surface and its mirror image close the contour and walls need no nodes. Other tanks have a
+ * map of their own, onto the upper half plane (conformal.h), where all of this holds as well.
  *
  * On the panel between nodes j and j+1 beta is the complex polynomial in zeta through BEM_STENCIL
  * neighbouring nodes (Vinje & Brevig 1981 use two; with four the velocity is of fourth order). */
@@ -11,6 +12,7 @@
 #include <complex.h>
 #include <stddef.h>
 
+#include "bem/conformal.h"
 #include "common/base/status.h"
 
 enum {
@@ -32,6 +34,8 @@ struct bem_panels {
   double complex (*weight)[BEM_STENCIL];   /* integral of the node's basis function dt, [n - 1] */
   double *weight_re, *weight_im;           /* the same summed at each node, [n] */
   double complex (*slope)[BEM_DERIVATIVE]; /* d/dzeta at a node from its stencil, [n] */
+  struct bem_chart *chart; /* of the map near every node, [charts], owned; not for rectangles */
+  size_t charts;
 };
 
 /* Makes room for n nodes (at least BEM_DERIVATIVE); zero *p before the first call. ERR_MEMORY. */
@@ -44,6 +48,12 @@ double complex bem_map_slope(double length, double complex z); /* d zeta / d z *
 /* Takes over n nodes (x, y in H) for a map that closes a tank of the given length. */
 void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y,
                     double length);
+
+/* The same in a tank of any walls, with the first node on this side of them. ERR_MEMORY,
+ * ERR_SOLVER.
+ */
+enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x, const double *y,
+                                 const struct bem_conformal *walls, size_t side);
 
 /* Complex velocity w = u - i v = d beta / dz at every node. */
 void bem_panels_velocity(const struct bem_panels *p, const double *phi, const double *psi,

@@ -36,14 +36,37 @@ static bool wet(const struct bem_surface *s, const double *state, double x, doub
   return y < near && (s->right == BEM_END_WALL || x < state[n - 1]);
 }
 
-double bem_pressure_at(const struct bem_pressure *p, const struct bem_flow *f, const double *state,
-                       double x, double y) {
+/* Image of a point of the walls, which is on the real axis, and d zeta / d z there. *under: whether
+ * it is under water. */
+static enum status map(const struct bem_flow *f, const double *state, double complex z, bool *under,
+                       double *tau, double complex *dzeta) {
   const struct bem_surface *s = &f->surface;
-  if (!wet(s, state, x, y)) return 0;
-  double complex z = CMPLX(x, y), tau = bem_map(s->length, z), value, slope;
-  tau = creal(tau); /* a wall is on the real axis */
+  const struct bem_panels *p = &f->panels;
+  double complex zeta;
+  if (!s->walls) {
+    *under = wet(s, state, creal(z), cimag(z));
+    *tau = creal(bem_map(s->length, z));
+    *dzeta = bem_map_slope(s->length, z);
+    return OK;
+  }
+  TRY(bem_conformal_on_wall(s->walls, z, &zeta, dzeta));
+  *tau = creal(zeta);
+  *under = *tau > p->re[0] && *tau < p->re[s->n - 1];
+  return OK;
+}
+
+enum status bem_pressure_at(const struct bem_pressure *p, const struct bem_flow *f,
+                            const double *state, double x, double y, double *pressure) {
+  const struct bem_surface *s = &f->surface;
+  double complex dzeta, value, slope;
+  double tau;
+  bool under;
+  *pressure = 0;
+  TRY(map(f, state, CMPLX(x, y), &under, &tau, &dzeta));
+  if (!under) return OK;
   bem_integrals_inside(&f->panels, state + 2 * s->n, f->psi, tau, &value, &slope);
-  double complex w = slope * bem_map_slope(s->length, z);
+  double complex w = slope * dzeta;
   bem_integrals_inside(&f->panels, p->phi_t, p->psi_t, tau, &value, &slope);
-  return -creal(value) - 0.5 * creal(w * conj(w)) - (y - f->level);
+  *pressure = -creal(value) - 0.5 * creal(w * conj(w)) - (y - f->level);
+  return OK;
 }

@@ -8,6 +8,7 @@
 
 struct bem_run {
   const struct case_file *c;
+  struct bem_conformal *walls; /* of a tank that is not rectangular, else NULL; owned */
   struct bem_flow flow;
   struct bem_output output;
   struct bem_stepper *stepper;

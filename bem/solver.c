@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "bem/basin.h"
 #include "bem/estimate.h"
 #include "bem/events.h"
 #include "bem/options.h"
@@ -146,11 +147,14 @@ static enum status begin(struct bem_run *r, const struct case_run *cr) {
   const struct bem_options *o = cr->options;
   struct bem_solve_options solve = {.tolerance = o->gmres, .dense_up_to = (size_t)o->dense};
   bool wave = flow_is_wave(c->flow);
-  double tolerance = o->tolerance * (wave ? 1e-3 * c->flow->scale(c).amplitude / c->H : 1);
+  const double amplitude = wave ? c->flow->scale(c).amplitude : 0;
+  double tolerance = o->tolerance * (amplitude > 0 ? 1e-3 * amplitude / c->H : 1);
   if (!(tolerance > 1e-14)) tolerance = 1e-14; /* rounding */
   TRY(bem_solve_create(&solve, &r->flow.solve));
   solve.tolerance = fmax(solve.tolerance, SHOWN);
   TRY(bem_output_create(&r->output, &solve));
+  if (!c->rectangular) TRY(bem_basin_map(c, &r->walls));
+  r->flow.surface.walls = r->walls;
   TRY(bem_start_surface(c, cr, &r->flow));
   r->flow.filter = o->filter * (r->flow.surface.tip > 0 ? 1 : GENTLE);
   r->flow.smoothing = o->smoothing;
@@ -179,6 +183,7 @@ static enum status run(const struct case_file *c, const struct case_run *cr, str
   bem_pace_destroy(&r.pace);
   bem_stepper_destroy(r.stepper);
   bem_flow_destroy(&r.flow);
+  bem_conformal_destroy(r.walls);
   return status;
 }
 

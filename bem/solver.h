@@ -1,4 +1,4 @@
-/* Fully nonlinear potential flow in a rectangular tank by boundary elements (mixed
+/* Fully nonlinear potential flow in a tank of straight walls by boundary elements (mixed
  * Eulerian-Lagrangian: Longuet-Higgins & Cokelet 1976; complex potential: Vinje & Brevig 1981). */
 #pragma once
 #include "common/solver.h"

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "bem/basin.h"
 #include "bem/options.h"
 #include "common/flow/flow.h"
 #include "common/flow/regions.h"
@@ -71,13 +72,6 @@ static void check_regions(const struct case_file *c, const struct case_run *r,
 void bem_start_check(const struct case_file *c, const struct case_run *r,
                      struct problems *problems) {
   double width = (c->tank.max[0] - c->tank.min[0]) / c->H;
-  if (!c->rectangular)
-    problems_add(
-        problems, case_run_line(r, "solver"),
-        "runs.%s.solver: found 'bem' in a tank that is not rectangular; allowed: one wall, "
-        "open at the top, down the left side, along a flat bed, up the right side; take another "
-        "solver",
-        r->name);
   if (!(c->gravity > 0))
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' without gravity; allowed: gravity, which its scales "
@@ -89,7 +83,11 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
         "runs.%s.solver: found 'bem' in a tank with periodic sides; allowed: walls at both "
         "ends, where the surface is mirrored; change tank.sides or take another solver",
         r->name);
-  if (!flow_is_wave(c->flow)) {
+  if (!c->rectangular) {
+    bem_basin_check(c, r, problems, &width);
+    width /= c->H;
+    if (!(width > 0)) return;
+  } else if (!flow_is_wave(c->flow)) {
     check_regions(c, r, problems);
     return;
   }
@@ -147,6 +145,10 @@ enum status bem_start_surface(const struct case_file *c, const struct case_run *
   double high = (wave ? c->flow->scale(c).mean : b.max[1] - b.min[1]) / c->H;
   f->mesh.resolution = r->resolution;
   f->surface.tank = tank;
+  if (f->surface.walls) {
+    f->level = (case_rest_level(c) - c->tank.min[1]) / c->H;
+    return bem_basin_start(c, r->resolution, &f->surface);
+  }
   f->level = wide * high / tank;
   if (!wave) return start_column(wide, high, f);
   struct flow_water w;

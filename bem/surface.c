@@ -36,10 +36,22 @@ void bem_surface_replace(struct bem_surface *s, const struct bem_surface *fresh)
   *s = *fresh;
 }
 
+static void hold_along(double complex along, double *x, double *y) {
+  const double speed = *x * creal(along) + *y * cimag(along);
+  *x = speed * creal(along);
+  *y = speed * cimag(along);
+}
+
 void bem_surface_hold_ends(const struct bem_surface *s, double *x, double *y) {
+  const size_t last = s->n - 1;
+  if (s->walls) {
+    hold_along(bem_conformal_along(s->walls, s->side[0]), x, y);
+    hold_along(bem_conformal_along(s->walls, s->side[1]), x + last, y + last);
+    return;
+  }
   x[0] = 0;
   double *off = s->right == BEM_END_BED ? y : x;
-  off[s->n - 1] = 0;
+  off[last] = 0;
 }
 
 /* First node of a stencil of `count` that starts `left` before `at` and stays within one piece. */
@@ -105,6 +117,21 @@ static const double gauss_point[FOUR] = {0.06943184420297371, 0.3300094782075718
 static const double gauss_weight[FOUR] = {0.17392742256872693, 0.32607257743127307,
                                           0.32607257743127307, 0.17392742256872693};
 
+/* What the walls between the contact points add to the integrals around the water; the bed of a
+ * rectangular tank is y = 0 and adds nothing. */
+static void add_walls(const struct bem_surface *s, struct bem_totals *t) {
+  const double *x = s->state, *y = x + s->n;
+  const size_t last = s->n - 1, from = s->side[0], to = s->side[1];
+  double complex a = CMPLX(x[0], y[0]);
+  for (size_t i = from; i <= to; i++) {
+    const double complex b = i < to ? s->walls->point[i + 1] : CMPLX(x[last], y[last]);
+    const double dx = creal(b - a), low = cimag(a), high = cimag(b);
+    t->volume -= dx * (low + high) / 2;
+    t->potential -= dx * (low * low + low * high + high * high) / 6;
+    a = b;
+  }
+}
+
 struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *psi) {
   const double *x = s->state, *y = x + s->n, *phi = y + s->n;
   double value[3][FOUR][FOUR], slope[3][FOUR][FOUR];
@@ -126,6 +153,7 @@ struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *
       t.kinetic -= gauss_weight[g] * 0.5 * phig * dpsi;
     }
   }
+  if (s->walls) add_walls(s, &t);
   return t;
 }
 

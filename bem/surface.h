@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "bem/conformal.h"
 #include "common/base/status.h"
 
 enum bem_end { BEM_END_WALL, BEM_END_BED }; /* what the last node slides along */
@@ -13,9 +14,11 @@ struct bem_surface {
   double *state; /* x[n], y[n], phi[n]: H, H, H sqrt(gH); owned */
   size_t corner; /* node where the outline has a kink; 0: none */
   enum bem_end right;
-  double tip;    /* the last node is the thin tip of a sheet: spacing there over that of the smooth
-                    surface; 0: it is not */
-  double tank;   /* length of the tank, H */
+  double tip; /* the last node is the thin tip of a sheet: spacing there over that of the smooth
+                 surface; 0: it is not */
+  const struct bem_conformal *walls; /* NULL: those of a rectangular tank */
+  size_t side[2];                    /* of the walls, which the first and the last node are on */
+  double tank;                       /* length of a rectangular tank, H */
   double length; /* of the tank that the map closes: longer until the tip has met the wall, H */
 };
 
@@ -36,7 +39,7 @@ enum status bem_surface_follow(struct bem_surface *s, const struct bem_surface *
 /* *s becomes *fresh, which is not to be used any more. */
 void bem_surface_replace(struct bem_surface *s, const struct bem_surface *fresh);
 
-/* Keeps the contact points on their walls: sets to zero what would move them off, where x and y are
+/* Keeps the contact points on their walls: takes away what would move them off, where x and y are
  * the components of a velocity at the nodes, [n]. */
 void bem_surface_hold_ends(const struct bem_surface *s, double *x, double *y);
 

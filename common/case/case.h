@@ -233,5 +233,8 @@ void case_water_fingerprint(const struct case_file *c, char out[33]);
 
 double case_water_area(const struct case_file *c); /* m^2, at t = 0 */
 
+/* Where that water stands at rest, m. */
+double case_rest_level(const struct case_file *c);
+
 /* Potential energy (J per metre of width, y from 0) of the same water at rest in the tank. */
 double case_rest_potential(const struct case_file *c);

@@ -6,7 +6,7 @@
 
 #include "common/base/geometry_check.h"
 #include "common/case/case_draft.h"
-#include "common/flow/flow.h"
+#include "common/flow/edges.h"
 #include "common/tank/tank.h"
 
 /* ---- geometry ---- */
@@ -168,18 +168,36 @@ void case_flow_problem(struct case_draft *d, const char *key, const char *found,
                    path, found, allowed, todo);
 }
 
+/* In a tank that is not rectangular: waves that start at rest, which no bed makes wrong. */
+static bool check_wave_between_walls(struct case_draft *d) {
+  const struct case_file *c = d->c;
+  struct flow_water w;
+  struct flow_edges edges;
+  if (c->flow->round || !c->flow->at_rest || c->walls.pieces != 1 || c->walls.closed[0]) {
+    case_flow_problem(d, NULL, "a wave in a tank that is not rectangular",
+                      "one wall: down the left side, along a flat bed, up the right side",
+                      "change tank.walls or give water.regions");
+    return false;
+  }
+  const char *problem = NULL;
+  if (flow_open(c, (struct flow_use){0}, &w) == OK)
+    problem = flow_find_edges(&w, &edges);
+  else
+    d->doc.problems->out_of_memory = true;
+  flow_close(&w);
+  if (problem)
+    case_flow_problem(d, "depth", problem, "one body of water from wall to wall below one surface",
+                      "change it, or the walls");
+  return !problem;
+}
+
 /* What every wave asks of the tank that it fills. */
 static void check_tank_of_wave(struct case_draft *d) {
   const struct case_file *c = d->c;
   const struct flow_scale scale = c->flow->scale(c);
   double height = c->tank.max[1] - c->tank.min[1], crest = scale.depth + scale.amplitude;
   char found[96], allowed[128];
-  if (!c->rectangular) {
-    case_flow_problem(d, NULL, "a wave in a tank that is not rectangular",
-                      "one wall: down the left side, along a flat bed, up the right side",
-                      "change tank.walls or give water.regions");
-    return;
-  }
+  if (!c->rectangular && !check_wave_between_walls(d)) return;
   if (!(c->gravity > 0))
     case_flow_problem(d, "kind", "a wave without gravity", "a wave that gravity brings back",
                       "set fluid.gravity or give water.regions");
@@ -188,7 +206,7 @@ static void check_tank_of_wave(struct case_draft *d) {
     case_flow_problem(d, "kind", found, "a wave that walls keep, standing",
                       "write tank.sides: periodic");
   }
-  if (crest > height * (1 + CASE_SAME)) {
+  if (c->rectangular && crest > height * (1 + CASE_SAME)) {
     snprintf(found, sizeof found, "crests %.6g m above the bed", crest);
     snprintf(allowed, sizeof allowed, "up to the walls' top, %.6g m", height);
     case_flow_problem(d, "depth", found, allowed, "make the walls higher");
@@ -254,7 +272,6 @@ void case_check_geometry(struct case_draft *d) {
   struct case_file *c = d->c;
   size_t faults = d->doc.faults;
   if (d->good.tank) check_walls(d);
-  if (d->good.tank) c->rectangular = tank_is_rectangular(&c->walls, case_near(c));
   if (d->good.tank && c->periodic[1] && (!c->periodic[0] || c->gravity > 0))
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.tank, "bed"), "tank.bed",
                      c->gravity > 0 ? "'periodic' with gravity" : "'periodic' between walls",

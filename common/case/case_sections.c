@@ -8,6 +8,7 @@
 #include "common/base/array.h"
 #include "common/case/case_draft.h"
 #include "common/flow/flow.h"
+#include "common/tank/tank.h"
 
 enum { MOST_POINTS = 20000 };
 
@@ -225,6 +226,7 @@ static enum status read_tank(struct case_draft *d) {
   d->c->periodic[1] = s.bed == SIDES_PERIODIC;
   d->good.tank = d->at.tank && d->doc.faults == faults;
   d->c->tank = geo_lines_box(&d->c->walls);
+  d->c->rectangular = d->good.tank && tank_is_rectangular(&d->c->walls, case_near(d->c));
   return OK;
 }
 

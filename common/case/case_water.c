@@ -7,7 +7,8 @@
 
 double case_water_area(const struct case_file *c) {
   double area = 0;
-  if (c->flow->scale) return c->flow->scale(c).mean * (c->tank.max[0] - c->tank.min[0]);
+  if (c->flow->scale && c->rectangular)
+    return c->flow->scale(c).mean * (c->tank.max[0] - c->tank.min[0]);
   for (size_t k = 0; k < c->water.pieces; k++) area += geo_piece_area(&c->water, k);
   return area;
 }
@@ -18,23 +19,40 @@ static double box_potential(const struct case_file *c, double area) {
   return c->density * c->gravity * width * (level * level - bed * bed) / 2;
 }
 
-double case_rest_potential(const struct case_file *c) {
-  double wanted = case_water_area(c), low = c->tank.min[1], high = c->tank.max[1];
-  double area = 0, centre[2] = {0, 0};
-  if (c->flow->pull) return c->density * flow_pull_rest(c->flow->pull(c), wanted);
-  if (c->rectangular) return box_potential(c, wanted);
-  if (geo_area_below(&c->walls, high, &area, centre) != OK) return NAN;
-  if (area < wanted)
-    return box_potential(c, wanted); /* the walls bound no room, or one too small */
-  /* any other tank: the level by bisection, to the last digits that an area has */
+/* The level by bisection, to the last digits that an area has; its area and centroid. False when
+ * the walls bound no room, or one too small. */
+static bool find_level(const struct case_file *c, double wanted, double *level, double *area,
+                       double centre[2]) {
+  double low = c->tank.min[1], high = c->tank.max[1];
+  *level = NAN;
+  centre[1] = NAN; /* without memory */
+  if (geo_area_below(&c->walls, high, area, centre) != OK) return true;
+  if (*area < wanted) return false;
   for (int i = 0; i < 60 && high - low > 1e-15 * fabs(high); i++) {
-    double level = (low + high) / 2;
-    if (geo_area_below(&c->walls, level, &area, centre) != OK) return NAN;
-    if (area < wanted)
-      low = level;
+    *level = (low + high) / 2;
+    if (geo_area_below(&c->walls, *level, area, centre) != OK) return true;
+    if (*area < wanted)
+      low = *level;
     else
-      high = level;
+      high = *level;
   }
-  if (geo_area_below(&c->walls, high, &area, centre) != OK) return NAN;
+  *level = high;
+  if (geo_area_below(&c->walls, high, area, centre) != OK) centre[1] = NAN;
+  return true;
+}
+
+double case_rest_level(const struct case_file *c) {
+  const double wanted = case_water_area(c);
+  double level, area = 0, centre[2] = {0, 0};
+  if (!c->rectangular && find_level(c, wanted, &level, &area, centre)) return level;
+  return c->tank.min[1] + wanted / (c->tank.max[0] - c->tank.min[0]);
+}
+
+double case_rest_potential(const struct case_file *c) {
+  const double wanted = case_water_area(c);
+  double level, area = 0, centre[2] = {0, 0};
+  if (c->flow->pull) return c->density * flow_pull_rest(c->flow->pull(c), wanted);
+  if (c->rectangular || !find_level(c, wanted, &level, &area, centre))
+    return box_potential(c, wanted);
   return c->density * c->gravity * wanted * centre[1];
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "common/case/case.h"
+#include "common/flow/edges.h"
 
 enum { OUTLINE_POINTS = 256, MOST_LENGTHS = 64 }; /* of an outline, for each length of the wave */
 
@@ -82,11 +83,35 @@ enum status flow_head(const struct flow_water *w, const struct flow_point *p, do
   return OK;
 }
 
+/* Parts of the surface over a width. */
+static size_t count_parts(const struct flow_water *w, double width) {
+  const double lengths = fmin(width / w->c->flow->scale(w->c).length, MOST_LENGTHS);
+  return (size_t)ceil(lengths * OUTLINE_POINTS);
+}
+
+/* In a tank of any one wall; nothing where the water is not one body, as the check will say. */
+static enum status draw_between_walls(const struct flow_water *w, struct geo_lines *water) {
+  struct flow_edges e;
+  geo_lines_clear(water);
+  if (flow_find_edges(w, &e)) return OK;
+  TRY(geo_lines_begin(water, true));
+  TRY(geo_lines_add(water, e.at[0][0], e.at[0][1]));
+  for (size_t i = e.side[0] + 1; i <= e.side[1]; i++)
+    TRY(geo_lines_add(water, w->c->walls.p[i][0], w->c->walls.p[i][1]));
+  TRY(geo_lines_add(water, e.at[1][0], e.at[1][1]));
+  const double left = e.at[0][0], width = e.at[1][0] - left;
+  const size_t n = count_parts(w, width);
+  for (size_t i = n; i-- > 1;) {
+    double x = left + width * (double)i / (double)n;
+    TRY(geo_lines_add(water, x, flow_elevation(w, x, 0)));
+  }
+  return OK;
+}
+
 static enum status draw(const struct flow_water *w, struct geo_lines *water) {
   const struct geo_box *tank = &w->c->tank;
   double left = tank->min[0], bed = tank->min[1], width = tank->max[0] - left;
-  double lengths = fmin(width / w->c->flow->scale(w->c).length, MOST_LENGTHS);
-  size_t n = (size_t)ceil(lengths * OUTLINE_POINTS);
+  size_t n = count_parts(w, width);
   geo_lines_clear(water);
   TRY(geo_lines_begin(water, true));
   TRY(geo_lines_add(water, left, bed));
@@ -102,7 +127,7 @@ enum status flow_outline(const struct case_file *c, struct geo_lines *water) {
   struct flow_water w;
   if (flow_is_body(c->flow)) return c->flow->outline(c, water);
   enum status status = flow_open(c, (struct flow_use){0}, &w);
-  if (status == OK) status = draw(&w, water);
+  if (status == OK) status = c->rectangular ? draw(&w, water) : draw_between_walls(&w, water);
   flow_close(&w);
   return status;
 }

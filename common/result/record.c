@@ -17,15 +17,38 @@ enum status record_row(struct result *w, const struct case_file *c, const struct
   return OK;
 }
 
+/* Unit vector along the wall nearest to a probe: exactly along an axis in a rectangular tank. */
+static void sensor_direction(const struct case_file *c, const struct case_probe *probe,
+                             double along[2]) {
+  const double at[2] = {probe->x, probe->y}, near = 1e-6 * (c->tank.max[0] - c->tank.min[0]);
+  const bool upright = fabs(at[0] - c->tank.min[0]) < near || fabs(at[0] - c->tank.max[0]) < near;
+  double least = INFINITY;
+  along[0] = !upright;
+  along[1] = upright;
+  if (c->rectangular) return;
+  for (size_t k = 0; k < c->walls.pieces; k++)
+    for (size_t i = 0; i < geo_piece_segments(&c->walls, k); i++) {
+      const double *a = c->walls.p[c->walls.first[k] + i], *b = geo_segment_end(&c->walls, k, i);
+      double foot[2];
+      geo_segment_foot(a, b, at, foot);
+      const double way = hypot(foot[0] - at[0], foot[1] - at[1]),
+                   l = hypot(b[0] - a[0], b[1] - a[1]);
+      if (way >= least) continue;
+      least = way;
+      along[0] = (b[0] - a[0]) / l;
+      along[1] = (b[1] - a[1]) / l;
+    }
+}
+
 size_t record_sensor(const struct case_file *c, const struct case_probe *probe,
                      double p[RECORD_PARTS][2]) {
-  double near = 1e-6 * (c->tank.max[0] - c->tank.min[0]);
-  bool upright = fabs(probe->x - c->tank.min[0]) < near || fabs(probe->x - c->tank.max[0]) < near;
+  double along[2];
+  sensor_direction(c, probe, along);
   size_t parts = probe->size > 0 ? RECORD_PARTS : 1;
   for (size_t i = 0; i < parts; i++) {
-    double s = probe->size * (((double)i + 0.5) / (double)parts - 0.5);
-    p[i][0] = upright ? probe->x : probe->x + s;
-    p[i][1] = upright ? probe->y + s : probe->y;
+    double part = ((double)i + 0.5) / (double)parts - 0.5;
+    p[i][0] = probe->x + probe->size * along[0] * part;
+    p[i][1] = probe->y + probe->size * along[1] * part;
   }
   return parts;
 }

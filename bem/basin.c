@@ -1,0 +1,210 @@
+#include "bem/basin.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/base/array.h"
+#include "common/base/geometry_check.h"
+#include "common/flow/edges.h"
+
+static double complex in_H(const struct case_file *c, const double p[2]) {
+  return CMPLX((p[0] - c->tank.min[0]) / c->H, (p[1] - c->tank.min[1]) / c->H);
+}
+
+enum status bem_basin_map(const struct case_file *c, struct bem_conformal **m) {
+  const size_t n = c->walls.points;
+  double(*point)[2] = NULL;
+  *m = NULL;
+  TRY(array_create(&point, n, "points of a wall"));
+  for (size_t i = 0; i < n; i++) {
+    const double complex z = in_H(c, c->walls.p[i]);
+    point[i][0] = creal(z);
+    point[i][1] = cimag(z);
+  }
+  const enum status status = bem_conformal_create(n, point, m);
+  free(point);
+  return status;
+}
+
+/* ---- where the surface is ---- */
+
+static bool on_wall(const struct case_file *c, double x, double y) {
+  double nearest[2];
+  size_t piece;
+  return geo_lines_distance(&c->walls, x, y, nearest, &piece) <= case_near(c);
+}
+
+/* The one side of a region that is not along the walls; its water lies on its left, so that it
+ * begins at the right edge. */
+static const char *find_region_edges(const struct case_file *c, double at[2][2]) {
+  const struct geo_lines *w = &c->water;
+  size_t free_sides = 0;
+  if (w->pieces != 1) return "several regions of water";
+  for (size_t i = 0; i < geo_piece_segments(w, 0); i++) {
+    const double *a = w->p[i], *b = geo_segment_end(w, 0, i);
+    const bool ends = on_wall(c, a[0], a[1]) && on_wall(c, b[0], b[1]);
+    if (ends && on_wall(c, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2)) continue;
+    if (!ends || free_sides++) return "water whose surface is not one straight line between walls";
+    memcpy(at[1], a, sizeof at[1]);
+    memcpy(at[0], b, sizeof at[0]);
+  }
+  return free_sides ? NULL : "water without a free surface";
+}
+
+static const char *find_edges(const struct case_file *c, const struct flow_water *w,
+                              double at[2][2]) {
+  struct flow_edges e;
+  if (!flow_is_wave(c->flow)) return find_region_edges(c, at);
+  const char *problem = flow_find_edges(w, &e);
+  if (!problem) memcpy(at, e.at, sizeof e.at);
+  return problem;
+}
+
+static void set_node(const struct flow_water *w, const double p[2], struct bem_surface *s,
+                     size_t k) {
+  const struct case_file *c = w->c;
+  const double complex z = in_H(c, p);
+  s->state[k] = creal(z);
+  s->state[s->n + k] = cimag(z);
+  s->state[2 * s->n + k] = flow_is_wave(c->flow)
+                               ? flow_potential(w, p[0], p[1], 0) / (c->H * sqrt(c->gravity * c->H))
+                               : 0;
+}
+
+/* From edge to edge, between them on the elevation or a straight line. */
+static enum status place(const struct flow_water *w, double resolution, struct bem_surface *s) {
+  double at[2][2];
+  const char *problem = find_edges(w->c, w, at);
+  CHECK(!problem, ERR_SOLVER, "%s", problem);
+  const double length = hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]) / w->c->H;
+  const size_t last = (size_t)ceil(length * resolution);
+  TRY(bem_surface_reserve(s, last + 1));
+  for (size_t k = 0; k <= last; k++) {
+    const double part = (double)k / (double)last;
+    double p[2] = {at[0][0] + part * (at[1][0] - at[0][0]),
+                   at[0][1] + part * (at[1][1] - at[0][1])};
+    if (k > 0 && k < last && flow_is_wave(w->c->flow)) p[1] = flow_elevation(w, p[0], 0);
+    set_node(w, k == last ? at[1] : p, s, k);
+  }
+  for (int end = 0; end < 2; end++)
+    s->side[end] = bem_conformal_side(s->walls, in_H(w->c, at[end]));
+  return OK;
+}
+
+enum status bem_basin_start(const struct case_file *c, double resolution, struct bem_surface *s) {
+  struct flow_water w;
+  enum status status = flow_open(c, (struct flow_use){0}, &w);
+  s->right = BEM_END_WALL;
+  if (status == OK) status = place(&w, resolution, s);
+  flow_close(&w);
+  return status;
+}
+
+/* ---- what is refused ---- */
+
+static void refuse(const struct case_run *r, struct problems *problems, const char *found,
+                   const char *allowed) {
+  problems_add(problems, case_run_line(r, "solver"),
+               "runs.%s.solver: found 'bem' with %s; allowed: %s; take another solver", r->name,
+               found, allowed);
+}
+
+/* Whether the sides, which the map takes to go on for ever, meet something within the tank's size.
+ */
+static enum status sides_go_on(const struct case_file *c, bool *simple) {
+  const struct geo_box *b = &c->tank;
+  const double far = (b->max[0] - b->min[0]) + (b->max[1] - b->min[1]);
+  struct geo_lines l = {0};
+  double at[2];
+  enum status status = geo_lines_copy(&l, &c->walls);
+  for (int end = 0; end < 2 && status == OK; end++) {
+    double *p = l.p[end ? l.points - 1 : 0], *q = l.p[end ? l.points - 2 : 1];
+    const double length = hypot(p[0] - q[0], p[1] - q[1]);
+    for (int axis = 0; axis < 2; axis++) p[axis] += far / length * (p[axis] - q[axis]);
+  }
+  if (status == OK) status = geo_piece_simple(&l, 0, false, simple, at);
+  geo_lines_destroy(&l);
+  return status;
+}
+
+static bool check_walls(const struct case_file *c, const struct case_run *r,
+                        struct problems *problems) {
+  bool simple = false;
+  if (c->walls.pieces != 1 || c->walls.closed[0]) {
+    refuse(r, problems, "several walls, or a closed one",
+           "one wall, open at the top, down the left side, along the bed, up the right side");
+    return false;
+  }
+  if (c->walls.points > BEM_MOST_BENDS) {
+    refuse(r, problems, "a wall of too many points", "64 of them");
+    return false;
+  }
+  if (sides_go_on(c, &simple) != OK) {
+    problems->out_of_memory = true;
+    return false;
+  }
+  if (!simple)
+    refuse(r, problems, "sides that meet if they go on",
+           "sides that may go on for ever, as the water does not know where they end");
+  return simple;
+}
+
+/* At a bend towards the water its velocity has no bound. */
+static void check_probes(const struct case_file *c, const struct case_run *r,
+                         const struct bem_conformal *m, struct problems *problems) {
+  for (size_t i = 0; i < c->n_probes; i++) {
+    const double at[2] = {c->probes[i].x, c->probes[i].y};
+    for (size_t k = 0; k < m->n; k++)
+      if (m->power[k] > 0 && cabs(in_H(c, at) - m->point[k + 1]) * c->H <= case_near(c))
+        problems_add(problems, case_run_line(r, "solver"),
+                     "runs.%s.solver: found 'bem' with the probe %s on an edge of the walls, where "
+                     "water that flows round it has no lowest pressure; allowed: a point beside "
+                     "it; move the probe",
+                     r->name, c->probes[i].name);
+  }
+}
+
+static void check_water(const struct case_file *c, const struct case_run *r,
+                        const struct bem_conformal *m, struct problems *problems, double *length) {
+  struct flow_water w;
+  double at[2][2];
+  const char *problem = NULL;
+  if (flow_open(c, (struct flow_use){0}, &w) == OK)
+    problem = find_edges(c, &w, at);
+  else
+    problems->out_of_memory = true;
+  flow_close(&w);
+  if (problem || problems->out_of_memory) {
+    if (problem)
+      refuse(r, problems, problem,
+             "one body of water between the walls, under one straight line or a wave");
+    return;
+  }
+  for (int end = 0; end < 2; end++)
+    for (size_t k = 0; k < m->n; k++)
+      if (cabs(in_H(c, at[end]) - m->point[k + 1]) * c->H <= case_near(c)) {
+        refuse(r, problems, "the water's edge on a bend of the walls",
+               "an edge beside it, which has one wall to slide along");
+        return;
+      }
+  *length = hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]);
+}
+
+void bem_basin_check(const struct case_file *c, const struct case_run *r, struct problems *problems,
+                     double *length) {
+  struct bem_conformal *m = NULL;
+  *length = 0;
+  if (!check_walls(c, r, problems)) return;
+  const enum status status = bem_basin_map(c, &m);
+  if (status == ERR_MEMORY) problems->out_of_memory = true;
+  if (status == ERR_SOLVER)
+    refuse(r, problems, status_message(), "walls of which the conformal map is found");
+  if (!flow_is_wave(c->flow) && (c->velocity[0] != 0 || c->velocity[1] != 0))
+    refuse(r, problems, "moving water", "water at rest at t = 0");
+  if (status == OK) {
+    check_probes(c, r, m, problems);
+    check_water(c, r, m, problems, length);
+  }
+  bem_conformal_destroy(m);
+}

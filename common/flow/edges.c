@@ -1,0 +1,53 @@
+#include "common/flow/edges.h"
+
+#include "common/case/case.h"
+
+enum { SAMPLES = 32 }; /* of a segment of the wall, at which it must be under water */
+
+/* Depth under the surface of a point of a segment of the wall. */
+static double depth_at(const struct flow_water *w, size_t segment, double part, double at[2]) {
+  const double *a = w->c->walls.p[segment], *b = w->c->walls.p[segment + 1];
+  for (int axis = 0; axis < 2; axis++) at[axis] = a[axis] + part * (b[axis] - a[axis]);
+  return flow_elevation(w, at[0], 0) - at[1];
+}
+
+/* The point of a segment at which the surface meets it: `dry` and `wet` are its ends, 0 and 1. */
+static void find_edge(const struct flow_water *w, size_t segment, double dry, double wet,
+                      double at[2]) {
+  for (int i = 0; i < 60; i++) { /* until there is no number between them */
+    const double middle = (dry + wet) / 2;
+    if (depth_at(w, segment, middle, at) > 0)
+      wet = middle;
+    else
+      dry = middle;
+  }
+  depth_at(w, segment, wet, at);
+}
+
+static bool covered(const struct flow_water *w, const struct flow_edges *e) {
+  double at[2];
+  for (size_t i = e->side[0]; i <= e->side[1]; i++) {
+    if (i > e->side[0] && !(depth_at(w, i, 0, at) > 0)) return false;
+    for (int j = 1; j < SAMPLES && i > e->side[0] && i < e->side[1]; j++)
+      if (!(depth_at(w, i, (double)j / SAMPLES, at) > 0)) return false;
+  }
+  return true;
+}
+
+const char *flow_find_edges(const struct flow_water *w, struct flow_edges *e) {
+  const struct geo_lines *walls = &w->c->walls;
+  double at[2];
+  if (walls->pieces != 1 || walls->closed[0] || walls->points < 2) return "walls of several pieces";
+  const size_t last = walls->points - 2;
+  if (depth_at(w, 0, 0, at) > 0) return "water above the top of the left side";
+  if (depth_at(w, last, 1, at) > 0) return "water above the top of the right side";
+  size_t i = 0, j = last;
+  while (i < last && !(depth_at(w, i, 1, at) > 0)) i++;
+  while (j > 0 && !(depth_at(w, j, 0, at) > 0)) j--;
+  if (i >= j) return "no water";
+  find_edge(w, i, 0, 1, e->at[0]);
+  find_edge(w, j, 1, 0, e->at[1]);
+  e->side[0] = i;
+  e->side[1] = j;
+  return covered(w, e) ? NULL : "walls that come out of the water between its edges";
+}

@@ -1,0 +1,11 @@
+/* Where the surface of waves meets the walls of any tank of one wall. */
+#pragma once
+#include "common/flow/flow.h"
+
+struct flow_edges {
+  double at[2][2]; /* m: the left one and the right one */
+  size_t side[2];  /* segments of the wall that they are on */
+};
+
+/* At t = 0. The problem, if the water is not one body below one surface, else NULL. */
+const char *flow_find_edges(const struct flow_water *w, struct flow_edges *e);
