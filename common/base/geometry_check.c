@@ -218,27 +218,40 @@ enum status geo_piece_outside(const struct geo_lines *l, size_t piece, const str
   return geos_end(&g);
 }
 
+static GEOSGeometry *grown(struct geos *g, const GEOSGeometry *from, double by) {
+  enum { UNUSED = 8 };      /* segments of round corners */
+  const double mitre = 100; /* corners down to an angle of 2/100 stay pointed */
+  if (g->failed) return NULL;
+  return keep(g, GEOSBufferWithStyle_r(g->h, from, by, UNUSED, GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE,
+                                       mitre));
+}
+
 enum status geo_piece_crossed(const struct geo_lines *l, size_t piece,
-                              const struct geo_lines *walls, double *length, double at[2]) {
+                              const struct geo_lines *walls, double near, double *length,
+                              double at[2]) {
   struct geos g = geos_begin();
   GEOSGeometry *p = polygon_of(&g, l, piece);
+  GEOSGeometry *inside = grown(&g, p, -near);
   GEOSGeometry *rim = keep(&g, g.failed ? NULL : GEOSBoundary_r(g.h, p));
   *length = 0;
   for (size_t k = 0; k < walls->pieces && !g.failed; k++) {
     GEOSGeometry *wall = line_of(&g, walls, k, walls->closed[k]);
-    GEOSGeometry *in = keep(&g, wall ? GEOSIntersection_r(g.h, wall, p) : NULL);
+    GEOSGeometry *deep = keep(&g, wall ? GEOSIntersection_r(g.h, wall, inside) : NULL);
+    GEOSGeometry *in = keep(&g, deep ? GEOSIntersection_r(g.h, wall, p) : NULL);
     GEOSGeometry *through = keep(&g, in ? GEOSDifference_r(g.h, in, rim) : NULL);
     double part = 0;
-    if (through) GEOSLength_r(g.h, through, &part);
+    if (through) GEOSLength_r(g.h, deep, &part);
     if (part > *length) {
       *length = part;
       point_inside(&g, through, at);
     }
     drop(&g, wall);
+    drop(&g, deep);
     drop(&g, in);
     drop(&g, through);
   }
   drop(&g, p);
+  drop(&g, inside);
   drop(&g, rim);
   return geos_end(&g);
 }
@@ -279,14 +292,6 @@ static GEOSGeometry *union_of(struct geos *g, const struct geo_lines *l) {
     all = next;
   }
   return all;
-}
-
-static GEOSGeometry *grown(struct geos *g, const GEOSGeometry *from, double by) {
-  enum { UNUSED = 8 };      /* segments of round corners */
-  const double mitre = 100; /* corners down to an angle of 2/100 stay pointed */
-  if (g->failed) return NULL;
-  return keep(g, GEOSBufferWithStyle_r(g->h, from, by, UNUSED, GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE,
-                                       mitre));
 }
 
 /* Shrunk and grown again: without what is thinner than `width`. NULL when it fails. */

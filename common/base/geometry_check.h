@@ -28,9 +28,11 @@ size_t geo_lines_vessel(const struct geo_lines *l);
 enum status geo_piece_outside(const struct geo_lines *l, size_t piece, const struct geo_lines *tank,
                               double *area, double at[2]);
 
-/* Length of `walls` that runs through the inside of a closed piece of `l`, m, and a point of it. */
+/* Length of `walls` that runs through the inside of a closed piece of `l`, farther than `near` (m)
+ * from its rim, and a point of it: corners on a sloping wall are beside it by rounding. */
 enum status geo_piece_crossed(const struct geo_lines *l, size_t piece,
-                              const struct geo_lines *walls, double *length, double at[2]);
+                              const struct geo_lines *walls, double near, double *length,
+                              double at[2]);
 
 /* The part of the room of `tank` below the horizontal y = level: its area (m^2) and centroid. */
 enum status geo_area_below(const struct geo_lines *tank, double level, double *area,

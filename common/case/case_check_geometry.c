@@ -113,7 +113,7 @@ static void check_region_in_tank(struct case_draft *d, size_t k, int line, const
                      "move the region or the walls");
     return;
   }
-  if (status == OK) status = geo_piece_crossed(&c->water, k, &c->walls, &part, at);
+  if (status == OK) status = geo_piece_crossed(&c->water, k, &c->walls, case_near(c), &part, at);
   if (status != OK)
     d->doc.problems->out_of_memory = true;
   else if (part > CASE_SAME * case_tank_size(c)) {

@@ -86,6 +86,23 @@ static void test_water_in_a_wedge_sloshes_as_theory_says(void) {
   result_file_destroy(f);
 }
 
+/* Corners of the water on a slope are off it by rounding, to either side. */
+static void test_water_may_begin_anywhere_on_a_slope(void) {
+  for (int i = 1; i < 30; i++) {
+    char text[400];
+    const double x = 1.6 + 0.1 * i, y = (x - 1.6) / 3;
+    snprintf(text, sizeof text,
+             "title: slope\nfluid: {density: 1, gravity: 1}\nscales: {H: 0.5}\n"
+             "tank: {walls: [[[1, 1], [1, 0], [1.6, 0], [4.6, 1]]]}\n"
+             "water: {regions: [[[1, 0], [1.6, 0], [%.15g, %.15g], [1, 0.46]]]}\n"
+             "time: {end: 1}\nruns: [{solver: bem, resolution: 20}]\n",
+             x, y);
+    struct case_file *c = run_case(text);
+    EXPECT(c != NULL);
+    case_destroy(c);
+  }
+}
+
 /* ---- a wave over a bar ---- */
 
 struct drift {
@@ -149,6 +166,7 @@ static void test_an_edge_that_comes_to_a_bend_ends_the_run(void) {
 int main(void) {
   RUN(test_still_water_stays_still_in_any_tank);
   RUN(test_water_in_a_wedge_sloshes_as_theory_says);
+  RUN(test_water_may_begin_anywhere_on_a_slope);
   RUN(test_a_wave_over_a_bar_keeps_its_water_and_its_energy);
   RUN(test_an_edge_that_comes_to_a_bend_ends_the_run);
   return TEST_RESULT;
