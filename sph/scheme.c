@@ -52,7 +52,7 @@ static const char *const precision_helps[] = {
     "takes up to twice the time; conserves to 1e-13"};
 
 #define AT(member) offsetof(struct sph_scheme, member)
-const struct param sph_params[SPH_N_PARAMS] = {
+const struct param sph_params[] = {
     {"scheme", PARAM_CHOICE, QTY_NUMBER, AT(preset), 0, 0, "delta-sph", sph_preset_names,
      "named scheme: sets the keys below, as far as the run does not (see the list of schemes)",
      NULL},

@@ -200,7 +200,7 @@ static void check_integrator(const struct case_run *r, struct problems *problems
     problems_add(
         problems, case_run_line(r, "damping"),
         "runs.%s.damping: found '%g' with the integrator %s, which does not damp; allowed: "
-        "damped-pc; take that or leave the line out",
+        "damped-pc; take that or write damping: 0",
         r->name, o->damping, name);
 }
 
@@ -214,8 +214,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
       (sph_integrators[o->integrator]->frozen || sph_integrators[o->integrator]->split))
     problems_add(problems, case_run_line(r, "integrator"),
                  "runs.%s.integrator: found '%s', which %s a diffusion that there is none of; "
-                 "allowed: any other; take rk4, which it is then, or leave the "
-                 "line out",
+                 "allowed: any other; write integrator: rk4, which it is then",
                  r->name, sph_integrator_names[o->integrator],
                  sph_integrators[o->integrator]->frozen ? "freezes" : "splits off");
   sph_forms_check(r, problems);
@@ -225,7 +224,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
     problems_add(
         problems, case_run_line(r, "free_surface"),
         "runs.%s.free_surface: found 'fitted' with regions of water, whose outline no row of "
-        "particles follows; allowed: with water.wave; leave the line out",
+        "particles follows; allowed: with water.wave; write free_surface: natural",
         r->name);
   if (c->gravity == 0 && sph_walls[o->walls] == &sph_wall_mirror_exponential)
     problems_add(

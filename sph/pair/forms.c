@@ -112,13 +112,13 @@ static const struct {
      "momentum: reference"},
     {is_mixed_density, "continuity",
      "another form with an eos that takes gravity into the pressure or the density, whose rate is "
-     "-rho div u (thesis, eqs. (4.36), (4.59)); allowed: divergence; leave the line out"},
+     "-rho div u (thesis, eqs. (4.36), (4.59)); allowed: divergence; write continuity: divergence"},
     {is_curved_exponential, "integrator",
      "rk4-split, whose exponential is that of a linear equation of state, with another; allowed: "
      "any other integrator; write integrator: rk4"},
     {is_split_gradient, "integrator",
      "rk4-split with a diffusion that needs the density gradient, in each of its stages; allowed: "
-     "any other; take rk4-frozen or leave the line out"},
+     "any other; write integrator: rk4-frozen"},
     {is_diffused_sum, "diffusion",
      "a diffusion of densities that are sums over the neighbours at each instant, and forget it "
      "(thesis, eqs. (2.16), (3.18)); allowed: none; write diffusion: none"},
@@ -128,8 +128,8 @@ static const struct {
      "minus"},
     {is_summed_fit, "continuity",
      "a form that is a sum over pairs with a derivative that is a fit of differences (thesis, eqs. "
-     "(3.13), (4.14)); allowed: divergence, with rho_i, or reference, with rho0; leave the line "
-     "out"},
+     "(3.13), (4.14)); allowed: divergence, with rho_i, or reference, with rho0; write "
+     "continuity: divergence"},
     {is_wide_fit, "derivative_radius",
      "more than the support of the kernel, within which neighbours are listed; allowed: at most "
      "that; lower it"},
@@ -138,7 +138,7 @@ static const struct {
      "allowed: at least that over h_over_dx; raise it"},
     {is_relaxed_fit, "tensile",
      "a correction of the forces of pairs with a derivative that is a fit and has none; allowed: "
-     "0; leave the line out"},
+     "0; write tensile: 0"},
     {is_steep_image, "walls",
      "mirror-exponential with momentum: reference, with which water rests on a linear pressure, of "
      "slope rho0 g (thesis, eqs. (4.26) to (4.28)); allowed: mirror; write walls: mirror"},
@@ -148,7 +148,7 @@ static const struct {
      "walls: mirror"},
     {is_held_by_nothing, "slip",
      "no slip without viscosity, the only force by which walls hold water; allowed: with alpha "
-     "above 0; give it or leave the line out"},
+     "above 0; give it or write slip: free"},
     {is_treated_sum, "continuity",
      "densities that are sums over the neighbours at each instant, and forget the "
      "re-initialisation that this run asks for; allowed: divergence, absolute, mass, reference; "

@@ -47,8 +47,8 @@ void sph_treat_check(const struct case_file *c, const struct case_run *r,
     if (treatments[k]->periodic && !c->periodic[0])
       problems_add(problems, case_run_line(r, names[k]),
                    "runs.%s.%s: found in a tank whose sides are walls; allowed: with tank.sides: "
-                   "periodic, where waves are harmonics of its length; leave the line out",
-                   r->name, names[k]);
+                   "periodic, where waves are harmonics of its length; write %s: 0",
+                   r->name, names[k], names[k]);
     if (treatments[k]->redensify && other)
       problems_add(problems, case_run_line(r, names[k]),
                    "runs.%s.%s: found beside %s; allowed: one of the treatments that make "

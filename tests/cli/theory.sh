@@ -55,7 +55,7 @@ refuse "plunge: points: found '1'; allowed: a whole number from 2 to 100000" dis
 refuse "plunge: operator: found 'latice'; allowed: one of continuum, lattice; did you mean 'lattice'?" dispersion --operator latice
 refuse "plunge: ratio: found '1 H'; allowed: a number from 0.5 to 4; write it without a unit" kernel --ratio "1 H"
 refuse "plunge: from = 5: from: found 5; allowed: less than to = 4" waves --from 1,5 --to 4 --beta 1
-refuse "plunge: integrator: found rk4-split with a diffusion that needs the density gradient, in each of its stages; allowed: any other; take rk4-frozen or leave the line out" stability --integrator rk4-split --diffusion antuono
+refuse "plunge: integrator: found rk4-split with a diffusion that needs the density gradient, in each of its stages; allowed: any other; write integrator: rk4-frozen" stability --integrator rk4-split --diffusion antuono
 refuse "plunge: surface: the lists make more than 64 curves; give fewer values" surface --rows "$(seq -s, 1 65)"
 refuse "plunge: figure.txt is no name of a figure; allowed: NAME.svg, NAME.pdf, NAME.png" damping --figure figure.txt
 refuse "plunge theory damping: other: one topic at a time; a parameter is --NAME=VALUE" damping other
