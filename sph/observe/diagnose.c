@@ -72,7 +72,8 @@ static void sum_over_particles(const struct sph *s, double *value) {
   for (size_t i = 0; i < s->f.n; i++) {
     const double m = s->f.m[i];
     value[SPH_DIAGNOSTIC_shaking] += k->u[i] * k->u[i] + k->v[i] * k->v[i];
-    value[SPH_DIAGNOSTIC_compressed] += fabs(w->rho[i] / s->rho0 - 1) > 0.01;
+    const double rho = eos_density(&s->eos, w->rho[i], w->y[i]);
+    value[SPH_DIAGNOSTIC_compressed] += fabs(rho / s->rho0 - 1) > 0.01;
     value[SPH_DIAGNOSTIC_momentum_x] += m * w->u[i];
     value[SPH_DIAGNOSTIC_momentum_y] += m * w->v[i];
     value[SPH_DIAGNOSTIC_angular_momentum] += m * (w->x[i] * w->v[i] - w->y[i] * w->u[i]);

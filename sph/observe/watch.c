@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "sph/hot.h"
+#include "sph/pair/forms.h"
 #include "sph/time/timestep.h"
 
 /* X(term, what to do where it drives the water). */
@@ -13,11 +14,13 @@
   X(diffusion, "write diffusion: antuono, or lower delta")                                         \
   X(smoothing, "smooth less often")
 
-enum { CAUSE = 300 };
+enum { CAUSE = SPH_ADVICE + 2 };
 
 /* What follows "at t = 1 s": the term of the budget that has given at least half of the motion
  * before it broke off, if one has (what moves by gravity has it from none), and what to do. */
-static void write_cause(const struct sph_seen *seen, char text[CAUSE]) {
+static void write_cause(const struct sph *s, char text[CAUSE]) {
+  const struct sph_seen *seen = &s->seen;
+  char advice[SPH_ADVICE];
 #define X(name, remedy)                                                                            \
   if (-seen->budget.name > 0.5 * seen->kinetic) {                                                  \
     snprintf(text, CAUSE, ", %s in the budget of energy having given %.2g J/m: %s", #name,         \
@@ -26,20 +29,32 @@ static void write_cause(const struct sph_seen *seen, char text[CAUSE]) {
   }
   REMEDIES(X)
 #undef X
-  snprintf(text, CAUSE, ": raise c0, alpha or delta, or lower cfl_acoustic");
+  sph_forms_advise(&s->scheme, advice);
+  snprintf(text, CAUSE, ": %s", advice);
 }
 
-static enum status find_culprit(const struct sph *s) {
+/* How bad a particle is: infinitely where it has no value, else how fast, or, if densities are what
+ * went wrong, how light. */
+static double badness(const struct sph *s, size_t i, bool by_density) {
+  const struct sph_state *w = &s->f.w;
+  if (!isfinite(w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i])) return INFINITY;
+  return by_density ? -eos_density(&s->eos, w->rho[i], w->y[i]) : hypot(w->u[i], w->v[i]);
+}
+
+static enum status name_culprit(const struct sph *s, bool by_density) {
   const struct sph_state *w = &s->f.w;
   char cause[CAUSE];
-  write_cause(&s->seen, cause);
-  for (size_t i = 0; i < s->f.n; i++)
-    if (!isfinite(w->x[i] + w->y[i] + w->u[i] + w->v[i] + w->rho[i]) || w->rho[i] <= 0)
-      return status_raise(ERR_DIVERGED,
-                          "particle %u at (%g, %g) m has velocity (%g, %g) m/s and density %g "
-                          "kg/m^3 at t = %g s%s",
-                          s->f.id[i], w->x[i], w->y[i], w->u[i], w->v[i], w->rho[i], s->t, cause);
-  return OK;
+  size_t worst = 0;
+  for (size_t i = 1; i < s->f.n; i++)
+    if (badness(s, i, by_density) > badness(s, worst, by_density)) worst = i;
+  write_cause(s, cause);
+  const bool fast = hypot(w->u[worst], w->v[worst]) > s->c0;
+  return status_raise(ERR_DIVERGED,
+                      "particle %u at (%g, %g) m has velocity (%g, %g) m/s%s and density %g kg/m^3 "
+                      "at t = %g s%s",
+                      s->f.id[worst], w->x[worst], w->y[worst], w->u[worst], w->v[worst],
+                      fast ? ", faster than its sound," : "",
+                      eos_density(&s->eos, w->rho[worst], w->y[worst]), s->t, cause);
 }
 
 enum status sph_watch_state(struct sph *s) {
@@ -60,18 +75,32 @@ enum status sph_watch_state(struct sph *s) {
   s->seen.lightest = lightest;
   s->seen.heaviest = heaviest;
   s->seen.speed = fmax(s->seen.speed, sqrt(speed2));
-  if (sum != 0 || lightest <= 0) return find_culprit(s);
+  if (sum != 0 || lightest <= 0 || speed2 > s->c0 * s->c0)
+    return name_culprit(s, sum == 0 && lightest <= 0);
   s->seen.kinetic = kinetic;
   s->seen.budget = s->budget;
   return OK;
 }
 
+/* Steps are cut for the particle that is accelerated most, or for the fastest pair. */
+static enum status name_hurried(const struct sph *s, double dt) {
+  const struct sph_state *w = &s->f.w, *k = &s->f.k[0];
+  char cause[CAUSE];
+  size_t most = 0;
+  for (size_t i = 1; i < s->f.n; i++)
+    if (hypot(k->u[i], k->v[i]) > hypot(k->u[most], k->v[most])) most = i;
+  write_cause(s, cause);
+  return status_raise(
+      ERR_DIVERGED,
+      "the time step fell to %.2g s, with pairs as fast as %.3g m/s and particle %u "
+      "at (%g, %g) m accelerated by %.3g m/s^2, at t = %g s%s",
+      dt, s->totals.speed, s->f.id[most], w->x[most], w->y[most], hypot(k->u[most], k->v[most]),
+      s->t, cause);
+}
+
 enum status sph_watch_step(struct sph *s, double dt, double left) {
   const double smallest = 1e-6 * s->h / s->c0;
-  CHECK(dt >= smallest || dt >= left, ERR_DIVERGED,
-        "the time step fell to %.2g s at t = %g s (speed up to %.3g m/s, acceleration up to %.3g "
-        "m/s^2): raise c0, alpha or delta",
-        dt, s->t, s->totals.speed, sqrt(s->totals.acceleration2));
+  if (s->scheme.dt == 0 && dt < smallest && dt < left) return name_hurried(s, dt);
   s->seen.cut += sph_timestep_is_cut(s);
   return OK;
 }

@@ -4,8 +4,9 @@
 #include "common/result/result.h"
 #include "sph/sph.h"
 
-/* Largest values of the state; ERR_DIVERGED for values that are not finite, or a density that is
- * not positive. */
+/* Largest values of the state; ERR_DIVERGED, naming the worst particle, for values that are not
+ * finite, a density that is not positive, or a speed above c0, of which health.h says that the run
+ * has failed. */
 enum status sph_watch_state(struct sph *s);
 
 /* Counts a step that was cut; ERR_DIVERGED when steps shrink to nothing. `left` (s): to where the

@@ -142,6 +142,12 @@ SPECIALISE double eos_density_rises(const struct eos *e) {
   __builtin_unreachable();
 }
 
+/* What lifting takes of elastic energy, p/rho^2 drho/dy, J per kg and m. */
+SPECIALISE double eos_lift(const struct eos *e, double driving, double stored, double y) {
+  const double rho = eos_density(e, stored, y);
+  return eos_pressure(e, driving, y) / (rho * rho) * eos_density_rises(e);
+}
+
 /* Whether the density that evolves is the density, and the pressure that drives the pressure: if
  * not, gravity has gone into one of them. */
 SPECIALISE bool eos_is_plain(enum sph_eos law) {

@@ -1,5 +1,7 @@
 #include "sph/pair/forms.h"
 
+#include <stdio.h>
+
 #include "sph/domain/fitted.h"
 #include "sph/domain/wall.h"
 #include "sph/pair/continuity.h"
@@ -184,4 +186,11 @@ const char *sph_forms_warning(const struct sph_scheme *o) {
   if (o->momentum == SPH_MOMENTUM_minus)
     return "momentum minus imposes no pressure on a free surface: violent flow is thrown about";
   return NULL;
+}
+
+void sph_forms_advise(const struct sph_scheme *o, char advice[SPH_ADVICE]) {
+  const char *warning = sph_forms_warning(o);
+  snprintf(advice, SPH_ADVICE, "raise c0%s or alpha, or lower %s%s%s",
+           o->diffusion == SPH_DIFFUSION_none ? "" : ", delta", o->dt > 0 ? "dt" : "cfl_acoustic",
+           warning ? "; " : "", warning ? warning : "");
 }

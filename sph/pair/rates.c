@@ -166,7 +166,6 @@ struct stiffness {
 /* The usual case by itself, for speed. */
 static void find_stiffness(const struct sph *s, size_t at, struct stiffness *k) {
   const enum sph_continuity c = (enum sph_continuity)s->scheme.continuity;
-  const double rises = eos_density_rises(&s->eos);
   for (size_t l = 0; l < SPH_LANES; l++) {
     k->rho[l] = s->f.w.rho[at + l];
     k->pV[l] = s->f.p[at + l] * s->f.m[at + l] / k->rho[l];
@@ -180,7 +179,7 @@ static void find_stiffness(const struct sph *s, size_t at, struct stiffness *k) 
     k->rho[l] = continuity_density(c, s->rho0, rho);
     k->pV[l] = pV * (k->rho[l] / rho);
     k->elastic[l] = pV / rho;
-    k->lift[l] = pV / rho * rises;
+    k->lift[l] = s->f.m[at + l] * eos_lift(&s->eos, s->f.p[at + l], s->f.w.rho[at + l], y);
   }
 }
 

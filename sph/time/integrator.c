@@ -4,6 +4,7 @@
 
 #include "sph/domain/wall.h"
 #include "sph/pair/diffusion.h"
+#include "sph/pair/forms.h"
 #include "sph/pair/rates.h"
 
 const struct sph_integrator *const sph_integrators[] = {
@@ -54,10 +55,12 @@ static enum status refuse(const struct sph *s) {
     most = way;
     far = i;
   }
+  char advice[SPH_ADVICE];
+  sph_forms_advise(&s->scheme, advice);
   return status_raise(ERR_DIVERGED,
                       "particle %u at (%g, %g) m moves %.3g particle spacings within a step at t = "
-                      "%g s: raise c0, alpha or delta, or lower cfl_acoustic",
-                      f->id[far], f->w0.x[far], f->w0.y[far], most / s->dx, s->t);
+                      "%g s: %s",
+                      f->id[far], f->w0.x[far], f->w0.y[far], most / s->dx, s->t, advice);
 }
 
 /* From the usual skin to the widest one (sph.c) it takes six. */

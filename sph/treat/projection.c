@@ -191,4 +191,5 @@ const struct sph_treatment sph_treatment_projection = {.create = projection_crea
                                                        .destroy = free,
                                                        .due = sph_treat_has_grown,
                                                        .apply = project,
-                                                       .periodic = true};
+                                                       .periodic = true,
+                                                       .weighs = true};

@@ -81,4 +81,5 @@ const struct sph_treatment sph_treatment_removal = {.create = removal_create,
                                                     .destroy = free,
                                                     .due = sph_treat_has_grown,
                                                     .apply = remove_means,
-                                                    .periodic = true};
+                                                    .periodic = true,
+                                                    .weighs = true};

@@ -35,13 +35,14 @@ static bool smooth_due(const struct sph *s) {
   return floor(s->t / *interval) > floor((s->t - s->dt) / *interval);
 }
 
-/* What is added to densities before they are smoothed, per metre of height, kg m^-4. */
+/* What is added to densities before they are smoothed, per metre of height, kg m^-4: those of water
+ * at rest are then the same everywhere, as `split` has them. */
 static double gradient_added(const struct sph *s) {
   switch ((enum sph_smoothed)s->scheme.smoothing_of) {
   case SPH_SMOOTHED_density:
     return 0;
   case SPH_SMOOTHED_excess:
-    return s->rho0 * s->g / (s->c0 * s->c0);
+    return s->rho0 * s->g / (s->c0 * s->c0) + eos_density_rises(&s->eos);
   }
   __builtin_unreachable();
 }

@@ -49,6 +49,12 @@ void sph_treat_check(const struct case_file *c, const struct case_run *r,
                    "runs.%s.%s: found in a tank whose sides are walls; allowed: with tank.sides: "
                    "periodic, where waves are harmonics of its length; write %s: 0",
                    r->name, names[k], names[k]);
+    if (treatments[k]->weighs && c->gravity == 0)
+      problems_add(
+          problems, case_run_line(r, names[k]),
+          "runs.%s.%s: found in water without weight, whose waves it takes pressures from; "
+          "allowed: with gravity; write %s: 0",
+          r->name, names[k], names[k]);
     if (treatments[k]->redensify && other)
       problems_add(problems, case_run_line(r, names[k]),
                    "runs.%s.%s: found beside %s; allowed: one of the treatments that make "

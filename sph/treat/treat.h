@@ -16,6 +16,7 @@ struct sph_treatment {
   enum status (*apply)(struct sph *s);
   bool periodic;  /* in a tank with periodic sides only */
   bool redensify; /* it makes densities anew from masses: one of those is enough */
+  bool weighs;    /* it takes pressures from the weight of the water */
 };
 
 /* A correction of the rates of a cluster, into s->f.k[stage], from the packed water and walls; what

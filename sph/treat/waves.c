@@ -4,6 +4,7 @@
 
 #include "sph/fluid/energy.h"
 #include "sph/pair/eos.h"
+#include "sph/pair/momentum.h"
 
 double sph_treat_level(const struct sph *s) {
   if (s->fitted) return s->eos.level; /* the first row's volumes reach above it */
@@ -15,8 +16,12 @@ double sph_treat_volume(const struct sph *s, size_t i) {
   return (half ? 0.5 : 1) * (s->f.m[i] / s->f.w.rho[i]);
 }
 
+/* Of water at rest by its momentum equation: where that divides by the density, the water weighs
+ * what it is compressed to. */
 static double hydrostatic(const struct sph *s, size_t i, double level) {
-  return s->rho0 * s->g * (level - s->f.w.y[i]);
+  const double head = s->g * (level - s->f.w.y[i]), c2 = s->c0 * s->c0;
+  const bool even = s->scheme.momentum == SPH_MOMENTUM_reference; /* thesis, eq. (4.27) */
+  return s->rho0 * (even ? head : c2 * expm1(head / c2));
 }
 
 double sph_treat_dynamic(const struct sph *s, size_t i, double level) {

@@ -6,7 +6,8 @@
  * as much, S(k) the kernel's symbol: waves of sound with the density of positions go slower by the
  * root of that, which is positive for any S >= 0 while xsph <= 1.
  *
- * The sum has no mean over the water, and takes energy only where it lifts or lowers particles. */
+ * The sum has no mean over the water, and takes energy only where it lifts or lowers particles,
+ * whose density, too, depends on their height with `eos: split`. */
 #include "sph/pair/kernel.h"
 #include "sph/treat/loops.h"
 #include "sph/treat/treat.h"
@@ -33,7 +34,8 @@ static void mix(struct sph *s, int stage, size_t cluster, struct sph_totals *tot
     const double u = W * (a.x[l] + b.x[l]), v = W * (a.y[l] + b.y[l]);
     k->x[at] += u;
     k->y[at] += v;
-    totals->xsph -= s->f.m[at] * s->g * v;
+    const double lift = eos_lift(&s->eos, s->f.p[at], s->f.w.rho[at], s->f.w.y[at]);
+    totals->xsph -= s->f.m[at] * (s->g + lift) * v;
     if (s->pull.rate > 0) totals->xsph -= s->f.m[at] * work_of_pull(&s->pull, i.x[l], i.y[l], u, v);
   }
 }
