@@ -36,8 +36,8 @@ static void test_falling_water_is_quiet(void) {
   case_destroy(c);
 }
 
-/* The noise of u by its definition: every particle against every other, with the Gaussian. */
-static double noise_by_hand(const struct sph *s) {
+/* The noise of a field by its definition: every particle against every other, with the Gaussian. */
+static double noise_by_hand(const struct sph *s, const double *f) {
   double squares = 0, n = 0;
   for (size_t i = 0; i < s->f.n; i++) {
     double w = 0, wu = 0;
@@ -47,10 +47,10 @@ static double noise_by_hand(const struct sph *s) {
       if (q2 > 9 * (1 - 1e-9)) continue; /* a lattice has neighbours on the edge, where W is 0 */
       const double W = (exp(-q2) - exp(-9)) / (M_PI * (1 - 10 * exp(-9))) * V;
       w += W;
-      wu += W * s->f.w.u[j];
+      wu += W * f[j];
     }
     if (w <= 0.9) continue;
-    squares += (s->f.w.u[i] - wu / w) * (s->f.w.u[i] - wu / w);
+    squares += (f[i] - wu / w) * (f[i] - wu / w);
     n++;
   }
   return sqrt(squares / n);
@@ -71,7 +71,14 @@ static void test_noise_is_what_the_mean_leaves(void) {
   sph_particles_pad(&s->f);
   EXPECT_OK(sph_rates(s, 0, true, true));
   sph_diagnose(s, c->H, c->g, value);
-  EXPECT_NEAR(value[SPH_DIAGNOSTIC_noise_u] * sqrt(c->g * c->H), noise_by_hand(s), 1e-12);
+  EXPECT_NEAR(value[SPH_DIAGNOSTIC_noise_u] * sqrt(c->g * c->H), noise_by_hand(s, s->f.w.u), 1e-12);
+  const double noise_p = noise_by_hand(s, s->f.p) / (s->rho0 * c->g * c->H);
+  const double noise_ax = noise_by_hand(s, s->f.k[0].u) / c->g;
+  const double noise_ay = noise_by_hand(s, s->f.k[0].v) / c->g;
+  EXPECT(noise_p > 1 && noise_ax > 1 && noise_ay > 0.1);
+  EXPECT_NEAR(value[SPH_DIAGNOSTIC_noise_p] / noise_p, 1, 1e-11);
+  EXPECT_NEAR(value[SPH_DIAGNOSTIC_noise_ax] / noise_ax, 1, 1e-11);
+  EXPECT_NEAR(value[SPH_DIAGNOSTIC_noise_ay] / noise_ay, 1, 1e-11);
   EXPECT_NEAR(value[SPH_DIAGNOSTIC_noise_v], 0, 1e-12);
   EXPECT_NEAR(value[SPH_DIAGNOSTIC_compressed], 0.5, 1e-12);
   sph_destroy(s);
@@ -101,9 +108,29 @@ static void test_diagnosing_changes_nothing(void) {
   case_destroy(c);
 }
 
+/* Water at rest whose density is more than a hundredth above rho0 from a quarter of its depth on,
+ * g d/c0^2 = 0.04 d/H, whichever density it is that evolves. */
+static void test_compression_is_of_the_density(void) {
+  static const char *const laws[] = {"linear", "tait", "dynamic, momentum: reference",
+                                     "split, momentum: reference"};
+  for (size_t k = 0; k < sizeof laws / sizeof *laws; k++) {
+    char run[200];
+    double value[SPH_DIAGNOSTIC_COUNT];
+    snprintf(run, sizeof run, "resolution: 20, c0: 5 sqrt(gH), eos: %s", laws[k]);
+    struct case_file *c = pool_case(POOL_STILL, run);
+    struct sph *s = pool_create(c);
+    EXPECT_OK(sph_rates(s, 0, true, true));
+    sph_diagnose(s, c->H, c->g, value);
+    EXPECT_NEAR(value[SPH_DIAGNOSTIC_compressed], 0.75, 1e-12);
+    sph_destroy(s);
+    case_destroy(c);
+  }
+}
+
 int main(void) {
   RUN(test_falling_water_is_quiet);
   RUN(test_noise_is_what_the_mean_leaves);
+  RUN(test_compression_is_of_the_density);
   RUN(test_diagnosing_changes_nothing);
   return TEST_RESULT;
 }

@@ -275,11 +275,32 @@ static void test_stoermer_verlet_energy_does_not_drift(void) {
   EXPECT(other[1] > 5 * other[0]);
 }
 
+/* A drop that no wall touches slows down as exp(-Gamma t), to (Gamma dt)^3 a step, until damping
+ * ends. */
+static void test_damping_ends(void) {
+  struct case_file *c =
+      pool_case(POOL_DROP, "resolution: 10, integrator: damped-pc, damping: 5, damping_end: 0.05, "
+                           "dt: 0.5e-3");
+  struct sph *s = pool_create(c);
+  for (size_t i = 0; i < s->f.n; i++) s->f.w.u[i] = 1;
+  EXPECT_OK(pool_march(s, 0.08));
+  double momentum = 0, mass = 0;
+  for (size_t i = 0; i < s->f.n; i++) {
+    momentum += s->f.m[i] * s->f.w.u[i];
+    mass += s->f.m[i];
+  }
+  EXPECT_NEAR(momentum / mass, exp(-5 * 0.05), 100 * pow(5 * 0.5e-3, 3));
+  EXPECT(s->budget.damping > 0);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
 int main(void) {
   RUN(test_sound_is_amplified_as_the_thesis_has_it);
   RUN(test_initial_damping_is_that_of_the_thesis);
   RUN(test_sound_in_the_solver_grows_by_the_factor_of_its_stages);
   RUN(test_momentum_is_conserved_to_rounding);
   RUN(test_stoermer_verlet_energy_does_not_drift);
+  RUN(test_damping_ends);
   return TEST_RESULT;
 }

@@ -226,11 +226,32 @@ static void test_gauge_corrects_the_meniscus_only(void) {
   EXPECT(isnan(reading(3, away, 0)));
 }
 
+/* With eos split the density that evolves is rho0 in water at rest; what is written weighs. */
+static void test_density_is_written_with_its_weight(void) {
+  struct finished a = finished_create(
+      "title: still water\nscales: {H: 1}\ntank: {walls: [[[0, 2], [0, 0], [2, 0], [2, 2]]]}\n"
+      "water: {regions: [[[0, 0], [2, 0], [2, 1], [0, 1]]]}\n"
+      "time: {end: 0.001, every: 0.001, sample: 0.001}\n",
+      "resolution: 10, c0: 5 sqrt(gH), eos: split, momentum: reference");
+  double *rho = field_of(a.f, 0, "density"), *V = field_of(a.f, 0, "volume"), most = 0;
+  double *m = field_of(a.f, 0, "mass");
+  for (int64_t i = 0; i < a.f->output_points[0]; i++) {
+    most = fmax(rho[i], most);
+    EXPECT_NEAR(m[i] / V[i] / 1000, 1, 1e-12);
+  }
+  EXPECT_NEAR(most / 1000, 1 + 0.95 / 25, 1e-12); /* half a spacing above the bed */
+  free(rho);
+  free(V);
+  free(m);
+  finished_destroy(&a);
+}
+
 int main(void) {
   RUN(test_still_water_is_at_rest);
   RUN(test_wave_starts_with_its_energy);
   RUN(test_dam_break_has_the_energy_of_its_fall);
   RUN(test_file_holds_mass_volume_and_rest);
+  RUN(test_density_is_written_with_its_weight);
   RUN(test_points_follow_the_steps);
   RUN(test_gauge_on_a_wall_shows_the_level);
   RUN(test_gauge_corrects_the_meniscus_only);

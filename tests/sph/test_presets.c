@@ -142,6 +142,39 @@ static void test_presets_of_symmetric_pairs_keep_their_momenta(void) {
   EXPECT(kept == 4);
 }
 
+/* As the papers have them: P (1), (9), (7), (10) with the Gaussian at 4/3 dx; T with the cubic
+ * spline and no diffusion: (2.15), (3.20), Tait; (4.40), (4.41); (4.34), (4.35); (4.57) to (4.60).
+ */
+static void test_presets_are_what_the_papers_have(void) {
+  static const char *const keys[] = {"kernel", "eos", "momentum", "continuity", "diffusion"};
+  static const char *const value[][6] = {
+      {"delta-sph", "gaussian", "linear", "plus", "divergence", "antuono"},
+      {"molteni", "gaussian", "linear", "plus", "divergence", "molteni"},
+      {"ferrari", "gaussian", "linear", "plus", "divergence", "ferrari"},
+      {"ma-sph", "cubic", "tait", "mass", "mass", "none"},
+      {"msph", "cubic", "linear", "reference", "divergence", "none"},
+      {"msph-dynamic", "cubic", "dynamic", "reference", "divergence", "none"},
+      {"msph-split", "cubic", "split", "reference", "divergence", "none"},
+      {"hsph", "quintic", "linear", "reference", "reference", "none"},
+  };
+  _Static_assert(sizeof value / sizeof *value == SPH_N_PRESETS, "every scheme");
+  for (size_t k = 0; k < SPH_N_PRESETS; k++) {
+    char run[200];
+    EXPECT(!strcmp(sph_presets[k].name, value[k][0]));
+    snprintf(run, sizeof run, "resolution: 20, scheme: %s", value[k][0]);
+    struct case_file *c = pool_case(head_of(&sph_presets[k]), run);
+    const struct sph_scheme *o = c->runs[0].options;
+    for (size_t q = 0; q < sizeof keys / sizeof *keys; q++)
+      if (strcmp(sph_scheme_name(o, keys[q]), value[k][q + 1]) != 0)
+        TEST_FAIL("%s has %s: %s", value[k][0], keys[q], sph_scheme_name(o, keys[q]));
+    EXPECT_NEAR(o->h_over_dx, k == 7 ? 1 : 4. / 3, 1e-12);
+    EXPECT((o->every[SPH_TREATMENT_smoothing] != 0) == (k >= 4 && k <= 6));
+    EXPECT((o->every[SPH_TREATMENT_mls_volume] != 0) == (k == 3));
+    EXPECT((o->alpha == 0) == (k >= 3));
+    case_destroy(c);
+  }
+}
+
 static void test_values_are_allowed(void) {
   const struct param_scales scales = {1, 9.81};
   struct sph_scheme o;
@@ -183,6 +216,7 @@ static void test_keys_of_the_run_come_first(void) {
 }
 
 int main(void) {
+  RUN(test_presets_are_what_the_papers_have);
   RUN(test_values_are_allowed);
   RUN(test_presets_are_their_values);
   RUN(test_keys_of_the_run_come_first);
