@@ -42,7 +42,9 @@ static const struct {
   const char *of, *owner; /* what it is of, and what makes it act */
 } owned[] = {
     {"delta", diffuses, "diffusion", "diffusion other than none"},
+    {"cfl_diffusive", diffuses, "diffusion", "diffusion other than none"},
     {"viscosity", is_viscous, "a viscous force", "alpha above 0"},
+    {"cfl_viscous", is_viscous, "a viscous force", "alpha above 0"},
     {"derivative_radius", fits_within, "a fit within a radius", "derivative: mls or mueller"},
     {"tensile_power", corrects, "a tensile correction", "tensile above 0"},
     {"smoothing_of", smooths, "smoothing", "smoothing"},

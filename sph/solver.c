@@ -76,7 +76,7 @@ static double outline_speed(const struct case_file *c) {
 /* About what the water can reach, m/s: the tip of a dam break on a dry bed. */
 static double reachable_speed(const struct case_file *c) {
   if (!c->water.pieces) return 0;
-  if (flow_is_body(c->flow)) return outline_speed(c);
+  if (flow_is_body(c->flow)) return M_SQRT2 * outline_speed(c); /* all of it along one axis */
   struct geo_box w = geo_lines_box(&c->water);
   return 2 * sqrt(c->gravity * (w.max[1] - c->tank.min[1])) + hypot(c->velocity[0], c->velocity[1]);
 }
@@ -97,7 +97,8 @@ static enum status run(const struct case_file *c, const struct case_run *r, stru
   struct sph_output *output = NULL;
   enum status status;
   warn_of_slow_sound(c, r->options, progress);
-  if (sph_forms_warning(r->options)) progress_say(progress, "%s", sph_forms_warning(r->options));
+  const char *warning = sph_forms_warning(r->options, c->gravity);
+  if (warning) progress_say(progress, "%s", warning);
   ATTEMPT(sph_create(c, r->resolution, r->options, &s));
   ATTEMPT(sph_output_create(c, s, result, &output));
   status = march(c, s, output, progress);
@@ -204,6 +205,17 @@ static void check_integrator(const struct case_run *r, struct problems *problems
         r->name, o->damping, name);
 }
 
+static void check_walls(const struct case_file *c, const struct case_run *r,
+                        struct problems *problems) {
+  static const char *const keys[] = {"walls", "slip"};
+  for (int k = 0; k < 2; k++)
+    if (c->periodic[0] && c->periodic[1] && case_run_gives(r, keys[k]))
+      problems_add(problems, case_run_line(r, keys[k]),
+                   "runs.%s.%s: found in a tank that is periodic both ways, where it does nothing; "
+                   "allowed: with walls; leave the line out",
+                   r->name, keys[k]);
+}
+
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
   const struct sph_scheme *o = r->options;
   const bool diffuses = o->diffusion != SPH_DIFFUSION_none && o->delta != 0;
@@ -226,7 +238,8 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
         "runs.%s.free_surface: found 'fitted' with regions of water, whose outline no row of "
         "particles follows; allowed: with water.wave; write free_surface: natural",
         r->name);
-  if (c->gravity == 0 && sph_walls[o->walls] == &sph_wall_mirror_exponential)
+  check_walls(c, r, problems);
+  if (c->gravity == 0 && !c->periodic[1] && sph_walls[o->walls] == &sph_wall_mirror_exponential)
     problems_add(
         problems, case_run_line(r, "walls"),
         "runs.%s.walls: found 'mirror-exponential' without gravity, whose pressure it goes "

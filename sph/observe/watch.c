@@ -2,35 +2,50 @@
 
 #include <math.h>
 
+#include "sph/domain/wall.h"
 #include "sph/hot.h"
+#include "sph/pair/derivative.h"
+#include "sph/pair/diffusion.h"
 #include "sph/pair/forms.h"
 #include "sph/time/timestep.h"
 
-/* X(term, what to do where it drives the water). */
+/* X(term, what to do where it drives the water, or NULL for what always may help). */
 #define REMEDIES(X)                                                                                \
   X(pairs,                                                                                         \
-    "take forms of momentum and continuity that are adjoint, or treat the water more often")       \
-  X(walls, "write walls: mirror, or raise c0 or alpha")                                            \
-  X(diffusion, "write diffusion: antuono, or lower delta")                                         \
+    o->derivative == SPH_DERIVATIVE_kernel                                                         \
+        ? "take forms of momentum and continuity that are adjoint, or treat the water more "       \
+          "often"                                                                                  \
+        : "write derivative: kernel, or treat the water more often")                               \
+  X(walls, sph_walls[o->walls] == &sph_wall_ghost ? "write walls: mirror, or raise c0 or alpha" : NULL)        \
+  X(diffusion, o->diffusion == SPH_DIFFUSION_antuono ? "lower delta"                               \
+                                                     : "write diffusion: antuono, or lower delta") \
   X(smoothing, "smooth less often")
 
-enum { CAUSE = SPH_ADVICE + 2 };
+enum { CAUSE = SPH_ADVICE + 100 };
 
-/* What follows "at t = 1 s": the term of the budget that has given at least half of the motion
- * before it broke off, if one has (what moves by gravity has it from none), and what to do. */
+/* What follows "at t = 1 s": the term of the budget that has given most, and at least half, of the
+ * motion before it broke off, if one has (what moves by gravity has it from none), and what to do.
+ */
 static void write_cause(const struct sph *s, char text[CAUSE]) {
+  const struct sph_scheme *o = &s->scheme;
   const struct sph_seen *seen = &s->seen;
+  const char *term = NULL, *todo = NULL;
+  double given = 0.5 * seen->kinetic;
   char advice[SPH_ADVICE];
 #define X(name, remedy)                                                                            \
-  if (-seen->budget.name > 0.5 * seen->kinetic) {                                                  \
-    snprintf(text, CAUSE, ", %s in the budget of energy having given %.2g J/m: %s", #name,         \
-             -seen->budget.name, remedy);                                                          \
-    return;                                                                                        \
+  if (-seen->budget.name > given) {                                                                \
+    given = -seen->budget.name;                                                                    \
+    term = #name;                                                                                  \
+    todo = remedy;                                                                                 \
   }
   REMEDIES(X)
 #undef X
-  sph_forms_advise(&s->scheme, advice);
-  snprintf(text, CAUSE, ": %s", advice);
+  sph_forms_advise(s, advice);
+  if (term)
+    snprintf(text, CAUSE, ", %s in the budget of energy having given %.2g J/m: %s", term, given,
+             todo ? todo : advice);
+  else
+    snprintf(text, CAUSE, ": %s", advice);
 }
 
 /* How bad a particle is: infinitely where it has no value, else how fast, or, if densities are what

@@ -172,12 +172,12 @@ const char *sph_forms_refusal(const struct sph_scheme *o, const char **key) {
   return NULL;
 }
 
-const char *sph_forms_warning(const struct sph_scheme *o) {
+const char *sph_forms_warning(const struct sph_scheme *o, double g) {
   if (sums(o))
     return "densities that are sums over neighbours are too low beside a free surface, where "
            "the pressure then is -0.1 to -0.2 rho0 c0^2: the surface contracts with some tenths "
            "of the speed of sound (thesis, 2.5.6)";
-  if (eos_drives_by_excess((enum sph_eos)o->eos))
+  if (eos_drives_by_excess((enum sph_eos)o->eos) && g > 0)
     return "eos dynamic has no dynamic pressure at a free surface, instead of no pressure: water "
            "does not fall";
   if (is_fitted(o) && o->free_surface == SPH_FREE_SURFACE_natural)
@@ -188,8 +188,9 @@ const char *sph_forms_warning(const struct sph_scheme *o) {
   return NULL;
 }
 
-void sph_forms_advise(const struct sph_scheme *o, char advice[SPH_ADVICE]) {
-  const char *warning = sph_forms_warning(o);
+void sph_forms_advise(const struct sph *s, char advice[SPH_ADVICE]) {
+  const struct sph_scheme *o = &s->scheme;
+  const char *warning = sph_forms_warning(o, s->g);
   snprintf(advice, SPH_ADVICE, "raise c0%s or alpha, or lower %s%s%s",
            o->diffusion == SPH_DIFFUSION_none ? "" : ", delta", o->dt > 0 ? "dt" : "cfl_acoustic",
            warning ? "; " : "", warning ? warning : "");

@@ -15,11 +15,11 @@ void sph_forms_check(const struct case_run *r, struct problems *problems);
 const char *sph_forms_refusal(const struct sph_scheme *o, const char **key);
 
 /* What a user of these forms should know before the run; NULL when there is nothing. */
-const char *sph_forms_warning(const struct sph_scheme *o);
+const char *sph_forms_warning(const struct sph_scheme *o, double g /* m s^-2 */);
 
 /* What may help a run that goes astray, of what this scheme uses, and the warning. */
 enum { SPH_ADVICE = 400 };
-void sph_forms_advise(const struct sph_scheme *o, char advice[SPH_ADVICE]);
+void sph_forms_advise(const struct sph *s, char advice[SPH_ADVICE]);
 
 /* Minus the gradient of the driving pressure in water at rest, Pa/m, by the momentum equation: from
  * the density that evolves. */

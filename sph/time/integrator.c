@@ -56,7 +56,7 @@ static enum status refuse(const struct sph *s) {
     far = i;
   }
   char advice[SPH_ADVICE];
-  sph_forms_advise(&s->scheme, advice);
+  sph_forms_advise(s, advice);
   return status_raise(ERR_DIVERGED,
                       "particle %u at (%g, %g) m moves %.3g particle spacings within a step at t = "
                       "%g s: %s",
