@@ -25,10 +25,7 @@ struct flaws { /* of a run, all dimensionless */
   double raised, decay, late, until;
 };
 
-/* The level 1 + 0.1 cos(pi x) cos(2 t), raised by `raised`; mechanical energy 1 - decay t. */
-static struct result_file *made_up(const char *name, const char *title, struct flaws f) {
-  struct result_file *r = calloc(1, sizeof *r);
-  const double T = sqrt(H / g), p0 = density * g * H, E = p0 * H * H;
+static inline void made_up_texts(struct result_file *r, const char *name, const char *title) {
   r->path = text("no such file.h5");
   r->solver = text("made up");
   r->run = text(name);
@@ -40,41 +37,42 @@ static struct result_file *made_up(const char *name, const char *title, struct f
   r->water_fingerprint = text("4567");
   r->ended = text("");
   r->health = text("");
-  r->complete = true;
-  r->H = H;
-  r->g = g;
-  r->density = density;
-  r->spacing = 0.02 * H;
-  r->rest_potential = 2 * E;
-  r->walls = shape_tank(2 * H, 3 * H);
+}
 
+static inline void made_up_surfaces(struct result_file *r, struct flaws f) {
   r->surface_time = calloc(OUTPUTS, sizeof *r->surface_time);
   r->surface = calloc(OUTPUTS, sizeof *r->surface);
   for (int i = 0; i < OUTPUTS; i++) {
     double t = end * i / (OUTPUTS - 1);
     if (t > f.until + 1e-9) break;
     struct geo_lines *l = &r->surface[r->n_surfaces];
-    r->surface_time[r->n_surfaces++] = t * T;
+    r->surface_time[r->n_surfaces++] = t * sqrt(H / g);
     shape_open(l);
     for (int k = 0; k <= 100; k++) {
       double x = 0.02 * k;
       shape_point(l, x * H, H * (1 + f.raised + 0.1 * cos(M_PI * x) * cos(2 * t)));
     }
   }
+}
+
+static inline struct result_series *made_up_signal(const char *name, const char *units) {
+  struct result_series *s = calloc(1, sizeof *s);
+  s->name = text(name);
+  s->units = text(units);
+  s->n = ROWS;
+  s->t = calloc(ROWS, sizeof(double));
+  s->value = calloc(ROWS, sizeof(double));
+  return s;
+}
+
+static inline void made_up_rows(struct result_file *r, struct flaws f) {
+  const double T = sqrt(H / g), p0 = density * g * H, E = p0 * H * H;
   r->energy = calloc(ROWS, sizeof *r->energy);
   r->steps = calloc(ROWS, sizeof *r->steps);
-  r->probes = calloc(1, sizeof *r->probes);
-  r->gauges = calloc(1, sizeof *r->gauges);
+  r->probes = made_up_signal("P \"1\"", "Pa");
+  r->gauges = made_up_signal("G'1`touch x`", "m");
   r->n_probes = r->n_gauges = 1;
   r->n_energy = r->n_steps = ROWS;
-  struct result_series *signal[] = {r->probes, r->gauges};
-  for (int s = 0; s < 2; s++) {
-    signal[s]->name = text(s ? "G'1`touch x`" : "P \"1\"");
-    signal[s]->units = text(s ? "m" : "Pa");
-    signal[s]->n = ROWS;
-    signal[s]->t = calloc(ROWS, sizeof(double));
-    signal[s]->value = calloc(ROWS, sizeof(double));
-  }
   for (int i = 0; i < ROWS; i++) {
     double t = end * i / (ROWS - 1), pulse = 0.8 * exp(-pow((t - 2 - f.late) / 0.2, 2));
     double lost = f.decay * t;
@@ -87,13 +85,28 @@ static struct result_file *made_up(const char *name, const char *title, struct f
     r->probes->value[i] = pulse * p0;
     r->gauges->value[i] = H * (1 + f.raised);
   }
+}
+
+/* The level 1 + 0.1 cos(pi x) cos(2 t), raised by `raised`; mechanical energy 1 - decay t. */
+static struct result_file *made_up(const char *name, const char *title, struct flaws f) {
+  struct result_file *r = calloc(1, sizeof *r);
+  made_up_texts(r, name, title);
+  r->complete = true;
+  r->H = H;
+  r->g = g;
+  r->density = density;
+  r->spacing = 0.02 * H;
+  r->rest_potential = 2 * density * g * H * H * H;
+  r->walls = shape_tank(2 * H, 3 * H);
+  made_up_surfaces(r, f);
+  made_up_rows(r, f);
   r->n_terms = 2;
   r->terms = calloc(2, sizeof *r->terms);
   r->terms[0] = (struct result_term_read){text("lost <b>"), text("what was lost")};
   r->terms[1] = (struct result_term_read){text("nothing"), text("a term that stays zero")};
   r->n_events = 1;
   r->events = calloc(1, sizeof *r->events);
-  r->events[0] = (struct result_event_read){text("wall_impact"), 3 * T, 2 * H, 0};
+  r->events[0] = (struct result_event_read){text("wall_impact"), 3 * sqrt(H / g), 2 * H, 0};
   return r;
 }
 
