@@ -220,6 +220,17 @@ static struct cmp_jet_place jet_place(const struct cmp_data *d, double depth,
   return (struct cmp_jet_place){&d->walls, *window, 1, CMP_JET_LEAST * depth, depth};
 }
 
+/* Whether the water is a body afloat without gravity: no energy of height, and no surface that ends
+ * at a wall. Such a surface overhangs from the first on. */
+static bool floats(const struct result_file *f) {
+  for (size_t i = 0; i < f->n_energy; i++)
+    if (f->energy[i].potential != 0) return false;
+  const struct geo_lines *first = f->surface;
+  for (size_t k = 0; f->n_surfaces && k < first->pieces; k++)
+    if (!first->closed[k]) return false;
+  return f->n_energy && f->n_surfaces && first->pieces;
+}
+
 static enum status surfaces(const struct result_file *f, const struct cmp_scales *s, double depth,
                             const struct geo_box *window, struct cmp_data *d) {
   struct cmp_jet_place place = jet_place(d, depth, window);
@@ -235,7 +246,7 @@ static enum status surfaces(const struct result_file *f, const struct cmp_scales
     d->t[d->n] = t;
     TRY(lines_scaled(&f->surface[i], s->H, &d->surface[d->n++]));
     const struct geo_lines *surface = &d->surface[d->n - 1];
-    cmp_jet_find(surface, &place, &d->jet[d->n - 1]);
+    if (!d->floats) cmp_jet_find(surface, &place, &d->jet[d->n - 1]);
     for (int side = 0; side < 2; side++) {
       double front;
       TRY(front_find(surface, side, d->bed, depth, &front));
@@ -261,6 +272,11 @@ static void instants(const struct result_file *f, const struct cmp_scales *s, do
   struct cmp_jet_sequence seen = {
       .n = d->n, .t = d->t, .jet = d->jet, .surface = d->surface, .spacing = d->dx};
   seen.place = jet_place(d, depth, window);
+  if (d->floats) {
+    d->overturning = d->touchdown = (struct cmp_instant){
+        cmp_unknown("the water is a body that floats, not a wave that breaks"), NAN, {NAN, NAN}};
+    return;
+  }
   if (!event_take(f, s, "overturning", &d->overturning))
     cmp_jet_overturning(&seen, &d->overturning);
   if (!event_take(f, s, "touchdown", &d->touchdown)) cmp_jet_touchdown(&seen, &d->touchdown);
@@ -281,7 +297,7 @@ static enum status experiments(const struct result_file *f, const struct cmp_sca
 
 enum status cmp_data_create(const struct result_file *f, const struct cmp_scales *s, double depth,
                             const struct geo_box *window, struct cmp_data *d) {
-  *d = (struct cmp_data){.file = f, .dx = f->spacing / s->H};
+  *d = (struct cmp_data){.file = f, .dx = f->spacing / s->H, .floats = floats(f)};
   CHECK(f->spacing > 0, ERR_INPUT, "%s: its spacing is %g m; it must be positive", f->path,
         f->spacing);
   cmp_text_fit(f->run, d->label, sizeof d->label);

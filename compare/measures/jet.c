@@ -10,6 +10,10 @@ static bool jets(const struct cmp_look *l, const struct cmp_jet **a, const struc
   *a = &l->run->data.jet[l->at->output];
   *b = &l->c->ref.data.jet[l->at->ref_output];
   if ((*a)->found && (*b)->found) return true;
+  if (l->run->data.floats && l->c->ref.data.floats) {
+    *why = l->run->data.overturning.time;
+    return false;
+  }
   const char *who = (*a)->found ? l->c->ref.data.label : l->run->data.label;
   *why = !(*a)->found && !(*b)->found
              ? cmp_unknown("neither surface overhangs by %.3g H", CMP_JET_LEAST * l->c->depth)

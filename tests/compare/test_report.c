@@ -305,6 +305,44 @@ static void test_sensor_of_a_run_alone_is_drawn(void) {
   result_file_destroy(b);
 }
 
+/* A drop without gravity, which grows: it overhangs from first to last, and nothing of it is a
+ * breaker. */
+static struct result_file *drop(const char *name) {
+  struct result_file *r = made_up(name, "a drop", (struct flaws){.until = end});
+  for (size_t i = 0; i < r->n_surfaces; i++) {
+    geo_lines_destroy(&r->surface[i]);
+    shape_circle(&r->surface[i], H, 1.5 * H, (0.5 + 0.01 * (double)i) * H, 200, true);
+  }
+  for (size_t i = 0; i < r->n_energy; i++)
+    r->energy[i] = (struct result_energy){.time = r->energy[i].time, .kinetic = 1};
+  r->rest_potential = 0;
+  r->n_events = 0;
+  return r;
+}
+
+static void test_a_body_that_floats_does_not_break(void) {
+  static const char why[] = "the water is a body that floats, not a wave that breaks";
+  struct case_file c;
+  settings_make(&c);
+  struct result_file *a = drop("a"), *b = drop("b");
+  a->n_gauges = b->n_gauges = 0;
+  compare(&c, a, 1, &b);
+  json_t *run = json_array_get(json_object_get(report, "runs"), 0);
+  static const char *const instants[] = {"overturning", "touchdown"};
+  for (size_t k = 0; k < 2; k++) {
+    json_t *instant = json_object_get(run, instants[k]);
+    EXPECT(json_is_null(json_object_get(instant, "t_star")));
+    EXPECT_STR(json_string_value(json_object_get(instant, "t_star_unavailable")), why);
+  }
+  json_t *at = json_array_get(json_object_get(run, "at_times"), 1);
+  EXPECT(json_is_null(json_object_get(at, "jet")));
+  EXPECT(!file_says("report.html", "id=\"jet\""));
+  a->n_gauges = b->n_gauges = 1;
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
 /* In a picture, gnuplot's own marks and escapes are text as well, and what cannot be shown is
  * visible. */
 static void picture_shows(const char *figure, const char *words) {
@@ -457,6 +495,7 @@ int main(void) {
   RUN(test_page_without_figures);
   RUN(test_many_runs);
   RUN(test_sensor_of_a_run_alone_is_drawn);
+  RUN(test_a_body_that_floats_does_not_break);
   json_decref(report);
   folder_remove(folder);
   return TEST_RESULT;
