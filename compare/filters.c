@@ -3,97 +3,85 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/base/geometry_check.h"
+#include "common/base/wall_shares.h"
 #include "compare/spectrum.h"
 
 /* ---- along a wall ---- */
 
-/* The segment of the walls that a point is nearest to. */
-struct segment {
-  size_t piece, first;
-  double a[2], b[2];
-};
-
-static double away_from(const double *a, const double *b, double x, double y) {
-  double foot[2];
-  geo_segment_foot(a, b, (double[2]){x, y}, foot);
-  return hypot(x - foot[0], y - foot[1]);
-}
-
-static struct segment segment_of(const struct geo_lines *walls, double x, double y) {
-  struct segment s = {0};
-  double nearest = INFINITY;
-  for (size_t piece = 0; piece < walls->pieces; piece++)
-    for (size_t k = walls->first[piece]; k + 1 < walls->first[piece + 1]; k++) {
-      const double away = away_from(walls->p[k], walls->p[k + 1], x, y);
-      if (away >= nearest) continue;
-      nearest = away;
-      s = (struct segment){.piece = piece, .first = k};
-      memcpy(s.a, walls->p[k], sizeof s.a);
-      memcpy(s.b, walls->p[k + 1], sizeof s.b);
-    }
-  return s;
-}
-
-static double along(const struct segment *s, const struct cmp_series *p) {
-  const double x = s->b[0] - s->a[0], y = s->b[1] - s->a[1];
-  return ((p->x - s->a[0]) * x + (p->y - s->a[1]) * y) / hypot(x, y);
-}
-
-void cmp_wall_weights(const struct geo_lines *walls, size_t n, const struct cmp_series *probe,
-                      size_t middle, double length, double *weight) {
-  const struct segment s = segment_of(walls, probe[middle].x, probe[middle].y);
-  const double at = along(&s, &probe[middle]), whole = hypot(s.b[0] - s.a[0], s.b[1] - s.a[1]);
-  const double low = fmax(at - length / 2, 0), high = fmin(at + length / 2, whole);
-  for (size_t k = 0; k < n; k++) { /* half-way to the nearest on either side that takes part */
-    double mine = along(&s, &probe[k]), from = low, to = high;
-    weight[k] = 0;
-    if (away_from(s.a, s.b, probe[k].x, probe[k].y) > 1e-6 || mine < low - 1e-9 ||
-        mine > high + 1e-9)
-      continue;
-    for (size_t j = 0; j < n; j++) {
-      const double its = along(&s, &probe[j]);
-      if (j == k || away_from(s.a, s.b, probe[j].x, probe[j].y) > 1e-6 || its < low - 1e-9 ||
-          its > high + 1e-9)
-        continue;
-      if (its < mine) from = fmax(from, (its + mine) / 2);
-      if (its > mine) to = fmin(to, (its + mine) / 2);
-    }
-    weight[k] = (to - from) / (high - low);
+enum status cmp_wall_weights(const struct geo_lines *walls, size_t n,
+                             const struct cmp_series *probe, size_t middle, double length,
+                             double *weight, size_t *places) {
+  double(*at)[2] = malloc((n + 1) * sizeof *at);
+  CHECK(at, ERR_MEMORY, "no memory for the mean over %zu probes", n);
+  for (size_t k = 0; k < n; k++) {
+    at[k][0] = probe[k].x;
+    at[k][1] = probe[k].y;
   }
+  *places = geo_wall_shares(walls, n, (const double(*)[2])at, middle, length, weight);
+  free(at);
+  return OK;
 }
 
-enum { LEAST_ON_WALL = 3 }; /* less would be the probe's own pressure, or nearly */
+static bool has_gaps(const struct cmp_series *s) {
+  const struct cmp_signal raw = cmp_series_raw(s);
+  for (size_t i = 0; i < raw.n; i++)
+    if (!isfinite(raw.value[i])) return true;
+  return false;
+}
 
-static enum status wall_mean(const struct cmp_data *d, size_t probe, double length, double *out,
-                             bool *there) {
-  const struct cmp_series *mine = &d->probes[probe];
-  double *weight = calloc(d->n_probes, sizeof *weight);
-  CHECK(weight, ERR_MEMORY, "no memory for the mean over %zu probes", d->n_probes);
-  cmp_wall_weights(&d->walls, d->n_probes, d->probes, probe, length, weight);
-  size_t n = 0;
-  for (size_t k = 0; k < d->n_probes; k++) n += weight[k] > 0;
-  *there = n >= LEAST_ON_WALL;
+/* What each probe of the weights has at the rows of `mine`, summed up. */
+static void wall_sum(const struct cmp_data *d, const struct cmp_series *mine, const double *weight,
+                     double *out) {
   for (size_t i = 0; i < mine->n; i++) out[i] = 0;
   for (size_t k = 0; k < d->n_probes; k++) {
     const struct cmp_signal its = cmp_series_raw(&d->probes[k]);
     for (size_t i = 0; weight[k] > 0 && i < mine->n; i++)
       out[i] += weight[k] * cmp_signal_at(&its, mine->t[i]);
   }
+}
+
+/* Each filter puts into *why, known before, why it cannot be taken, if so. */
+static enum status wall_mean(const struct cmp_data *d, size_t probe, double length, double *out,
+                             struct cmp_value *why) {
+  enum status status = OK;
+  size_t places = 0;
+  double *weight = calloc(d->n_probes, sizeof *weight);
+  CHECK(weight, ERR_MEMORY, "no memory for the mean over %zu probes", d->n_probes);
+  ATTEMPT(cmp_wall_weights(&d->walls, d->n_probes, d->probes, probe, length, weight, &places));
+  if (places < CASE_LEAST_ON_WALL)
+    *why = cmp_unknown("probes at %zu of the %d places that are needed on the wall", places,
+                       CASE_LEAST_ON_WALL);
+  for (size_t k = 0; k < d->n_probes; k++)
+    if (weight[k] > 0 && has_gaps(&d->probes[k]))
+      *why = cmp_unknown("rows of %.60s are without a value", d->probes[k].name);
+  if (cmp_known(why)) wall_sum(d, &d->probes[probe], weight, out);
+done:
   free(weight);
-  return OK;
+  return status;
 }
 
 /* ---- of a probe ---- */
 
+/* Rows come at steps, near the samples: their mean interval is that of the samples to this. */
+static const double NEAR_SAMPLES = 0.01;
+
+static enum status low_pass(const struct cmp_signal *s, double period, double *out,
+                            struct cmp_value *why) {
+  const double least = 2 * (s->t[s->n - 1] - s->t[0]) / (double)(s->n - 1);
+  if (period >= least * (1 - NEAR_SAMPLES)) return cmp_signal_low_pass(s, period, out);
+  *why =
+      cmp_unknown("a period of %.4g, shorter than two intervals between rows, %.4g", period, least);
+  return OK;
+}
+
 static enum status filter(const struct cmp_data *d, size_t probe, const struct case_filter *f,
-                          double T, double H, double *out, bool *there) {
+                          double T, double H, double *out, struct cmp_value *why) {
   const struct cmp_signal raw = cmp_series_raw(&d->probes[probe]);
   switch (f->kind) {
   case CASE_FILTER_low_pass:
-    return cmp_signal_low_pass(&raw, f->period / T, out);
+    return low_pass(&raw, f->period / T, out, why);
   case CASE_FILTER_wall:
-    return wall_mean(d, probe, f->length / H, out, there);
+    return wall_mean(d, probe, f->length / H, out, why);
   case CASE_FILTER_impulse:
     cmp_signal_integrate(&raw, out);
     return OK;
@@ -124,23 +112,47 @@ static enum status series_copy(const struct cmp_series *from, struct cmp_series 
   return OK;
 }
 
-static enum status take(const struct cmp_data *d, size_t probe, double T, double H,
-                        double threshold, struct cmp_filtered *out) {
-  const bool impulse = out->filter->kind == CASE_FILTER_impulse;
+static struct cmp_signal_alone alone_unknown(struct cmp_value why) {
+  return (struct cmp_signal_alone){why, why, why, why};
+}
+
+/* The table's numbers; a curve of impulses is no pressure, whose own impulse and arrival they were.
+ */
+static void measure(double threshold, struct cmp_filtered *out) {
   struct cmp_series *s = &out->series;
-  if (d->probes[probe].n < 4) return OK;
-  TRY(series_copy(&d->probes[probe], s));
-  bool there = true;
-  TRY(filter(d, probe, out->filter, T, H, s->value, &there));
-  if (!there) s->n = 0;
-  if (!there) return OK;
-  const struct cmp_signal after = cmp_series_signal(s), before = cmp_series_raw(s);
-  cmp_signal_measure(&before, s->t[0], s->t[s->n - 1], threshold, &out->before);
+  const struct cmp_signal after = cmp_series_signal(s);
   cmp_signal_measure(&after, s->t[0], s->t[s->n - 1], threshold, &out->after);
-  out->taken = impulse ? cmp_unknown("an impulse is no pressure") : rms_between(s);
-  if (!impulse) return OK;
+  if (out->filter->kind != CASE_FILTER_impulse) {
+    out->taken = rms_between(s);
+    return;
+  }
+  out->taken = out->after.impulse = out->after.onset = cmp_unknown("an impulse is no pressure");
   free(s->raw); /* of other units */
   s->raw = NULL;
+}
+
+static enum status take(const struct cmp_data *d, size_t probe, double T, double H,
+                        double threshold, struct cmp_filtered *out) {
+  enum { LEAST_ROWS = 4 };
+  const struct cmp_signal before = cmp_series_raw(&d->probes[probe]);
+  struct cmp_series *s = &out->series;
+  struct cmp_value why = cmp_number(0);
+  if (before.n)
+    cmp_signal_measure(&before, before.t[0], before.t[before.n - 1], threshold, &out->before);
+  TRY(series_copy(&d->probes[probe], s));
+  if (before.n < LEAST_ROWS)
+    why = cmp_unknown("%zu rows, where at least %d are needed", before.n, LEAST_ROWS);
+  else if (has_gaps(&d->probes[probe]))
+    why = cmp_unknown("rows of the series are without a value");
+  else
+    TRY(filter(d, probe, out->filter, T, H, s->value, &why));
+  if (cmp_known(&why)) {
+    measure(threshold, out);
+    return OK;
+  }
+  s->n = 0;
+  out->after = alone_unknown(why);
+  out->taken = why;
   return OK;
 }
 
@@ -152,9 +164,11 @@ enum status cmp_filters_take(const struct case_file *settings, const struct cmp_
   for (size_t k = 0; k < n; k++) {
     struct cmp_filtered *f = &(*out)[k];
     f->filter = &settings->compare.filters[k];
+    f->probe = settings->probes[f->filter->probe].name;
     f->units = f->filter->kind == CASE_FILTER_impulse ? "rho g H sqrt(H/g)" : "rho g H";
-    const char *name = settings->probes[f->filter->probe].name;
-    const struct cmp_series *probe = cmp_series_find(d->probes, d->n_probes, name);
+    f->taken = cmp_unknown("the run has no such probe");
+    f->before = f->after = alone_unknown(f->taken);
+    const struct cmp_series *probe = cmp_series_find(d->probes, d->n_probes, f->probe);
     if (probe) TRY(take(d, (size_t)(probe - d->probes), T, H, threshold, f));
   }
   return OK;

@@ -4,10 +4,11 @@
 
 struct cmp_filtered {
   const struct case_filter *filter; /* borrowed from the settings */
+  const char *probe;                /* its name, borrowed from the settings */
   struct cmp_series series;         /* `raw` beside it, but for an impulse; n = 0: there is none */
   const char *units;
   struct cmp_signal_alone before, after; /* over all of it */
-  struct cmp_value taken;                /* rms of what it has taken out */
+  struct cmp_value taken; /* rms of what it has taken out; both say why where there is no series */
 };
 
 /* All of the settings' filters of a run's raw pressures, [n_filters]. `T` and `H`: the scales of
@@ -19,7 +20,8 @@ void cmp_filters_destroy(size_t n, struct cmp_filtered *filtered);
 /* What each filter is, for captions and tables: "low pass, periods of 0.04 √(H/g) and longer". */
 void cmp_filter_say(const struct case_filter *f, double T, double H, char *out, size_t room);
 
-/* The probes, [n], on the wall of the first and within half the length of it, each with the part of
- * the length that is nearest to it: they sum to 1, and are 0 for the others. In H. */
-void cmp_wall_weights(const struct geo_lines *walls, size_t n, const struct cmp_series *probe,
-                      size_t middle, double length, double *weight);
+/* geo_wall_shares of probes, [n], lengths in H: `weight` [n] and at how many `places` they are.
+ * ERR_MEMORY. */
+enum status cmp_wall_weights(const struct geo_lines *walls, size_t n,
+                             const struct cmp_series *probe, size_t middle, double length,
+                             double *weight, size_t *places);

@@ -79,14 +79,13 @@ static void filter_row(struct page *p, const struct comparison *c, size_t r, siz
                        struct cmp_html_reasons *why) {
   const struct cmp_filtered *f = &cmp_run_or_ref(c, r)->filtered[k];
   char what[96];
-  if (!f->series.n) return;
   cmp_filter_say(f->filter, c->scales.T, c->scales.H, what, sizeof what);
   cmp_page_open(p, "tr", NULL);
   cmp_html_run(p, c, r);
-  cmp_html_cell(p, "t", "%s: %s", f->series.name, what);
+  cmp_html_cell(p, "t", "%s: %s", f->probe, what);
   if (f->filter->kind == CASE_FILTER_impulse) {
-    cmp_html_cell(p, NULL, "%.3g", f->before.peak.value);
-    cmp_html_cell(p, NULL, "%.3g", f->before.peak_time.value);
+    cmp_html_value(p, &f->before.peak, why);
+    cmp_html_value(p, &f->before.peak_time, why);
     cmp_html_value(p, &f->before.impulse, why);
   } else {
     change_cell(p, &f->before.peak, &f->after.peak, why);

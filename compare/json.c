@@ -187,7 +187,7 @@ static json_t *budget(struct maker *m, const struct comparison *c, const struct 
   return array;
 }
 
-/* What each of the settings' filters makes of the run's probes, where it has them. */
+/* What each of the settings' filters makes of the run's probes, or why it cannot. */
 static json_t *filters(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
   static const char *const kinds[] = {
 #define X(name, help) #name,
@@ -198,9 +198,8 @@ static json_t *filters(struct maker *m, const struct comparison *c, const struct
   for (size_t k = 0; k < c->settings->compare.n_filters; k++) {
     const struct cmp_filtered *f = &run->filtered[k];
     const enum case_filter_kind kind = f->filter->kind;
-    if (!f->series.n) continue;
     json_t *object = json_object();
-    set(m, object, "probe", text(f->series.name));
+    set(m, object, "probe", text(f->probe));
     set(m, object, "kind", text(kinds[kind]));
     if (kind == CASE_FILTER_low_pass)
       set(m, object, "period", number(f->filter->period / c->scales.T));

@@ -7,6 +7,7 @@
 
 enum { LEAST_ROWS = 16 };
 static const double EVEN = 1e-6;   /* intervals this close to each other, relative, are the same */
+static const double SAME = 1e-9;   /* times this close, relative, are the same */
 static const double LOWEST = 0.05; /* of the highest peak: a Hann window's side lobes have 0.027 */
 
 /* ---- even samples ---- */
@@ -57,7 +58,8 @@ static void even_samples(const struct cmp_signal *s, double *out) {
 static struct cmp_signal stretch_of(const struct cmp_signal *s, double from, double to) {
   size_t best = 0, length = 0, first = 0;
   for (size_t i = 0; i <= s->n; i++) {
-    const bool inside = i < s->n && s->t[i] >= from && s->t[i] <= to && isfinite(s->value[i]);
+    const bool inside = i < s->n && s->t[i] >= from * (1 - SAME) && s->t[i] <= to * (1 + SAME) &&
+                        isfinite(s->value[i]);
     if (inside) continue;
     if (i - first > length) {
       best = first;
@@ -153,14 +155,24 @@ static enum status analyse(const struct cmp_signal *rows, size_t peaks, double *
   return OK;
 }
 
+/* Why there is no spectrum of the stretch. */
+static struct cmp_value too_few(const struct cmp_signal *s, const struct cmp_signal *stretch) {
+  bool any = !s->n;
+  for (size_t i = 0; i < s->n; i++) any = any || isfinite(s->value[i]);
+  if (!any) return cmp_unknown("the series holds no value (dry)");
+  return stretch->n > INT_MAX
+             ? cmp_unknown("%zu rows, where at most %d can be taken", stretch->n, INT_MAX)
+             : cmp_unknown("%zu rows without a gap, where at least %d are needed", stretch->n,
+                           LEAST_ROWS);
+}
+
 enum status cmp_spectrum_create(const struct cmp_signal *s, double from, double to, size_t peaks,
                                 struct cmp_spectrum *out) {
   const struct cmp_signal rows = stretch_of(s, from, to);
   const size_t n = rows.n;
   *out = (struct cmp_spectrum){.samples = n};
   if (n < LEAST_ROWS || n > INT_MAX) {
-    out->interval =
-        cmp_unknown("%zu rows without a gap, where %d to %d are needed", n, LEAST_ROWS, INT_MAX);
+    out->interval = too_few(s, &rows);
     return OK;
   }
   out->from = rows.t[0];

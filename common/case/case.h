@@ -44,6 +44,9 @@ enum { /* CASE_POINT_p, CASE_POINT_rho, ... */
 #undef X
            CASE_POINT_FIELDS
 };
+extern const char *const case_point_fields[CASE_POINT_FIELDS]; /* names */
+
+enum { CASE_LONGEST_NAME = 64 }; /* bytes, of a run, a probe, a gauge or a point */
 
 struct case_run {
   char *name;
@@ -82,6 +85,8 @@ enum case_filter_kind { /* CASE_FILTER_low_pass, ... */
                         CASE_FILTERS(X)
 #undef X
 };
+
+enum { CASE_LEAST_ON_WALL = 3 }; /* places; of less the mean would be nearly the probe's own */
 
 struct case_filter {
   size_t probe; /* index into case_file.probes */

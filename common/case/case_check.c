@@ -5,8 +5,15 @@
 
 #include "common/base/geometry_check.h"
 #include "common/case/case_draft.h"
+#include "common/flow/flow.h"
 
 enum { MOST_OUTPUTS = 100000, MOST_SAMPLES = 10000000 };
+
+const char *const case_point_fields[CASE_POINT_FIELDS] = {
+#define X(name, units, help) #name,
+    CASE_POINT(X)
+#undef X
+};
 
 const double CASE_SAME = 1e-9;
 
@@ -112,6 +119,30 @@ static void check_point(struct case_draft *d, size_t i, int item, const char *pa
                    "move the point");
 }
 
+/* Nothing before may have the name of a point with one of its fields: that of a series. */
+static void check_point_fields(struct case_draft *d, int item, const char *path, const char *name,
+                               const char *const *others, size_t n) {
+  for (size_t k = 0; name && case_name_fits(name) && k < CASE_POINT_FIELDS; k++) {
+    char series[CASE_LONGEST_NAME + 16], full[CASE_PATH + 8], found[160];
+    snprintf(series, sizeof series, "%s.%s", name, case_point_fields[k]);
+    for (size_t i = 0; i < n; i++) {
+      if (!others[i] || strcmp(others[i], series)) continue;
+      snprintf(full, sizeof full, "%s.name", path);
+      snprintf(found, sizeof found, "'%s', one of its series, a second time", series);
+      case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "name"), full, found,
+                       "a name of its own", "rename one");
+    }
+  }
+}
+
+/* A body floats free of the bed, from which gauges count. */
+static void check_no_gauges(struct case_draft *d) {
+  if (!d->c->n_gauges || !d->good.water || !flow_is_body(d->c->flow)) return;
+  case_doc_problem(&d->doc, case_doc_line(&d->doc, d->at.gauges), "gauges",
+                   "gauges with a body, which has no water on the bed",
+                   "gauges with regions or a wave", "remove them; points hold what is inside");
+}
+
 static void check_instruments(struct case_draft *d) {
   const struct case_file *c = d->c;
   size_t n = 0;
@@ -143,6 +174,7 @@ static void check_instruments(struct case_draft *d) {
     int item = case_doc_item(&d->doc, d->at.points, i);
     case_doc_item_path(&d->doc, "points", item, i, path);
     check_name(d, item, path, c->points[i].name, names, n);
+    check_point_fields(d, item, path, c->points[i].name, names, 1 + c->n_probes + c->n_gauges);
     names[n++] = c->points[i].name;
     if (d->good.points && d->good.tank) check_point(d, i, item, path);
   }
@@ -253,6 +285,7 @@ void case_check(struct case_draft *d) {
   case_check_geometry(d);
   if (d->good.time) check_time(d);
   check_instruments(d);
+  check_no_gauges(d);
   check_run_names(d);
   if (d->good.time) check_times(d);
   if (d->good.time && d->good.runs) case_check_tolerances(d);

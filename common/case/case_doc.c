@@ -196,7 +196,7 @@ int case_doc_member_line(struct case_doc *d, int node, const char *key) {
 
 bool case_name_fits(const char *name) {
   size_t n = strlen(name);
-  return n > 0 && n <= 64 && name[0] != '.' &&
+  return n > 0 && n <= CASE_LONGEST_NAME && name[0] != '.' &&
          strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") == n;
 }
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "common/base/array.h"
-#include "common/base/geometry_check.h"
+#include "common/base/wall_shares.h"
 #include "common/case/case_draft.h"
 
 /* ---- filters ---- */
@@ -104,13 +104,8 @@ static const struct param spectrum_rows[] = {
      .help = "how many peaks are listed, the highest first"},
 };
 
-static const char *const point_fields[] = {
-#define X(name, units, help) #name,
-    CASE_POINT(X)
-#undef X
-};
-
-typedef char series_name[72];
+/* Of a point, with a dot and the field. */
+typedef char series_name[CASE_LONGEST_NAME + 16];
 
 /* The names of all series that there are, a point's with its fields. */
 static enum status series_names(const struct case_file *c, size_t *n, series_name **out) {
@@ -124,7 +119,8 @@ static enum status series_names(const struct case_file *c, size_t *n, series_nam
     if (c->gauges[i].name) snprintf(name[(*n)++], sizeof *name, "%s", c->gauges[i].name);
   for (size_t i = 0; i < c->n_points; i++)
     for (size_t k = 0; c->points[i].name && k < CASE_POINT_FIELDS; k++)
-      snprintf(name[(*n)++], sizeof *name, "%.62s.%s", c->points[i].name, point_fields[k]);
+      snprintf(name[(*n)++], sizeof *name, "%.*s.%s", CASE_LONGEST_NAME, c->points[i].name,
+               case_point_fields[k]);
   return OK;
 }
 
@@ -195,19 +191,15 @@ static void time_problem(struct case_draft *d, const char *list, size_t i, const
   case_doc_problem(&d->doc, case_doc_line(&d->doc, node), path, found, allowed, todo);
 }
 
-/* Probes, itself included, within half the length of it along its wall. */
-static size_t probes_along(const struct case_file *c, const struct case_filter *f) {
-  const struct case_probe *p = &c->probes[f->probe];
-  double foot[2];
-  size_t piece, other, n = 0;
-  geo_lines_distance(&c->walls, p->x, p->y, foot, &piece);
+/* At how many places probes are within half the length of it along its wall, itself included. */
+static size_t places_along(const struct case_file *c, const struct case_filter *f) {
+  double at[CASE_MOST_ITEMS][2], share[CASE_MOST_ITEMS];
   for (size_t k = 0; k < c->n_probes; k++) {
-    const struct case_probe *q = &c->probes[k];
-    geo_lines_distance(&c->walls, q->x, q->y, foot, &other);
-    bool level = fabs(q->x - p->x) < case_near(c) || fabs(q->y - p->y) < case_near(c);
-    n += level && other == piece && hypot(q->x - p->x, q->y - p->y) <= f->length / 2 + case_near(c);
+    at[k][0] = c->probes[k].x;
+    at[k][1] = c->probes[k].y;
   }
-  return n;
+  return geo_wall_shares(&c->walls, c->n_probes, (const double(*)[2])at, f->probe, f->length,
+                         share);
 }
 
 static void check_wall(struct case_draft *d, size_t i) {
@@ -215,14 +207,14 @@ static void check_wall(struct case_draft *d, size_t i) {
   const int items = case_doc_member(&d->doc, d->at.compare, "filters");
   const int node = case_doc_member(&d->doc, case_doc_item(&d->doc, items, i), "length");
   char path[CASE_PATH], found[96];
-  const size_t n = probes_along(d->c, f);
-  if (n >= 3) return;
+  const size_t n = places_along(d->c, f);
+  if (n >= CASE_LEAST_ON_WALL) return;
   snprintf(path, sizeof path, "compare.filters[%zu].length", i);
-  snprintf(found, sizeof found, "%.6g m with %zu probe%s of the case on it", f->length, n,
+  snprintf(found, sizeof found, "%.6g m with probes of the case at %zu place%s on it", f->length, n,
            n == 1 ? "" : "s");
   case_doc_problem(&d->doc, case_doc_line(&d->doc, node), path, found,
-                   "so much of the wall that three probes or more are within half of it of the one "
-                   "in its middle",
+                   "so much of the wall that probes at three places or more are within half of it "
+                   "of the one in its middle",
                    "add probes along that wall, or give the probe a size instead");
 }
 

@@ -44,7 +44,8 @@ static void wall_mean(const struct result_file *f, double length, double *out) {
     probe[k].x = f->probes[k].x;
     probe[k].y = f->probes[k].y;
   }
-  cmp_wall_weights(&f->walls, f->n_probes, probe, 10, length, weight);
+  size_t places;
+  EXPECT_OK(cmp_wall_weights(&f->walls, f->n_probes, probe, 10, length, weight, &places));
   for (size_t i = 0; i < f->probes[10].n; i++) {
     out[i] = 0;
     for (size_t k = 0; k < f->n_probes; k++) out[i] += weight[k] * f->probes[k].value[i];

@@ -41,6 +41,19 @@ static void test_minimal_case_has_the_documented_defaults(void) {
   case_destroy(c);
 }
 
+/* Names may have 64 bytes, and a point's series are named after it. */
+static void test_a_series_of_a_long_name_is_found(void) {
+#define LONG "abcdefghijklmnopqrstuvwxyzabcdefghijklmnopqrstuvwxyzabcdefghi_64"
+  struct case_file *c =
+      parse(TANK WATER TIME RUNS "points: [{name: " LONG ", at: [0.5, 0.5]}]\n"
+                                 "compare: {spectra: [{series: " LONG ".cover}]}\n");
+  _Static_assert(sizeof LONG == CASE_LONGEST_NAME + 1, "the longest name");
+  if (!c) return;
+  EXPECT_STR(c->compare.spectra[0].series, LONG ".cover");
+  case_destroy(c);
+#undef LONG
+}
+
 static void test_units_convert_with_the_scales(void) {
   struct case_file *c = parse("fluid: {gravity: 2.5}\nscales: {H: 40 cm}\n" TANK
                               "water: {regions: [[[0, 0], [2 H, 0], ['2H', H], [0, 1.0 H]]], "
@@ -212,6 +225,7 @@ static void test_water_fingerprint_tells_what_can_be_compared(void) {
 
 int main(void) {
   RUN(test_minimal_case_has_the_documented_defaults);
+  RUN(test_a_series_of_a_long_name_is_found);
   RUN(test_units_convert_with_the_scales);
   RUN(test_probes_may_be_averaged);
   RUN(test_clockwise_water_is_turned_round);

@@ -36,6 +36,20 @@ static void diagnostic_add(struct result_file *r, const char *name, const char *
   }
 }
 
+/* A probe that has no value from first to last. */
+static void deaf_add(struct result_file *r) {
+  r->probes = realloc(r->probes, 2 * sizeof *r->probes);
+  struct result_series *s = &r->probes[r->n_probes++];
+  *s = (struct result_series){
+      .name = text("deaf"), .units = text("Pa"), .help = text(""), .n = ROWS, .y = H};
+  s->t = calloc(ROWS, sizeof(double));
+  s->value = calloc(ROWS, sizeof(double));
+  for (int i = 0; i < ROWS; i++) {
+    s->t[i] = end * i / (ROWS - 1) * sqrt(H / g);
+    s->value[i] = NAN;
+  }
+}
+
 static double grows(double t) {
   return 1e-3 * exp(2 * t);
 }
@@ -45,17 +59,21 @@ static double swings(double t) {
 }
 
 static struct case_file settings;
-static struct case_probe probe = {.name = "P \"1\""};
+static struct case_probe probes[] = {{.name = "P \"1\""}, {.name = "deaf"}, {.name = "nobody"}};
 static struct case_filter filters[] = {
-    {0, CASE_FILTER_low_pass, 0, 0}, {0, CASE_FILTER_impulse, 0, 0}, {0, CASE_FILTER_wall, 0, 0.1}};
+    {0, CASE_FILTER_low_pass, 0, 0}, {0, CASE_FILTER_impulse, 0, 0},
+    {0, CASE_FILTER_wall, 0, 0.1},   {0, CASE_FILTER_low_pass, 0, 0},
+    {1, CASE_FILTER_impulse, 0, 0},  {2, CASE_FILTER_impulse, 0, 0}};
+enum { FILTERS = sizeof filters / sizeof *filters };
 static struct case_spectrum spectra[] = {{"mid.dle.a_y", 0, INFINITY, 3},
                                          {"G'1`touch x`", 0, INFINITY, 3}};
 
 static void signals_ask(bool ask) {
-  settings.n_probes = 1;
-  settings.probes = &probe;
+  settings.n_probes = 3;
+  settings.probes = probes;
   filters[0].period = sqrt(H / g);
-  settings.compare.n_filters = ask ? 3 : 0;
+  filters[3].period = 1.9 * end / (ROWS - 1) * sqrt(H / g);
+  settings.compare.n_filters = ask ? FILTERS : 0;
   settings.compare.filters = filters;
   settings.compare.n_spectra = ask ? 2 : 0;
   settings.compare.spectra = spectra;
@@ -68,6 +86,17 @@ static json_t *of_run(const char *list, size_t k) {
 
 static double number_in(json_t *object, const char *key) {
   return json_number_value(json_object_get(object, key));
+}
+
+static bool page_says(const char *word) {
+  char path[PATH_MAX], *page = calloc(1, 1 << 24);
+  path_in("report.html", path);
+  FILE *in = fopen(path, "r");
+  size_t n = in && page ? fread(page, 1, (1 << 24) - 1, in) : 0;
+  if (in) fclose(in);
+  const bool said = n && strstr(page, word);
+  free(page);
+  return said;
 }
 
 /* The pulse 0.8 exp(-(t - 2.3)^2/0.2^2) without periods of 1: its peak is about 0.8 erf(w 0.2/2),
@@ -84,7 +113,24 @@ static void test_filters_stand_beside(void) {
   EXPECT_NEAR(number_in(filtered, "impulse"), number_in(raw, "impulse"), 1e-12);
   EXPECT(number_in(low, "rms_taken_out") > 0.01);
   EXPECT_NEAR(number_in(json_object_get(impulse, "filtered"), "peak"), p, 1e-6);
-  EXPECT(of_run("filters", 2) == NULL); /* one probe is no wall */
+  json_t *no = json_object_get(impulse, "filtered"); /* of a curve of impulses */
+  EXPECT(json_object_get(no, "impulse_unavailable") && json_object_get(no, "onset_unavailable"));
+}
+
+static void expect_not_taken(size_t k, const char *why) {
+  json_t *filtered = json_object_get(of_run("filters", k), "filtered");
+  EXPECT(json_is_null(json_object_get(filtered, "peak")));
+  EXPECT_STR(json_string_value(json_object_get(filtered, "peak_unavailable")), why);
+  if (!page_says(why)) TEST_FAIL("the page does not say: %s", why);
+}
+
+static void test_what_cannot_be_taken_says_why(void) {
+  expect_not_taken(2, "probes at 1 of the 3 places that are needed on the wall");
+  expect_not_taken(3, "a period of 0.038, shorter than two intervals between rows, 0.04");
+  expect_not_taken(4, "rows of the series are without a value");
+  expect_not_taken(5, "the run has no such probe");
+  EXPECT_STR(json_string_value(json_object_get(of_run("filters", 5), "probe")), "nobody");
+  EXPECT(!page_says(">nan<"));
 }
 
 static void test_spectra_have_their_peaks(void) {
@@ -119,17 +165,6 @@ static bool is_there(const char *name) {
   return access(path, R_OK) == 0;
 }
 
-static bool page_says(const char *word) {
-  char path[PATH_MAX], *page = calloc(1, 1 << 24);
-  path_in("report.html", path);
-  FILE *in = fopen(path, "r");
-  size_t n = in && page ? fread(page, 1, (1 << 24) - 1, in) : 0;
-  if (in) fclose(in);
-  const bool said = n && strstr(page, word);
-  free(page);
-  return said;
-}
-
 /* Pictures are drawn, from tables in units that the heads name; a page without the settings and
  * without diagnostics says nothing of them. */
 static void test_figures_are_there(void) {
@@ -156,6 +191,7 @@ int main(void) {
   struct result_file *a = made_up("bem", "signals", (struct flaws){0, 0, 0, end});
   struct result_file *b = made_up("sph", "signals", (struct flaws){0.01, 0.01, 0.3, end});
   point_add(b);
+  deaf_add(b);
   diagnostic_add(b, "noise_x", "1", grows);
   diagnostic_add(b, "turning", "kg m/s", swings);
   settings_make(&settings);
@@ -167,6 +203,7 @@ int main(void) {
   compare(&settings, a, 1, &b);
   EXPECT(json_equal(before, json_object_get(report, "measures"))); /* nothing that is compared */
   RUN(test_filters_stand_beside);
+  RUN(test_what_cannot_be_taken_says_why);
   RUN(test_spectra_have_their_peaks);
   RUN(test_medians_are_in_the_middle);
   RUN(test_figures_are_there);

@@ -178,13 +178,16 @@ static void test_wall_mean_of_a_linear_pressure(void) {
   double weight[7];
   for (size_t k = 0; k < 7; k++)
     probe[k] = (struct cmp_series){.x = places[k][0], .y = places[k][1]};
-  cmp_wall_weights(&tank, 7, probe, 1, 0.4, weight);
+  size_t taken;
+  EXPECT_OK(cmp_wall_weights(&tank, 7, probe, 1, 0.4, weight, &taken));
+  EXPECT(taken == 3);
   EXPECT_NEAR(weight[0], 0.25, 1e-12);
   EXPECT_NEAR(weight[1], 0.5, 1e-12);
   EXPECT_NEAR(weight[2], 0.25, 1e-12);
   EXPECT(weight[3] == 0 && weight[4] == 0 && weight[5] == 0 && weight[6] == 0);
   double sum = 0, mean = 0;
-  cmp_wall_weights(&tank, 7, probe, 1, 2, weight);
+  EXPECT_OK(cmp_wall_weights(&tank, 7, probe, 1, 2, weight, &taken));
+  EXPECT(taken == 5);
   for (size_t k = 0; k < 7; k++) {
     sum += weight[k];
     mean += weight[k] * (3 - places[k][1]);
@@ -195,6 +198,64 @@ static void test_wall_mean_of_a_linear_pressure(void) {
   geo_lines_destroy(&tank);
 }
 
+/* Up a slope of 3 to 4, 5 long: with every wall's probes at random places, some of them at one, the
+ * weights are positive and sum to 1, and those at one place are the same. */
+static void test_weights_sum_to_1(void) {
+  enum { N = 12 };
+  struct geo_lines tank = {0};
+  shape_open(&tank);
+  shape_point(&tank, 0, 3);
+  shape_point(&tank, 0, 0);
+  shape_point(&tank, 4, 0);
+  shape_point(&tank, 8, 3);
+  for (int turn = 0; turn < 200; turn++) {
+    struct cmp_series probe[N] = {0};
+    double weight[N], sum = 0, place[N];
+    size_t places, different = 0;
+    for (size_t k = 0; k < N; k++) {
+      place[k] = k % 3 == 2 ? place[k - 1] : 0.5 + 0.49 * noise();
+      const bool sloping = k < N - 3;
+      probe[k].x = sloping ? 4 + 4 * place[k] : 4 * place[k];
+      probe[k].y = sloping ? 3 * place[k] : 0;
+    }
+    const double length = 1 + 8 * (double)(turn % 10) / 10;
+    EXPECT_OK(cmp_wall_weights(&tank, N, probe, 0, length, weight, &places));
+    for (size_t k = 0; k < N; k++) {
+      const bool within = k < N - 3 && 5 * fabs(place[k] - place[0]) <= length / 2;
+      EXPECT(within ? weight[k] > 0 : weight[k] == 0);
+      different += within && k % 3 != 2;
+      sum += weight[k];
+      if (k % 3 == 2) EXPECT_NEAR(weight[k], weight[k - 1], 1e-15);
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT(places == different);
+  }
+  geo_lines_destroy(&tank);
+}
+
+/* A time that comes out a rounding late or early is the same, and what there is none of is told. */
+static void test_a_stretch_that_is_short_says_why(void) {
+  enum { N = 101 };
+  struct cmp_spectrum s;
+  for (size_t i = 0; i < N; i++) {
+    t[i] = 0.01 * (double)i;
+    x[i] = noise();
+  }
+  struct cmp_signal rows = signal(N);
+  EXPECT_OK(cmp_spectrum_create(&rows, t[30] * (1 + 1e-14), t[60] * (1 - 1e-14), 3, &s));
+  EXPECT(s.samples == 31);
+  cmp_spectrum_destroy(&s);
+  rows.n = 3;
+  EXPECT_OK(cmp_spectrum_create(&rows, 0, INFINITY, 3, &s));
+  EXPECT_STR(s.interval.why, "3 rows without a gap, where at least 16 are needed");
+  cmp_spectrum_destroy(&s);
+  for (size_t i = 0; i < N; i++) x[i] = NAN;
+  rows.n = N;
+  EXPECT_OK(cmp_spectrum_create(&rows, 0, INFINITY, 3, &s));
+  EXPECT_STR(s.interval.why, "the series holds no value (dry)");
+  cmp_spectrum_destroy(&s);
+}
+
 int main(void) {
   RUN(test_power_adds_up);
   RUN(test_a_sine_between_bins_is_found);
@@ -203,5 +264,7 @@ int main(void) {
   RUN(test_a_filtered_impact_keeps_its_impulse);
   RUN(test_impulse_is_the_integral);
   RUN(test_wall_mean_of_a_linear_pressure);
+  RUN(test_weights_sum_to_1);
+  RUN(test_a_stretch_that_is_short_says_why);
   return TEST_RESULT;
 }
