@@ -128,7 +128,8 @@ struct flow {
   X(airy, "a small wave that runs to the right, round a tank with periodic sides")                 \
   X(acoustic, "sound between surface and bed that runs to the right, round the same")              \
   X(pressed, "water at rest under a pressure that varies along the surface, round the same")       \
-  X(still, "water at rest, in a tank of any one wall")
+  X(still, "water at rest, in a tank of any one wall")                                             \
+  X(solitary, "the exact solitary wave, one crest that runs to a wall of a flat tank")
 #define FLOWS_OF_BODIES(X)                                                                         \
   X(patch, "a square that turns like a rigid body: u = rate y, v = -rate x from its middle")       \
   X(drop,                                                                                          \

@@ -1,0 +1,245 @@
+/* The exact solitary wave (crest.h) in a flat tank between walls, to either side. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "common/case/case.h"
+#include "common/flow/crest.h"
+#include "common/flow/flow.h"
+
+#define TAIL 1e-3 /* elevation at a wall, at most, over the amplitude: what of it is cut off */
+
+struct form {
+  double amplitude, depth, x; /* m */
+  int direction;
+};
+
+static const char *const direction_names[] = {"right", "left", NULL};
+static const char *const direction_helps[] = {"to greater x", "to smaller x"};
+
+static const struct param rows[] = {
+    {.key = "amplitude",
+     .type = PARAM_REAL,
+     .quantity = QTY_LENGTH,
+     .offset = offsetof(struct form, amplitude),
+     .min = PARAM_ABOVE_0,
+     .max = 1e6,
+     .help = "height A of the crest above the water at rest, up to 0.7 depths"},
+    {.key = "depth",
+     .type = PARAM_REAL,
+     .quantity = QTY_LENGTH,
+     .offset = offsetof(struct form, depth),
+     .min = PARAM_ABOVE_0,
+     .max = 1e6,
+     .help = "depth h of the water at rest; the wave's tails fall like exp(-k |x|), tan(k h) = "
+             "F^2 k h, where F sqrt(g h) is its speed"},
+    {.key = "x",
+     .type = PARAM_REAL,
+     .quantity = QTY_LENGTH,
+     .offset = offsetof(struct form, x),
+     .min = -1e6,
+     .max = 1e6,
+     .help = "where its crest is at t = 0"},
+    {.key = "direction",
+     .type = PARAM_CHOICE,
+     .offset = offsetof(struct form, direction),
+     .choices = direction_names,
+     .value = "right",
+     .help = "where it runs",
+     .helps = direction_helps},
+};
+
+/* A refused one is drawn all the same: as the highest. */
+static double steepness_of_known(const struct form *f) {
+  return fmin(f->amplitude / f->depth, CREST_HIGHEST);
+}
+
+static double steepness(const struct form *f) {
+  return f->amplitude / f->depth;
+}
+
+/* What the walls cut off falls like the tail does. */
+static double mean_depth(const struct case_file *c) {
+  const struct form *f = c->form;
+  struct crest w;
+  double mass = 0;
+  if (!(steepness(f) <= CREST_HIGHEST)) return f->depth;
+  if (wave_crest_create(steepness(f), &w) == OK) {
+    mass = w.mass;
+    for (int side = 0; side < 2; side++) {
+      const double *at = side ? c->tank.max : c->tank.min;
+      mass -= wave_crest_elevation(&w, (at[0] - f->x) / f->depth) / w.decay;
+    }
+  }
+  wave_crest_destroy(&w);
+  return f->depth + mass * f->depth * f->depth / (c->tank.max[0] - c->tank.min[0]);
+}
+
+static struct flow_scale scale(const struct case_file *c) {
+  const struct form *f = c->form;
+  return (struct flow_scale){f->depth, mean_depth(c), f->amplitude,
+                             2 * M_PI * f->depth / wave_crest_decay_about(steepness_of_known(f))};
+}
+
+/* ---- what it must be ---- */
+
+static void check_place(const struct case_file *c, struct case_draft *d) {
+  const struct form *f = c->form;
+  const double near = fmin(f->x - c->tank.min[0], c->tank.max[0] - f->x);
+  struct crest w;
+  char found[96], allowed[128];
+  if (wave_crest_create(steepness(f), &w) == OK &&
+      !(near > 0 && wave_crest_elevation(&w, near / f->depth) <= TAIL * w.amplitude)) {
+    double need = near > 0 ? near : 0;
+    while (wave_crest_elevation(&w, need / f->depth) > TAIL * w.amplitude) need += 0.01 * f->depth;
+    snprintf(found, sizeof found, "a crest %.6g m from a wall", near);
+    snprintf(allowed, sizeof allowed,
+             "%.4g m and more, where its tail is a thousandth of its height", need);
+    case_flow_problem(d, "x", found, allowed, "move it, or make the tank longer");
+  }
+  wave_crest_destroy(&w);
+}
+
+static void check(const struct case_file *c, struct case_draft *d) {
+  const struct form *f = c->form;
+  char found[96], allowed[128];
+  if (c->periodic[0])
+    case_flow_problem(d, "kind", "'solitary' between periodic sides", "one between walls",
+                      "write tank.sides: walls");
+  if (steepness(f) > CREST_HIGHEST) {
+    snprintf(found, sizeof found, "an amplitude of %.6g m", f->amplitude);
+    snprintf(allowed, sizeof allowed, "up to %g depths, here %.6g m", CREST_HIGHEST,
+             CREST_HIGHEST * f->depth);
+    case_flow_problem(d, "amplitude", found, allowed,
+                      "higher ones are too near the greatest speed, at 0.796, for the method");
+  } else if (c->rectangular) {
+    check_place(c, d);
+  }
+}
+
+/* ---- the wave, at any time ---- */
+
+static enum status create(struct flow_water *w) {
+  struct crest *crest = w->own = calloc(1, sizeof *crest);
+  CHECK(crest, ERR_MEMORY, "no memory for a solitary wave");
+  return wave_crest_create(steepness_of_known(w->c->form), crest);
+}
+
+static void destroy(struct flow_water *w) {
+  if (w->own) wave_crest_destroy(w->own);
+  free(w->own);
+}
+
+static double sense(const struct flow_water *w) {
+  const struct form *f = w->c->form;
+  return f->direction == 0 ? 1 : -1;
+}
+
+static double speed(const struct flow_water *w) {
+  const struct form *f = w->c->form;
+  const struct crest *crest = w->own;
+  return crest->froude * sqrt(w->c->gravity * f->depth);
+}
+
+/* Of x before the crest, in depths. */
+static double ahead(const struct flow_water *w, double x, double t) {
+  const struct form *f = w->c->form;
+  return (sense(w) * (x - f->x) - speed(w) * t) / f->depth;
+}
+
+/* Of y above the level at rest, in depths. */
+static double above(const struct flow_water *w, double y) {
+  const struct form *f = w->c->form;
+  return (y - w->c->tank.min[1]) / f->depth - 1;
+}
+
+static double elevation(const struct flow_water *w, double x, double t) {
+  const struct form *f = w->c->form;
+  return w->c->tank.min[1] + f->depth * (1 + wave_crest_elevation(w->own, ahead(w, x, t)));
+}
+
+static struct crest_point at(const struct flow_water *w, double x, double y, double t) {
+  return wave_crest_at(w->own, ahead(w, x, t), above(w, y));
+}
+
+static double potential(const struct flow_water *w, double x, double y, double t) {
+  const struct form *f = w->c->form;
+  return sense(w) * f->depth * sqrt(w->c->gravity * f->depth) * at(w, x, y, t).potential;
+}
+
+static void velocity(const struct flow_water *w, double x, double y, double t, double out[2]) {
+  const struct form *f = w->c->form;
+  const struct crest_point p = at(w, x, y, t);
+  const double unit = sqrt(w->c->gravity * f->depth);
+  out[0] = sense(w) * unit * p.u;
+  out[1] = unit * p.v;
+}
+
+/* Over rho g, by Bernoulli's equation: of the flow that is steady beside the crest. */
+static double push(const struct flow_water *w, double x, double y, double t) {
+  const struct form *f = w->c->form;
+  const struct crest *crest = w->own;
+  const struct crest_point p = at(w, x, y, t);
+  return f->depth * (crest->froude * p.u - (p.u * p.u + p.v * p.v) / 2 - above(w, y));
+}
+
+static double pressure(const struct flow_water *w, double x, double y, double t) {
+  return y > elevation(w, x, t) ? 0 : w->c->gravity * push(w, x, y, t);
+}
+
+/* Nothing at all on the surface. */
+static enum status head(const struct flow_water *w, const struct flow_point *p, double *out) {
+  *out = push(w, p->x, p->y, 0) - push(w, p->x, elevation(w, p->x, 0), 0);
+  return OK;
+}
+
+/* Energies are those of the whole wave, with its tails. */
+static double kinetic(const struct flow_water *w, double t) {
+  (void)t;
+  const struct form *f = w->c->form;
+  const struct crest *crest = w->own;
+  return w->c->gravity * pow(f->depth, 3) * crest->kinetic;
+}
+
+static double potential_energy(const struct flow_water *w, double t) {
+  (void)t;
+  const struct form *f = w->c->form;
+  const struct crest *crest = w->own;
+  const double bed = w->c->tank.min[1], top = bed + f->depth;
+  const double width = w->c->tank.max[0] - w->c->tank.min[0];
+  return w->c->gravity *
+         (width * (top * top - bed * bed) / 2 + top * f->depth * f->depth * crest->mass +
+          pow(f->depth, 3) * crest->potential);
+}
+
+/* The highest that it has stood at a wall, over its height. */
+static double error(const struct flow_water *w, double end) {
+  const struct form *f = w->c->form;
+  double worst = 0;
+  for (int side = 0; side < 2; side++) {
+    const double wall = side ? w->c->tank.max[0] : w->c->tank.min[0];
+    const double first = ahead(w, wall, 0), last = ahead(w, wall, end);
+    const double nearest = first * last < 0 ? 0 : fmin(fabs(first), fabs(last));
+    worst = fmax(worst, wave_crest_elevation(w->own, nearest) / steepness(f));
+  }
+  return worst;
+}
+
+const struct flow flow_solitary = {
+    .params = rows,
+    .n_params = sizeof rows / sizeof *rows,
+    .params_size = sizeof(struct form),
+    .example = "wave: {kind: solitary, amplitude: 0.08, depth: 0.2, x: 1.88}",
+    .check = check,
+    .create = create,
+    .destroy = destroy,
+    .scale = scale,
+    .elevation = elevation,
+    .potential = potential,
+    .velocity = velocity,
+    .head = head,
+    .pressure = pressure,
+    .kinetic = kinetic,
+    .potential_energy = potential_energy,
+    .error = error,
+};
