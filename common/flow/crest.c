@@ -71,11 +71,11 @@ static double sweep(struct babenko *b, double f2) {
   return moved;
 }
 
-/* The height of the crest at F^2. */
+/* The height of the crest at F^2, or not a number where sweeps do not settle. */
 static double height(struct babenko *b, double f2) {
-  for (int i = 0; i < SWEEPS; i++)
-    if (sweep(b, f2) < 1e-14) break;
-  return b->eta[0];
+  double moved = INFINITY;
+  for (int i = 0; i < SWEEPS && moved >= 1e-14; i++) moved = sweep(b, f2);
+  return moved < 1e-11 ? b->eta[0] : NAN;
 }
 
 static void lay(struct babenko *b, double amplitude, double half, double decay) {
