@@ -164,7 +164,7 @@ static struct crest_point at(const struct flow_water *w, double x, double y, dou
 
 static double potential(const struct flow_water *w, double x, double y, double t) {
   const struct form *f = w->c->form;
-  return sense(w) * f->depth * sqrt(w->c->gravity * f->depth) * at(w, x, y, t).potential;
+  return f->depth * sqrt(w->c->gravity * f->depth) * at(w, x, y, t).potential;
 }
 
 static void velocity(const struct flow_water *w, double x, double y, double t, double out[2]) {
@@ -229,7 +229,7 @@ const struct flow flow_solitary = {
     .params = rows,
     .n_params = sizeof rows / sizeof *rows,
     .params_size = sizeof(struct form),
-    .example = "wave: {kind: solitary, amplitude: 0.08, depth: 0.2, x: 1.88}",
+    .example = "wave: {kind: solitary, amplitude: 0.08, depth: 0.2, x: 2.12, direction: left}",
     .check = check,
     .create = create,
     .destroy = destroy,
