@@ -30,7 +30,7 @@ enum status wave_crest_create(double amplitude, struct crest *w);
 void wave_crest_destroy(struct crest *w);
 
 /* By the theory of small waves far away, and by a series in A (J. Fenton, J. Fluid Mech. 53, 1972)
- * to 2 %: to place and to scale the wave before it is known. */
+ * to 1.1 %: to place and to scale the wave before it is known. */
 double wave_crest_decay_about(double amplitude);
 
 /* In the water at rest's frame, (x, y) from the crest and from the level at rest. */

@@ -62,7 +62,7 @@ SPECIALISE void add_rates(const struct rates_choice o, const struct targets *i,
 /* With the paper's forms each kernel and diffusion, with and without viscosity and bounds, has a
  * loop of its own, and a function of its own around it: what else a function does takes registers
  * from its loop. Other forms are chosen inside one loop, with which whole runs of the paper's take
- * an eighth (without diffusion) to a quarter (Antuono) longer. */
+ * a tenth (without diffusion) to a quarter (Antuono) longer. */
 typedef void add_rates_function(real soft2, const struct targets *i, const struct turn *block,
                                 const struct turn_gradients *G, size_t n, struct rates *sums);
 
