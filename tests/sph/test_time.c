@@ -73,6 +73,7 @@ static void test_integrators_have_the_order_they_declare(void) {
     march(k, 16, time, b);
     march(k, 32, time, c);
     double order = log2(difference(a, b) / difference(b, c));
+    printf("     %s: order %.3f\n", sph_integrator_names[k], order);
     EXPECT_NEAR(order, sph_integrators[k]->order, 0.25);
   }
 }
