@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "bem/accuracy.h"
 #include "bem/mesh.h"
 #include "common/flow/flow.h"
 
@@ -21,5 +22,7 @@ void bem_estimate(const struct case_file *c, const struct case_run *r, struct so
   e->points = n;
   e->unit = "nodes";
   e->bytes = BYTES_ALONE + 8 * most * most;
-  e->seconds = SECONDS_OF_137 * c->end * sqrt(c->gravity / c->H) * pow(n / 137, POWER);
+  const struct bem_options *o = r->options;
+  const double runs = o->error_bars ? 1 + pow(BEM_COARSER, -POWER) : 1;
+  e->seconds = runs * SECONDS_OF_137 * c->end * sqrt(c->gravity / c->H) * pow(n / 137, POWER);
 }

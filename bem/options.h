@@ -1,7 +1,10 @@
 /* What a run of this solver may set; the table behind it is in solver.c. */
 #pragma once
+#include <stdbool.h>
 
 struct bem_options {
+  double accuracy;          /* that sets the others, 0: none was asked for */
+  bool error_bars;          /* found by a coarser run */
   double tolerance;         /* of CVODE */
   double gmres;             /* relative residual of the boundary system */
   int dense;                /* nodes solved by dense factorisation */

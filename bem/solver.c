@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "bem/accuracy.h"
 #include "bem/basin.h"
 #include "bem/estimate.h"
 #include "bem/events.h"
@@ -16,6 +17,21 @@
 
 #define KEY(member) .offset = offsetof(struct bem_options, member)
 static const struct param params[] = {
+    {.key = "accuracy",
+     .type = PARAM_REAL,
+     .quantity = QTY_NUMBER,
+     KEY(accuracy),
+     .min = 1e-6,
+     .max = 1e-2,
+     .value = "",
+     .help = "mean error of the surface that is aimed at, of H or, for a wave, of its amplitude; "
+             "sets resolution, tolerance, gmres, filter and smoothing where they are not given"},
+    {.key = "error_bars",
+     .type = PARAM_BOOL,
+     KEY(error_bars),
+     .value = "false",
+     .help = "run a coarser run first (spacings 1.5 times as wide, tolerances, film and filters "
+             "coarser too), from which events, surfaces, energies and series get standard errors"},
     {.key = "tolerance",
      .type = PARAM_REAL,
      .quantity = QTY_NUMBER,
@@ -163,8 +179,8 @@ static enum status begin(struct bem_run *r, const struct case_run *cr) {
   return bem_output_due(&r->output, &r->flow, NULL, false, 0, 0);
 }
 
-static enum status run(const struct case_file *c, const struct case_run *cr, struct result *out,
-                       struct progress *progress) {
+static enum status run_once(const struct case_file *c, const struct case_run *cr,
+                            struct result *out, struct progress *progress) {
   const struct bem_options *o = cr->options;
   struct bem_run r = {.c = c,
                       .film = o->film / c->H,
@@ -187,6 +203,36 @@ static enum status run(const struct case_file *c, const struct case_run *cr, str
   return status;
 }
 
+/* A coarser run that cannot go on leaves no error bars from there on. */
+static enum status run_with_errors(const struct case_file *c, const struct case_run *cr,
+                                   struct result *out, struct progress *progress) {
+  const struct result_coarser how = {BEM_COARSER, BEM_ORDER};
+  struct bem_options options;
+  struct case_run coarser;
+  struct result *twin = NULL;
+  bem_accuracy_coarsen(c, cr, &options, &coarser);
+  enum status status = OK;
+  ATTEMPT(result_create_coarser(c, &coarser, &twin));
+  status = run_once(c, &coarser, twin, progress);
+  if (status == ERR_SOLVER || status == ERR_DIVERGED) {
+    progress_say(progress, "%s: no error bars beyond the end of the coarser run: %s", cr->name,
+                 status_message());
+    status = OK;
+  }
+  ATTEMPT(status);
+  ATTEMPT(result_hold_against(out, c, twin, &how));
+  ATTEMPT(run_once(c, cr, out, progress));
+done:
+  result_destroy(twin);
+  return status;
+}
+
+static enum status run(const struct case_file *c, const struct case_run *cr, struct result *out,
+                       struct progress *progress) {
+  const struct bem_options *o = cr->options;
+  return (o->error_bars ? run_with_errors : run_once)(c, cr, out, progress);
+}
+
 static const struct solver_term terms[] = {
     {"filter", "energy taken out so far by filter and smoothing, heights from the level at rest"}};
 
@@ -198,6 +244,7 @@ const struct solver bem_solver = {
     .options_size = sizeof(struct bem_options),
     .terms = terms,
     .n_terms = sizeof terms / sizeof *terms,
+    .settle = bem_accuracy_settle,
     .check = bem_start_check,
     .estimate = bem_estimate,
     .run = run,

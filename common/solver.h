@@ -50,6 +50,10 @@ struct solver {
   const struct solver_diagnostic *diagnostics; /* that a run may write, [n_diagnostics] */
   size_t n_diagnostics;                        /* at most RESULT_DIAGNOSTICS */
 
+  /* Completes a run of a case that is valid as such: what its options leave to the solver, and the
+   * resolution where the run has the key `accuracy` in place of it. May be NULL. */
+  void (*settle)(const struct case_file *c, struct case_run *r);
+
   /* Adds to `problems` whatever this solver cannot do with a case that is valid as such
    * (tank not rectangular, resolution too coarse for the tank ...). May be NULL. */
   void (*check)(const struct case_file *c, const struct case_run *r, struct problems *problems);

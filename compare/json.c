@@ -167,6 +167,72 @@ static json_t *provenance(struct maker *m, const struct cmp_data *d) {
   return object;
 }
 
+/* Mean and largest of what is known of n standard errors, `stride` numbers apart. */
+static json_t *error_range(struct maker *m, size_t n, const double *error, size_t stride,
+                           double scale) {
+  json_t *object = json_object();
+  double most = NAN, sum = 0;
+  size_t known = 0;
+  for (size_t i = 0; i < n; i++) {
+    if (!isfinite(error[i * stride])) continue;
+    most = fmax(most, error[i * stride]);
+    sum += error[i * stride];
+    known++;
+  }
+  set(m, object, "mean", number(sum / (double)known / scale));
+  set(m, object, "largest", number(most / scale));
+  return object;
+}
+
+static json_t *event_errors(struct maker *m, const struct comparison *c,
+                            const struct result_file *f) {
+  json_t *array = json_array();
+  for (size_t k = 0; k < f->n_events; k++) {
+    const struct result_event_read *e = &f->events[k];
+    json_t *object = json_object();
+    set(m, object, "event", text(e->name));
+    set(m, object, "t_star", number(e->time / c->scales.T));
+    set(m, object, "t_star_error", number(e->error[0] / c->scales.T));
+    set(m, object, "at", point(m, (double[]){e->x / c->scales.H, e->y / c->scales.H}));
+    set(m, object, "at_error",
+        point(m, (double[]){e->error[1] / c->scales.H, e->error[2] / c->scales.H}));
+    add(m, array, object);
+  }
+  return array;
+}
+
+static json_t *surface_errors(struct maker *m, const struct comparison *c,
+                              const struct result_file *f) {
+  json_t *array = json_array();
+  for (size_t k = 0, from = 0; k < f->n_surfaces; from += f->surface[k++].points) {
+    json_t *object = error_range(m, f->surface[k].points, f->surface_error + from, 1, c->scales.H);
+    set(m, object, "t_star", number(f->surface_time[k] / c->scales.T));
+    add(m, array, object);
+  }
+  return array;
+}
+
+/* What a run says of its own error, by a coarser one. */
+static json_t *error_bars(struct maker *m, const struct comparison *c,
+                          const struct result_file *f) {
+  json_t *object = json_object(), *series = json_object();
+  set(m, object, "spacing_ratio", number(f->coarser.ratio));
+  set(m, object, "order", number(f->coarser.order));
+  set(m, object, "events", event_errors(m, c, f));
+  set(m, object, "surfaces", surface_errors(m, c, f));
+  set(m, object, "total_energy",
+      error_range(m, f->n_energy_errors, &f->energy_error->total,
+                  sizeof *f->energy_error / sizeof(double), c->scales.E));
+  for (size_t k = 0; k < f->n_probes; k++)
+    set(m, series, f->probes[k].name,
+        error_range(m, f->probes[k].n_errors, f->probes[k].error, 1, c->scales.p));
+  for (size_t k = 0; k < f->n_gauges; k++)
+    set(m, series, f->gauges[k].name,
+        error_range(m, f->gauges[k].n_errors, f->gauges[k].error, 1, c->scales.H));
+  set(m, object, "series", series);
+  return object;
+}
+
 /* Where the energy went, until each comparison time. */
 static json_t *budget(struct maker *m, const struct comparison *c, const struct cmp_data *d) {
   json_t *array = json_array();
@@ -290,6 +356,8 @@ static json_t *run_object(struct maker *m, const struct comparison *c, const str
     json_decref(evolution);
     json_decref(jets);
   }
+  if (run->data.file->coarser.ratio > 0)
+    set(m, object, "error_bars", error_bars(m, c, run->data.file));
   set(m, object, "energy_budget", budget(m, c, &run->data));
   set_value(m, object, "budget_closure", &run->closure);
   set_value(m, object, "budget_closure_before_impact", &run->closure_before);

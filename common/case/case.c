@@ -71,7 +71,8 @@ static enum status build(struct case_draft *d, const char *path, const char *tex
   case_check(d);
   bool solvable = d->good.scales && d->good.shapes && d->good.time && d->good.runs;
   for (size_t i = 0; solvable && i < c->n_runs; i++) {
-    const struct case_run *r = &c->runs[i];
+    struct case_run *r = &c->runs[i];
+    if (r->solver->settle) r->solver->settle(c, r);
     if (r->solver->check) r->solver->check(c, r, d->doc.problems);
   }
   if (d->doc.problems->n) return OK;

@@ -15,7 +15,7 @@ static const struct param run_rows[] = {
     TEXT(struct run_section, name, 64, "", "name of the run and its files; default: the solver's"),
     NODE(struct run_section, solver, NULL, "the name of a solver"),
     REAL(struct run_section, resolution, QTY_NUMBER, PARAM_ABOVE_0, 1e5, NULL,
-         "particles (SPH) or surface nodes (BEM) per H"),
+         "particles (SPH) or surface nodes (BEM) per H; bem may have accuracy instead"),
 };
 
 static const struct solver *find_solver(struct case_draft *d, int run, const char *path) {
@@ -82,6 +82,10 @@ static const struct param_preset *find_preset(struct case_draft *d, int run,
   return NULL;
 }
 
+/* The solver finds it. */
+static const struct param_preset without_resolution = {
+    .values = (const struct param_value[]){{"resolution", ""}, {NULL, NULL}}};
+
 static enum status read_run(struct case_draft *d, int node, size_t i, struct case_run *run) {
   char path[CASE_PATH];
   case_doc_item_path(&d->doc, "runs", node, i, path);
@@ -96,8 +100,9 @@ static enum status read_run(struct case_draft *d, int node, size_t i, struct cas
   struct run_section section = {0};
   if (solver) run->options = array_memory(NULL, 1, solver->options_size, "options of a run");
   if (solver && !run->options) return ERR_MEMORY;
+  const bool settled = solver && solver->settle && case_doc_member(&d->doc, node, "accuracy") != 0;
   struct case_block blocks[] = {
-      {run_rows, ROWS(run_rows), &section, NULL},
+      {run_rows, ROWS(run_rows), &section, settled ? &without_resolution : NULL},
       {solver ? solver->params : NULL, solver ? solver->n_params : 0, run->options,
        find_preset(d, node, solver)},
   };

@@ -78,6 +78,27 @@ enum status result_statistic(struct result *w, const char *name, double value, c
                              const char *help);
 enum status result_flush(struct result *w);
 
+/* ---- error bars ---- */
+
+/* A coarser run of the same case, in memory: of what a solver writes into it only what error bars
+ * need is kept, and nothing reaches the disk. */
+enum status result_create_coarser(const struct case_file *c, const struct case_run *r,
+                                  struct result **out);
+
+/* What the two runs are to each other: the ratio of their spacings, and the order in the spacing at
+ * which their errors are taken to fall. */
+struct result_coarser {
+  double ratio, order;
+};
+
+/* From now on what `w` gets is held against what `coarser` has of the same instant, event or
+ * surface, and its standard error is written as well: before anything else is, and `coarser` must
+ * outlive it. */
+enum status result_hold_against(struct result *w, const struct case_file *c,
+                                const struct result *coarser, const struct result_coarser *how);
+
+/* ---- what is known at the end ---- */
+
 /* The potential energy (J/m) of the solver's own water at rest, where that is not the
  * incompressible water of the case (case_rest_potential, which result_create writes). */
 enum status result_rest(struct result *w, double potential);
@@ -102,6 +123,8 @@ struct result_series {
   double x, y, size; /* of a probe or gauge, m */
   size_t n;
   double *t, *value; /* [n] */
+  size_t n_errors;   /* n, or 0: it has no error bars */
+  double *error;     /* standard errors of the values, NaN where not known, [n_errors] */
 };
 
 struct result_point_read {
@@ -114,6 +137,7 @@ struct result_point_read {
 struct result_event_read {
   char *name;
   double time, x, y;
+  double error[3]; /* standard errors of these, NaN where not known */
 };
 
 struct result_statistic_read {
@@ -141,9 +165,14 @@ struct result_file {
   size_t n_surfaces;
   double *surface_time;
   struct geo_lines *surface; /* [n_surfaces] */
+  size_t n_surface_errors;   /* of the points of all surfaces, in their order; 0: no error bars */
+  double *surface_error;     /* standard errors across the surface, m, [n_surface_errors] */
+  struct result_coarser coarser; /* than the run was the one that they come from; zeros: none */
 
   size_t n_energy;
-  struct result_energy *energy; /* [n_energy] */
+  struct result_energy *energy;       /* [n_energy] */
+  size_t n_energy_errors;             /* n_energy, or 0: there are no error bars */
+  struct result_energy *energy_error; /* standard errors, [n_energy_errors] */
   size_t n_terms;
   struct result_term_read *terms; /* [n_terms] */
   size_t n_steps;

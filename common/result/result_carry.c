@@ -38,6 +38,14 @@ static enum status carry_lines(struct carrier *c, void *element) {
   return OK;
 }
 
+/* Error bars of n numbers, or none. */
+static enum status carry_errors(struct carrier *c, size_t n, size_t *n_errors, double **error) {
+  TRY(carry_array(c, n_errors, error));
+  CHECK(*n_errors == 0 || *n_errors == n, ERR_INPUT, "%zu error bars are of %zu numbers", *n_errors,
+        n);
+  return OK;
+}
+
 static enum status carry_series(struct carrier *c, void *element) {
   struct result_series *s = element;
   TRY(carry_word(c, &s->name));
@@ -47,7 +55,8 @@ static enum status carry_series(struct carrier *c, void *element) {
   TRY(carry_bytes(c, &s->y, sizeof s->y));
   TRY(carry_bytes(c, &s->size, sizeof s->size));
   TRY(carry_array(c, &s->n, &s->t));
-  return carry_same(c, s->n, &s->value);
+  TRY(carry_same(c, s->n, &s->value));
+  return carry_errors(c, s->n, &s->n_errors, &s->error);
 }
 
 static enum status carry_point(struct carrier *c, void *element) {
@@ -65,7 +74,8 @@ static enum status carry_event(struct carrier *c, void *element) {
   TRY(carry_word(c, &e->name));
   TRY(carry_bytes(c, &e->time, sizeof e->time));
   TRY(carry_bytes(c, &e->x, sizeof e->x));
-  return carry_bytes(c, &e->y, sizeof e->y);
+  TRY(carry_bytes(c, &e->y, sizeof e->y));
+  return carry_bytes(c, e->error, sizeof e->error);
 }
 
 static enum status carry_experiment(struct carrier *c, void *element) {
@@ -109,6 +119,9 @@ static enum status carry_header(struct carrier *c, struct result_file *f) {
 
 static enum status carry_tables(struct carrier *c, struct result_file *f) {
   TRY(carry_array(c, &f->n_energy, &f->energy));
+  TRY(carry_array(c, &f->n_energy_errors, &f->energy_error));
+  CHECK(f->n_energy_errors == 0 || f->n_energy_errors == f->n_energy, ERR_INPUT,
+        "%zu error bars are of %zu energies", f->n_energy_errors, f->n_energy);
   TRY(carry_each(c, &f->n_terms, &f->terms, carry_term));
   CHECK(f->n_terms <= RESULT_TERMS, ERR_INPUT, "%s has %zu terms of energy", f->path, f->n_terms);
   TRY(carry_array(c, &f->n_steps, &f->steps));
@@ -127,6 +140,10 @@ enum status result_carry(struct carrier *c, void *file) {
   TRY(carry_lines(c, &f->walls));
   TRY(carry_each(c, &f->n_surfaces, &f->surface, carry_lines));
   TRY(carry_same(c, f->n_surfaces, &f->surface_time));
+  size_t points = 0;
+  for (size_t k = 0; k < f->n_surfaces; k++) points += f->surface[k].points;
+  TRY(carry_errors(c, points, &f->n_surface_errors, &f->surface_error));
+  TRY(carry_bytes(c, &f->coarser, sizeof f->coarser));
   TRY(carry_tables(c, f));
   TRY(carry_array(c, &f->n_outputs, &f->output_time));
   TRY(carry_same(c, f->n_outputs, &f->output_points));

@@ -101,6 +101,45 @@ static void say_budget(FILE *out, const struct result_file *f) {
       result_energy_budget(first) - result_energy_budget(last));
 }
 
+/* How large the known ones of n error bars, `stride` numbers apart, become, and their mean. */
+static double largest_error(size_t n, const double *error, size_t stride, double *mean) {
+  double most = NAN, sum = 0;
+  size_t known = 0;
+  for (size_t i = 0; i < n; i++) {
+    const double e = error[i * stride];
+    if (!isfinite(e)) continue;
+    most = fmax(most, e);
+    sum += e;
+    known++;
+  }
+  *mean = known ? sum / (double)known : NAN;
+  return most;
+}
+
+/* Standard errors, if the run was held against a coarser one. */
+static void say_errors(FILE *out, const struct result_file *f) {
+  double mean, most;
+  if (!(f->coarser.ratio > 0)) return;
+  say(out, "error bars", "from a run with spacings %.3g times as wide, for errors of order %.3g",
+      f->coarser.ratio, f->coarser.order);
+  if (f->n_surfaces) {
+    const size_t last = f->surface[f->n_surfaces - 1].points;
+    most = largest_error(last, f->surface_error + f->n_surface_errors - last, 1, &mean);
+    say(out, "", "last surface +-%.2g m (mean), +-%.2g m (at worst)", mean, most);
+  }
+  most = largest_error(f->n_energy_errors, &f->energy_error->total,
+                       sizeof *f->energy_error / sizeof(double), &mean);
+  say(out, "", "total energy +-%.2g J/m (mean), +-%.2g J/m (at worst)", mean, most);
+  for (size_t i = 0; i < f->n_probes; i++) {
+    most = largest_error(f->probes[i].n_errors, f->probes[i].error, 1, &mean);
+    say(out, "", "%s +-%.2g Pa (mean), +-%.2g Pa (at worst)", f->probes[i].name, mean, most);
+  }
+  for (size_t i = 0; i < f->n_gauges; i++) {
+    most = largest_error(f->gauges[i].n_errors, f->gauges[i].error, 1, &mean);
+    say(out, "", "%s +-%.2g m (mean), +-%.2g m (at worst)", f->gauges[i].name, mean, most);
+  }
+}
+
 static void say_series(FILE *out, const char *label, size_t n, const struct result_series *series) {
   char text[512] = "";
   size_t rows = 0;
@@ -127,6 +166,9 @@ static void say_events(FILE *out, const struct result_file *f, double scale) {
     const struct result_event_read *e = &f->events[i];
     say(out, i ? "" : "events", "%-12s t = %.6g s (t sqrt(g/H) = %.5g) at x = %.5g, y = %.5g m",
         e->name, e->time, e->time / scale, e->x, e->y);
+    if (isfinite(e->error[0]))
+      say(out, "", "%-12s +-%.2g s (%.2g sqrt(H/g)); x +-%.2g, y +-%.2g m", "", e->error[0],
+          e->error[0] / scale, e->error[1], e->error[2]);
   }
   if (f->n_events > SHOWN) say(out, "", "and %zu more", f->n_events - SHOWN);
 }
@@ -193,6 +235,7 @@ enum status result_info(const char *path, FILE *out) {
   say_series(out, "diagnostics", f->n_diagnostics, f->diagnostics);
   if (f->n_experiments) say(out, "experiments", "%zu series to compare with", f->n_experiments);
   say_events(out, f, scale);
+  say_errors(out, f);
   say_statistics(out, f);
   result_file_destroy(f);
   return OK;

@@ -181,6 +181,39 @@ done:
   return status;
 }
 
+static enum status read_energy_errors(hid_t file, struct result_file *f) {
+  struct result_column columns[RESULT_ENERGY_COLUMNS + RESULT_TERMS];
+  memcpy(columns, result_energy_columns, sizeof result_energy_columns);
+  for (size_t k = 0; k < f->n_terms; k++)
+    columns[RESULT_ENERGY_COLUMNS + k] = (struct result_column){.name = f->terms[k].name};
+  TRY(array_lend(&f->energy_error,
+                 read_table(file, "/errors/energy", RESULT_ENERGY_COLUMNS + f->n_terms, columns,
+                            sizeof *f->energy_error / sizeof(double), &f->n_energy_errors,
+                            &memory_)));
+  CHECK(f->n_energy_errors == f->n_energy, ERR_INPUT,
+        "its error bars of energy have %zu rows, its energies %zu", f->n_energy_errors,
+        f->n_energy);
+  return OK;
+}
+
+/* Only of a run that was held against a coarser one. */
+static enum status read_errors(hid_t file, struct result_file *f) {
+  size_t points = 0;
+  hid_t group = -1;
+  if (!hdf_has(file, "errors")) return OK;
+  TRY(hdf_open_group(file, "errors", &group));
+  enum status status = hdf_get_number(group, "ratio", &f->coarser.ratio);
+  if (status == OK) status = hdf_get_number(group, "order", &f->coarser.order);
+  H5Gclose(group);
+  TRY(status);
+  TRY(hdf_get_all(file, "errors/surface/distance", H5T_NATIVE_DOUBLE, 0, &f->n_surface_errors,
+                  &f->surface_error));
+  for (size_t k = 0; k < f->n_surfaces; k++) points += f->surface[k].points;
+  CHECK(f->n_surface_errors == points, ERR_INPUT,
+        "its error bars are of %zu points, its surfaces have %zu", f->n_surface_errors, points);
+  return read_energy_errors(file, f);
+}
+
 static enum status read_event(hid_t parent, const char *link, void *element) {
   struct result_event_read *e = element;
   hid_t group = -1;
@@ -190,6 +223,12 @@ static enum status read_event(hid_t parent, const char *link, void *element) {
   ATTEMPT(hdf_get_scalar(group, "time", H5T_NATIVE_DOUBLE, &e->time));
   ATTEMPT(hdf_get_scalar(group, "x", H5T_NATIVE_DOUBLE, &e->x));
   ATTEMPT(hdf_get_scalar(group, "y", H5T_NATIVE_DOUBLE, &e->y));
+  for (int k = 0; k < 3; k++) {
+    static const char *const names[3] = {"time_error", "x_error", "y_error"};
+    e->error[k] = NAN;
+    if (hdf_has(group, names[k]))
+      ATTEMPT(hdf_get_scalar(group, names[k], H5T_NATIVE_DOUBLE, &e->error[k]));
+  }
 done:
   if (group >= 0) H5Gclose(group);
   return status;
@@ -286,6 +325,7 @@ static enum status read_all(hid_t file, struct result_file *f) {
   TRY(array_lend(&f->steps,
                  read_table(file, "/series/run", RESULT_STEP_COLUMNS, result_step_columns,
                             RESULT_STEP_COLUMNS, &f->n_steps, &memory_)));
+  TRY(read_errors(file, f));
   TRY(result_read_series(file, f));
   TRY(array_lend(&f->events, result_read_members(file, "events", sizeof *f->events, read_event,
                                                  &f->n_events, &memory_)));
@@ -343,6 +383,8 @@ void result_file_destroy(struct result_file *f) {
   free(f->surface);
   free(f->surface_time);
   free(f->energy);
+  free(f->energy_error);
+  free(f->surface_error);
   for (size_t i = 0; i < f->n_terms; i++) {
     free(f->terms[i].name);
     free(f->terms[i].help);

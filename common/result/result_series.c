@@ -75,6 +75,44 @@ static enum status read_gauge(hid_t parent, const char *link, void *element) {
   return read_series(parent, link, "elevation", "m", element);
 }
 
+/* Standard errors of the rows of a probe or a gauge, where the file has them at `path`. */
+static enum status read_series_errors(hid_t file, const char *path, const char *value, size_t n,
+                                      struct result_series *s) {
+  hid_t group = -1, own = -1;
+  size_t n_links = 0, rows = 0;
+  char **links = NULL;
+  double *t = NULL;
+  enum status status = OK;
+  if (!hdf_has(file, path)) return OK;
+  ATTEMPT(hdf_open_group(file, path, &group));
+  ATTEMPT(hdf_list(group, &n_links, &links));
+  if (n_links != n) {
+    status = status_raise(ERR_INPUT, "its error bars in %s are of %zu series, not %zu", path,
+                          n_links, n);
+    goto done;
+  }
+  for (size_t i = 0; i < n; i++) {
+    ATTEMPT(hdf_open_group(group, links[i], &own));
+    ATTEMPT(result_read_columns(own, links[i], value, &rows, &t, &s[i].error));
+    s[i].n_errors = rows;
+    free(t);
+    t = NULL;
+    H5Gclose(own);
+    own = -1;
+    if (rows != s[i].n) {
+      status = status_raise(ERR_INPUT, "its error bars of %s have %zu rows, not %zu", links[i],
+                            rows, s[i].n);
+      goto done;
+    }
+  }
+done:
+  free(t);
+  hdf_list_destroy(n_links, links);
+  if (own >= 0) H5Gclose(own);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
 /* One column of a group that has a time for all. */
 static enum status read_diagnostic(hid_t group, const char *link, struct result_series *s) {
   s->x = s->y = s->size = NAN;
@@ -138,6 +176,8 @@ enum status result_read_series(hid_t file, struct result_file *f) {
                                                  read_probe, &f->n_probes, &memory_)));
   TRY(array_lend(&f->gauges, result_read_members(file, "series/gauges", sizeof *f->gauges,
                                                  read_gauge, &f->n_gauges, &memory_)));
+  TRY(read_series_errors(file, "errors/probes", "pressure", f->n_probes, f->probes));
+  TRY(read_series_errors(file, "errors/gauges", "elevation", f->n_gauges, f->gauges));
   if (hdf_has(file, "series/points")) /* of few runs, and of no older file */
     TRY(array_lend(&f->points, result_read_members(file, "series/points", sizeof *f->points,
                                                    read_point, &f->n_points, &memory_)));
@@ -151,6 +191,7 @@ static void series_destroy(size_t n, struct result_series *s) {
     free(s[i].help);
     free(s[i].t);
     free(s[i].value);
+    free(s[i].error);
   }
   free(s);
 }

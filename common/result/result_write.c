@@ -8,22 +8,16 @@
 #include "common/result/health.h"
 #include "common/result/result.h"
 #include "common/result/result_column.h"
+#include "common/result/result_errors.h"
 #include "common/result/result_hdf.h"
 #include "common/result/result_header.h"
 #include "common/result/result_layout.h"
 #include "common/result/result_store.h"
+#include "common/result/result_table.h"
 #include "common/result/result_vtkhdf.h"
 #include "common/result/result_xdmf.h"
 
-enum { SERIES_ROWS = 1024, SURFACE_ROWS = 4096 }; /* of a chunk */
-
-/* Columns of equal length. */
-struct series {
-  size_t n_columns;
-  struct hdf_column *column[RESULT_ENERGY_COLUMNS + RESULT_TERMS];
-};
-_Static_assert(RESULT_STEP_COLUMNS <= RESULT_ENERGY_COLUMNS + RESULT_TERMS,
-               "a series holds either");
+enum { SURFACE_ROWS = 4096 }; /* of a chunk */
 
 struct result {
   char *path;
@@ -34,87 +28,49 @@ struct result {
   struct {
     struct hdf_column *time, *first_piece, *first_point, *closed, *points;
   } surface;
-  struct series energy, steps, diagnostics;
+  struct result_table energy, steps, diagnostics;
   const struct solver *solver; /* borrowed */
   size_t n_probes, n_gauges;
-  struct series *probes, *gauges; /* [n_probes], [n_gauges], owned */
-  const struct case_point *point; /* the case's, borrowed */
-  struct series *points_at;       /* of each, owned; without columns until its first row */
-  struct health_watch watch;      /* over what is written */
-  struct vtkhdf *points;          /* from the first output on */
-  bool broken;                    /* a write into memory failed: what is there is not committed */
+  struct result_table *probes, *gauges; /* [n_probes], [n_gauges], owned */
+  const struct case_point *point;       /* the case's, borrowed */
+  struct result_table *points_at;       /* of each, owned; without columns until its first row */
+  struct health_watch watch;            /* over what is written */
+  struct vtkhdf *points;                /* from the first output on */
+  struct result_errors *errors;         /* where there is a coarser run */
+  struct result_twin *twin; /* of one that is itself the coarser: nothing else of it is */
+  bool broken;              /* a write into memory failed: what is there is not committed */
   bool finished;
 };
 
-/* ---- series ---- */
-
-static enum status series_create(struct result *w, hid_t group, size_t n,
-                                 const struct result_column *columns, struct series *s) {
-  const struct hdf_rows rows = {H5T_NATIVE_DOUBLE, 0, SERIES_ROWS};
-  for (s->n_columns = 0; s->n_columns < n; s->n_columns++) {
-    const struct result_column *c = &columns[s->n_columns];
-    TRY(hdf_column_create(w->columns, group, c->name, &rows, c->units, c->help,
-                          &s->column[s->n_columns]));
-  }
-  return OK;
-}
-
-static enum status series_add(struct series *s, const double *row) {
-  for (size_t k = 0; k < s->n_columns; k++) TRY(hdf_column_append(s->column[k], 1, &row[k]));
-  return OK;
-}
-
 /* ---- the empty datasets that the run fills ---- */
 
-/* A link's name cannot hold a slash; the attribute `name` is exact. */
-static enum status named_group(hid_t parent, const char *name, hid_t *group) {
-  char link[strlen(name) + 16];
-  strcpy(link, name);
-  for (char *p = link; *p; p++)
-    if (*p == '/') *p = '_';
-  size_t length = strlen(link);
-  for (int k = 2; H5Lexists(parent, link, H5P_DEFAULT) > 0 && k < 10000; k++)
-    sprintf(link + length, "_%d", k);
-  TRY(hdf_group_create(parent, link, group));
-  return hdf_set_string(*group, "name", name);
-}
-
 static enum status create_probe(struct result *w, hid_t parent, const struct case_probe *p,
-                                struct series *s) {
+                                struct result_table *s) {
   static const struct result_column columns[] = {{"time", "s", "physical time"},
                                                  {"pressure", "Pa", "gauge pressure on the wall"}};
   hid_t group = -1;
   enum status status = OK;
-  ATTEMPT(named_group(parent, p->name, &group));
+  ATTEMPT(result_group_create(parent, p->name, &group));
   ATTEMPT(hdf_set_number(group, "x", p->x));
   ATTEMPT(hdf_set_number(group, "y", p->y));
   ATTEMPT(hdf_set_number(group, "size", p->size));
-  ATTEMPT(series_create(w, group, 2, columns, s));
+  ATTEMPT(result_table_begin(w->columns, group, 2, columns, s));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
 }
 
 static enum status create_gauge(struct result *w, hid_t parent, const struct case_gauge *g,
-                                struct series *s) {
+                                struct result_table *s) {
   static const struct result_column columns[] = {
       {"time", "s", "physical time"}, {"elevation", "m", "y of the top of the water on the bed"}};
   hid_t group = -1;
   enum status status = OK;
-  ATTEMPT(named_group(parent, g->name, &group));
+  ATTEMPT(result_group_create(parent, g->name, &group));
   ATTEMPT(hdf_set_number(group, "x", g->x));
-  ATTEMPT(series_create(w, group, 2, columns, s));
+  ATTEMPT(result_table_begin(w->columns, group, 2, columns, s));
 done:
   if (group >= 0) H5Gclose(group);
-  return status;
-}
-
-static enum status create_columns(struct result *w, hid_t parent, const char *name, size_t n,
-                                  const struct result_column *columns, struct series *s) {
-  hid_t group = -1;
-  TRY(hdf_group_create(parent, name, &group));
-  enum status status = series_create(w, group, n, columns, s);
-  H5Gclose(group);
   return status;
 }
 
@@ -126,8 +82,8 @@ static enum status create_energy(struct result *w, hid_t parent, const struct so
   for (size_t k = 0; k < solver->n_terms; k++)
     columns[RESULT_ENERGY_COLUMNS + k] =
         (struct result_column){solver->terms[k].name, "J/m", solver->terms[k].help};
-  return create_columns(w, parent, "energy", RESULT_ENERGY_COLUMNS + solver->n_terms, columns,
-                        &w->energy);
+  return result_table_create(w->columns, parent, "energy", RESULT_ENERGY_COLUMNS + solver->n_terms,
+                             columns, &w->energy);
 }
 
 static enum status create_series(struct result *w, const struct case_file *c,
@@ -136,7 +92,8 @@ static enum status create_series(struct result *w, const struct case_file *c,
   enum status status = OK;
   ATTEMPT(hdf_group_create(w->file, "series", &series));
   ATTEMPT(create_energy(w, series, solver));
-  ATTEMPT(create_columns(w, series, "run", RESULT_STEP_COLUMNS, result_step_columns, &w->steps));
+  ATTEMPT(result_table_create(w->columns, series, "run", RESULT_STEP_COLUMNS, result_step_columns,
+                              &w->steps));
   ATTEMPT(hdf_group_create(series, "probes", &probes));
   for (size_t i = 0; i < w->n_probes; i++)
     ATTEMPT(create_probe(w, probes, &c->probes[i], &w->probes[i]));
@@ -152,9 +109,9 @@ done:
 
 static enum status create_surface(struct result *w) {
   static const size_t zero = 0;
-  const struct hdf_rows times = {H5T_NATIVE_DOUBLE, 0, SERIES_ROWS},
-                        counts = {H5T_NATIVE_HSIZE, 0, SERIES_ROWS},
-                        flags = {H5T_NATIVE_UCHAR, 0, SERIES_ROWS},
+  const struct hdf_rows times = {H5T_NATIVE_DOUBLE, 0, RESULT_ROWS},
+                        counts = {H5T_NATIVE_HSIZE, 0, RESULT_ROWS},
+                        flags = {H5T_NATIVE_UCHAR, 0, RESULT_ROWS},
                         points = {H5T_NATIVE_DOUBLE, 2, SURFACE_ROWS};
   hid_t group = -1;
   enum status status = OK;
@@ -235,6 +192,25 @@ static enum status guard(struct result *w, enum status status) {
   return status_context(status, "%s: ", w->path);
 }
 
+/* ---- error bars ---- */
+
+enum status result_create_coarser(const struct case_file *c, const struct case_run *r,
+                                  struct result **out) {
+  struct result *w = *out = calloc(1, sizeof *w);
+  CHECK(w, ERR_MEMORY, "no memory for a coarser run");
+  w->file = w->events = w->statistics = -1;
+  w->broken = true; /* nothing is ever committed */
+  return result_twin_create(c, r, &w->twin);
+}
+
+enum status result_hold_against(struct result *w, const struct case_file *c,
+                                const struct result *coarser, const struct result_coarser *how) {
+  return guard(
+      w, result_errors_create(w->file, w->columns, c, w->solver, coarser->twin, how, &w->errors));
+}
+
+/* ---- points, surfaces, rows ---- */
+
 static enum status append_points(struct result *w, double time, size_t n, const double *x,
                                  const double *y, enum result_cells cells, size_t n_fields,
                                  const struct result_field *fields) {
@@ -247,6 +223,7 @@ static enum status append_points(struct result *w, double time, size_t n, const 
 enum status result_points(struct result *w, double time, size_t n, const double *x, const double *y,
                           enum result_cells cells, size_t n_fields,
                           const struct result_field *fields) {
+  if (w->twin) return OK;
   return guard(w, append_points(w, time, n, x, y, cells, n_fields, fields));
 }
 
@@ -261,33 +238,45 @@ static enum status append_surface(struct result *w, double time, const struct ge
   }
   size_t end = n_pieces + surface->pieces;
   TRY(hdf_column_append(w->surface.first_piece, 1, &end));
-  return hdf_column_append(w->surface.time, 1, &time);
+  TRY(hdf_column_append(w->surface.time, 1, &time));
+  return w->errors ? result_errors_surface(w->errors, time, surface) : OK;
 }
 
 enum status result_surface(struct result *w, double time, const struct geo_lines *surface) {
+  if (w->twin) return result_twin_add_surface(w->twin, time, surface);
   return guard(w, append_surface(w, time, surface));
 }
 
 enum status result_energy(struct result *w, const struct result_energy *row) {
+  if (w->twin) return result_twin_add(&w->twin->energy, &row->time);
   health_watch_energy(&w->watch, row);
-  return guard(w, series_add(&w->energy, &row->time));
+  TRY(guard(w, result_table_add(&w->energy, &row->time)));
+  return w->errors ? guard(w, result_errors_energy(w->errors, &row->time)) : OK;
 }
 
 enum status result_step(struct result *w, const struct result_step *row) {
+  if (w->twin) return OK;
   health_watch_step(&w->watch, row);
-  return guard(w, series_add(&w->steps, &row->time));
+  return guard(w, result_table_add(&w->steps, &row->time));
 }
 
 enum status result_probe(struct result *w, size_t probe, double time, double pressure) {
-  return guard(w, series_add(&w->probes[probe], (double[]){time, pressure}));
+  const double row[2] = {time, pressure};
+  if (w->twin) return result_twin_add(&w->twin->probes[probe], row);
+  TRY(guard(w, result_table_add(&w->probes[probe], row)));
+  return w->errors ? guard(w, result_errors_probe(w->errors, probe, row)) : OK;
 }
 
 enum status result_gauge(struct result *w, size_t gauge, double time, double elevation) {
-  return guard(w, series_add(&w->gauges[gauge], (double[]){time, elevation}));
+  const double row[2] = {time, elevation};
+  if (w->twin) return result_twin_add(&w->twin->gauges[gauge], row);
+  TRY(guard(w, result_table_add(&w->gauges[gauge], row)));
+  return w->errors ? guard(w, result_errors_gauge(w->errors, gauge, row)) : OK;
 }
 
 /* Its datasets, when the first row comes. */
-static enum status create_point(struct result *w, const struct case_point *p, struct series *s) {
+static enum status create_point(struct result *w, const struct case_point *p,
+                                struct result_table *s) {
   hid_t series = -1, parent = -1, group = -1;
   enum status status = OK;
   ATTEMPT(hdf_open_group(w->file, "series", &series));
@@ -295,10 +284,10 @@ static enum status create_point(struct result *w, const struct case_point *p, st
     ATTEMPT(hdf_open_group(series, "points", &parent));
   else
     ATTEMPT(hdf_group_create(series, "points", &parent));
-  ATTEMPT(named_group(parent, p->name, &group));
+  ATTEMPT(result_group_create(parent, p->name, &group));
   ATTEMPT(hdf_set_number(group, "x", p->x));
   ATTEMPT(hdf_set_number(group, "y", p->y));
-  ATTEMPT(series_create(w, group, 1 + CASE_POINT_FIELDS, result_point_columns, s));
+  ATTEMPT(result_table_begin(w->columns, group, 1 + CASE_POINT_FIELDS, result_point_columns, s));
 done:
   if (group >= 0) H5Gclose(group);
   if (parent >= 0) H5Gclose(parent);
@@ -307,15 +296,16 @@ done:
 }
 
 static enum status add_point(struct result *w, size_t point, double time, const double *value) {
-  struct series *s = &w->points_at[point];
+  struct result_table *s = &w->points_at[point];
   double row[1 + CASE_POINT_FIELDS] = {time};
   if (!s->n_columns) TRY(create_point(w, &w->point[point], s));
   memcpy(row + 1, value, CASE_POINT_FIELDS * sizeof *value);
-  return series_add(s, row);
+  return result_table_add(s, row);
 }
 
 enum status result_point(struct result *w, size_t point, double time,
                          const double value[CASE_POINT_FIELDS]) {
+  if (w->twin) return OK;
   return guard(w, add_point(w, point, time, value));
 }
 
@@ -330,8 +320,8 @@ static enum status create_diagnostics(struct result *w) {
         solver->diagnostics[k].name, solver->diagnostics[k].units, solver->diagnostics[k].help};
   enum status status = hdf_open_group(w->file, "series", &group);
   if (status == OK)
-    status = create_columns(w, group, "diagnostics", 1 + solver->n_diagnostics, columns,
-                            &w->diagnostics);
+    status = result_table_create(w->columns, group, "diagnostics", 1 + solver->n_diagnostics,
+                                 columns, &w->diagnostics);
   if (group >= 0) H5Gclose(group);
   return status;
 }
@@ -340,42 +330,48 @@ static enum status add_diagnostics(struct result *w, double time, const double *
   double row[1 + RESULT_DIAGNOSTICS] = {time};
   if (!w->diagnostics.n_columns) TRY(create_diagnostics(w));
   memcpy(row + 1, values, w->solver->n_diagnostics * sizeof *values);
-  return series_add(&w->diagnostics, row);
+  return result_table_add(&w->diagnostics, row);
 }
 
 enum status result_diagnostics(struct result *w, double time, const double *values) {
+  if (w->twin) return OK;
   return guard(w, add_diagnostics(w, time, values));
 }
 
 static enum status add_event(struct result *w, const char *name, double time, double x, double y) {
   hid_t group = -1;
   enum status status = OK;
-  ATTEMPT(named_group(w->events, name, &group));
+  ATTEMPT(result_group_create(w->events, name, &group));
   ATTEMPT(hdf_put_scalar(group, "time", H5T_NATIVE_DOUBLE, &time, "s", "when it happened"));
   ATTEMPT(hdf_put_scalar(group, "x", H5T_NATIVE_DOUBLE, &x, "m", "where it happened"));
   ATTEMPT(hdf_put_scalar(group, "y", H5T_NATIVE_DOUBLE, &y, "m", "where it happened"));
+  if (w->errors) ATTEMPT(result_errors_event(w->errors, group, name, (const double[]){time, x, y}));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
 }
 
 enum status result_event(struct result *w, const char *name, double time, double x, double y) {
+  if (w->twin) return result_twin_add_event(w->twin, name, (double[]){time, x, y});
   return guard(w, add_event(w, name, time, x, y));
 }
 
 enum status result_statistic(struct result *w, const char *name, double value, const char *units,
                              const char *help) {
+  if (w->twin) return OK;
   health_watch_statistic(&w->watch, name, value);
   if (hdf_has(w->statistics, name)) H5Ldelete(w->statistics, name, H5P_DEFAULT);
   return guard(w, hdf_put_scalar(w->statistics, name, H5T_NATIVE_DOUBLE, &value, units, help));
 }
 
 enum status result_rest(struct result *w, double potential) {
+  if (w->twin) return OK;
   w->watch.rest = potential;
   return guard(w, hdf_set_number(w->file, "rest_potential", potential));
 }
 
 enum status result_ended(struct result *w, const char *why) {
+  if (w->twin) return OK;
   return guard(w, hdf_set_string(w->file, "ended", why));
 }
 
@@ -421,6 +417,7 @@ static enum status flush(struct result *w, bool last) {
 }
 
 enum status result_flush(struct result *w) {
+  if (w->twin) return OK;
   return flush(w, false);
 }
 
@@ -440,6 +437,8 @@ void result_destroy(struct result *w) {
     enum status status = flush(w, true);
     if (status != OK) (void)status_raise(status, "%s", message);
   }
+  result_errors_destroy(w->errors);
+  result_twin_destroy(w->twin);
   vtkhdf_destroy(w->points);
   xdmf_destroy(w->xdmf);
   hdf_columns_destroy(w->columns);

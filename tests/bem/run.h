@@ -56,5 +56,5 @@ static inline double run_statistic(const struct result_file *f, const char *name
 static inline struct result_event_read run_event(const struct result_file *f, const char *name) {
   for (size_t i = 0; i < f->n_events; i++)
     if (!strcmp(f->events[i].name, name)) return f->events[i];
-  return (struct result_event_read){NULL, NAN, NAN, NAN};
+  return (struct result_event_read){.time = NAN, .x = NAN, .y = NAN};
 }

@@ -106,7 +106,8 @@ static struct result_file *made_up(const char *name, const char *title, struct f
   r->terms[1] = (struct result_term_read){text("nothing"), text("a term that stays zero")};
   r->n_events = 1;
   r->events = calloc(1, sizeof *r->events);
-  r->events[0] = (struct result_event_read){text("wall_impact"), 3 * sqrt(H / g), 2 * H, 0};
+  r->events[0] =
+      (struct result_event_read){.name = text("wall_impact"), .time = 3 * sqrt(H / g), .x = 2 * H};
   return r;
 }
 
