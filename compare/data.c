@@ -220,17 +220,6 @@ static struct cmp_jet_place jet_place(const struct cmp_data *d, double depth,
   return (struct cmp_jet_place){&d->walls, *window, 1, CMP_JET_LEAST * depth, depth};
 }
 
-/* Whether the water is a body afloat without gravity: no energy of height, and no surface that ends
- * at a wall. Such a surface overhangs from the first on. */
-static bool floats(const struct result_file *f) {
-  for (size_t i = 0; i < f->n_energy; i++)
-    if (f->energy[i].potential != 0) return false;
-  const struct geo_lines *first = f->surface;
-  for (size_t k = 0; f->n_surfaces && k < first->pieces; k++)
-    if (!first->closed[k]) return false;
-  return f->n_energy && f->n_surfaces && first->pieces;
-}
-
 static enum status surfaces(const struct result_file *f, const struct cmp_scales *s, double depth,
                             const struct geo_box *window, struct cmp_data *d) {
   struct cmp_jet_place place = jet_place(d, depth, window);
@@ -297,7 +286,7 @@ static enum status experiments(const struct result_file *f, const struct cmp_sca
 
 enum status cmp_data_create(const struct result_file *f, const struct cmp_scales *s, double depth,
                             const struct geo_box *window, struct cmp_data *d) {
-  *d = (struct cmp_data){.file = f, .dx = f->spacing / s->H, .floats = floats(f)};
+  *d = (struct cmp_data){.file = f, .dx = f->spacing / s->H, .floats = f->floats};
   CHECK(f->spacing > 0, ERR_INPUT, "%s: its spacing is %g m; it must be positive", f->path,
         f->spacing);
   cmp_text_fit(f->run, d->label, sizeof d->label);

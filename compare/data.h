@@ -46,7 +46,7 @@ struct cmp_data {
   const struct result_file *file; /* borrowed */
   char label[96];                 /* unique among what is compared */
   double dx;
-  bool floats; /* the water is a body without gravity: there are no jets to look for */
+  bool floats; /* the water is a body without gravity, which overhangs from the first on: no jets */
 
   size_t n;                  /* outputs with a surface */
   double *t;                 /* [n] */

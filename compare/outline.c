@@ -1,6 +1,7 @@
 #include "compare/outline.h"
 
 #include <geos_c.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -310,10 +311,74 @@ enum status cmp_outline_hausdorff(const struct cmp_outline *a, const struct cmp_
   return densified_distance(a, a->all, b->all, GEOSHausdorffDistance_r, v);
 }
 
+/* A closed line that begins at its point k. */
+static GEOSGeometry *begun_at(GEOSContextHandle_t h, const GEOSGeometry *line, unsigned k) {
+  const GEOSCoordSequence *from = GEOSGeom_getCoordSeq_r(h, line);
+  unsigned n = 0;
+  if (!from || !GEOSCoordSeq_getSize_r(h, from, &n) || n < 2) return NULL;
+  GEOSCoordSequence *to = GEOSCoordSeq_create_r(h, n, 2);
+  for (unsigned i = 0; to && i < n; i++) {
+    double x = 0, y = 0;
+    GEOSCoordSeq_getXY_r(h, from, (k + i) % (n - 1), &x, &y);
+    GEOSCoordSeq_setXY_r(h, to, i, x, y);
+  }
+  return to ? GEOSGeom_createLineString_r(h, to) : NULL;
+}
+
+struct beginning {
+  double away; /* from the first point of the other line */
+  unsigned at;
+};
+
+static int nearer(const void *a, const void *b) {
+  const struct beginning *p = a, *q = b;
+  return p->away != q->away ? (p->away < q->away ? -1 : 1) : (p->at > q->at) - (p->at < q->at);
+}
+
+/* The points of a closed line, nearest first to where p begins. NULL: no memory, or no points. */
+static struct beginning *beginnings(GEOSContextHandle_t h, const GEOSGeometry *p,
+                                    const GEOSGeometry *q, unsigned *n) {
+  const GEOSCoordSequence *a = GEOSGeom_getCoordSeq_r(h, p);
+  const GEOSCoordSequence *b = GEOSGeom_getCoordSeq_r(h, q);
+  double at[2] = {0};
+  *n = 0;
+  if (!a || !b || !GEOSCoordSeq_getSize_r(h, b, n) || *n < 2) return NULL;
+  struct beginning *all = calloc(--*n, sizeof *all);
+  GEOSCoordSeq_getXY_r(h, a, 0, &at[0], &at[1]);
+  for (unsigned k = 0; all && k < *n; k++) {
+    double x = 0, y = 0;
+    GEOSCoordSeq_getXY_r(h, b, k, &x, &y);
+    all[k] = (struct beginning){hypot(x - at[0], y - at[1]), k};
+  }
+  if (all) qsort(all, *n, sizeof *all, nearer);
+  return all;
+}
+
+/* Of closed lines, which begin anywhere: the least over the points of q at which it may begin. The
+ * first points are then partners, so that none farther away than the least so far does better. */
+static int closed_frechet(GEOSContextHandle_t h, const GEOSGeometry *p, const GEOSGeometry *q,
+                          double *distance) {
+  unsigned n;
+  if (GEOSisClosed_r(h, p) != 1 || GEOSisClosed_r(h, q) != 1)
+    return GEOSFrechetDistance_r(h, p, q, distance);
+  struct beginning *from = beginnings(h, p, q, &n);
+  int fine = from != NULL;
+  *distance = INFINITY;
+  for (unsigned k = 0; fine && k < n && from[k].away < *distance; k++) {
+    GEOSGeometry *turned = begun_at(h, q, from[k].at);
+    double here = 0;
+    fine = turned && GEOSFrechetDistance_r(h, p, turned, &here);
+    if (turned) GEOSGeom_destroy_r(h, turned);
+    if (fine) *distance = fmin(*distance, here);
+  }
+  free(from);
+  return fine;
+}
+
 enum status cmp_outline_frechet(const struct cmp_outline *a, const struct cmp_outline *b,
                                 struct cmp_value *v) {
   if (either_empty(a, b, v)) return OK;
-  return densified_distance(a, a->longest, b->longest, GEOSFrechetDistance_r, v);
+  return densified_distance(a, a->longest, b->longest, closed_frechet, v);
 }
 
 enum status cmp_outline_area(const struct cmp_outline *a, const struct cmp_outline *b,

@@ -36,8 +36,8 @@ enum status cmp_outline_distance(const struct cmp_outline *a, const struct cmp_o
                                  struct cmp_value *largest);
 enum status cmp_outline_hausdorff(const struct cmp_outline *a, const struct cmp_outline *b,
                                   struct cmp_value *v);
-/* Discrete Frechet distance of the longest connected parts in the window, points every `spacing`.
- */
+/* Discrete Frechet distance of the longest connected parts in the window, points every `spacing`;
+ * closed ones may begin anywhere. */
 enum status cmp_outline_frechet(const struct cmp_outline *a, const struct cmp_outline *b,
                                 struct cmp_value *v);
 /* Area of water that is in one and not in the other, within the window. */

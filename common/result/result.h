@@ -158,6 +158,7 @@ struct result_file {
   char *ended;  /* why it ended before the end of its case, one sentence; "" when it did not */
   char *health; /* verdict when it ended: sound, doubtful or failed; "" before that, or older */
   bool complete;
+  bool floats;                   /* the water is a body without gravity */
   double H, g, density, spacing; /* m, m s^-2, kg m^-3, m */
   double rest_potential;         /* J/m */
   struct geo_lines walls;

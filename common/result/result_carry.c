@@ -109,9 +109,11 @@ static enum status carry_header(struct carrier *c, struct result_file *f) {
                    &f->revision, &f->case_text, &f->fingerprint, &f->water_fingerprint,
                    &f->created,  &f->ended,     &f->health};
   for (size_t i = 0; i < sizeof text / sizeof *text; i++) TRY(carry_word(c, text[i]));
-  size_t complete = f->complete;
+  size_t complete = f->complete, floats = f->floats;
   TRY(carry_number(c, &complete));
+  TRY(carry_number(c, &floats));
   f->complete = complete == 1;
+  f->floats = floats == 1;
   for (int i = 0; i < RESULT_SCALES; i++)
     TRY(carry_bytes(c, (char *)f + result_scales[i].offset, sizeof(double)));
   return OK;

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "common/flow/flow.h"
 #include "common/result/result_hdf.h"
 #include "common/result/result_layout.h"
 #include "revision.h"
@@ -28,6 +29,7 @@ static enum status write_attributes(hid_t file, const struct case_file *c,
     TRY(hdf_set_string(file, text[i][0], text[i][1]));
   TRY(hdf_set_integers(file, "format_version", 1, (int64_t[]){RESULT_FORMAT_VERSION}));
   TRY(hdf_set_integers(file, "complete", 1, (int64_t[]){0}));
+  TRY(hdf_set_integers(file, "floats", 1, (int64_t[]){flow_is_body(c->flow)}));
   struct result_file scales = {.H = c->H,
                                .g = c->g,
                                .density = c->density,

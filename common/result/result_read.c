@@ -276,7 +276,7 @@ static enum status read_health(hid_t file, char **verdict) {
 }
 
 static enum status read_header(hid_t file, struct result_file *f) {
-  int64_t complete = 0;
+  int64_t complete = 0, floats = 0;
   TRY(hdf_get_string(file, "solver", &f->solver));
   TRY(hdf_get_string(file, "run", &f->run));
   TRY(hdf_get_string(file, "title", &f->title));
@@ -290,6 +290,8 @@ static enum status read_header(hid_t file, struct result_file *f) {
   TRY(hdf_get_text(file, "case", &f->case_text));
   TRY(hdf_get_integer(file, "complete", &complete));
   f->complete = complete == 1;
+  if (H5Aexists(file, "floats") > 0) TRY(hdf_get_integer(file, "floats", &floats));
+  f->floats = floats == 1;
   for (int i = 0; i < RESULT_SCALES; i++) {
     double *value = (double *)((char *)f + result_scales[i].offset);
     TRY(hdf_get_number(file, result_scales[i].name, value));

@@ -63,6 +63,28 @@ static void test_identity_is_zero(void) {
   geo_lines_destroy(&a);
 }
 
+/* Two circles of one radius, d apart, one begun a third of a turn later: the translation is the
+ * best partner of every point, but for the half spacing by which sample points may miss each other.
+ */
+static void test_closed_lines_begin_anywhere(void) {
+  struct geo_lines tank = shape_tank(4, 4), a = {0}, b = {0};
+  const double r = 0.5, d = 0.02, spacing = 0.01;
+  EXPECT_OK(geo_lines_begin(&b, true));
+  for (int i = 0; i < 300; i++) {
+    const double turn = 2 * M_PI * (1. / 3 - i / 300.);
+    EXPECT_OK(geo_lines_add(&b, 2 + d + r * cos(turn), 2 + r * sin(turn)));
+  }
+  shape_circle(&a, 2, 2, r, 300, true);
+  struct answer m = measure(&a, &b, &tank, &everywhere, spacing, 0);
+  EXPECT(m.frechet.value >= m.hausdorff.value - 1e-12);
+  EXPECT(m.frechet.value > d - spacing && m.frechet.value < d + spacing);
+  struct answer n = measure(&b, &a, &tank, &everywhere, spacing, 0);
+  EXPECT_NEAR(n.frechet.value, m.frechet.value, spacing / 2);
+  geo_lines_destroy(&tank);
+  geo_lines_destroy(&a);
+  geo_lines_destroy(&b);
+}
+
 /* Concentric drops: distances are the difference of the radii, the area pi (R^2 - r^2). Chords of n
  * segments miss the circle by r (1 - cos(pi/n)). */
 static void test_concentric_drops(void) {
@@ -237,6 +259,7 @@ int main(void) {
   RUN(test_raised_level_is_its_own_distance);
   RUN(test_identity_is_zero);
   RUN(test_concentric_drops);
+  RUN(test_closed_lines_begin_anywhere);
   RUN(test_bump_is_found_and_located);
   RUN(test_spray_is_not_the_main_surface);
   RUN(test_measures_are_symmetric);

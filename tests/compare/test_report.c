@@ -305,17 +305,15 @@ static void test_sensor_of_a_run_alone_is_drawn(void) {
   result_file_destroy(b);
 }
 
-/* A drop without gravity, which grows: it overhangs from first to last, and nothing of it is a
- * breaker. */
+/* A drop without gravity, which grows, with the energies of any other water: it overhangs from
+ * first to last, and nothing of it is a breaker. */
 static struct result_file *drop(const char *name) {
   struct result_file *r = made_up(name, "a drop", (struct flaws){.until = end});
   for (size_t i = 0; i < r->n_surfaces; i++) {
     geo_lines_destroy(&r->surface[i]);
     shape_circle(&r->surface[i], H, 1.5 * H, (0.5 + 0.01 * (double)i) * H, 200, true);
   }
-  for (size_t i = 0; i < r->n_energy; i++)
-    r->energy[i] = (struct result_energy){.time = r->energy[i].time, .kinetic = 1};
-  r->rest_potential = 0;
+  r->floats = true;
   r->n_events = 0;
   return r;
 }
