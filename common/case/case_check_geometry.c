@@ -168,12 +168,13 @@ void case_flow_problem(struct case_draft *d, const char *key, const char *found,
                    path, found, allowed, todo);
 }
 
-/* In a tank that is not rectangular: waves that start at rest, which no bed makes wrong. */
+/* In a tank that is not rectangular: one body of water; whether the bed is one for the wave is its
+ * own check. */
 static bool check_wave_between_walls(struct case_draft *d) {
   const struct case_file *c = d->c;
   struct flow_water w;
   struct flow_edges edges;
-  if (c->flow->round || !c->flow->at_rest || c->walls.pieces != 1 || c->walls.closed[0]) {
+  if (c->flow->round || c->walls.pieces != 1 || c->walls.closed[0]) {
     case_flow_problem(d, NULL, "a wave in a tank that is not rectangular",
                       "one wall: down the left side, along a flat bed, up the right side",
                       "change tank.walls or give water.regions");

@@ -51,3 +51,32 @@ const char *flow_find_edges(const struct flow_water *w, struct flow_edges *e) {
   e->side[1] = j;
   return covered(w, e) ? NULL : "walls that come out of the water between its edges";
 }
+
+/* Of a wall, whose segment i is on the bed and level; what goes on level beside it belongs to it.
+ */
+static struct flow_flat flat_at(const struct geo_lines *walls, size_t k, size_t i, double near) {
+  size_t j = i + 1;
+  const double bed = walls->p[i][1];
+  while (i > walls->first[k] && fabs(walls->p[i - 1][1] - bed) <= near &&
+         walls->p[i - 1][0] < walls->p[i][0])
+    i--;
+  while (j + 1 < walls->first[k + 1] && fabs(walls->p[j + 1][1] - bed) <= near &&
+         walls->p[j + 1][0] > walls->p[j][0])
+    j++;
+  return (struct flow_flat){walls->p[i][0], walls->p[j][0], bed};
+}
+
+bool flow_find_flat(const struct case_file *c, double x, struct flow_flat *f) {
+  const struct geo_lines *walls = &c->walls;
+  const double near = case_near(c);
+  bool found = false;
+  for (size_t k = 0; k < walls->pieces; k++)
+    for (size_t i = walls->first[k]; i + 1 < walls->first[k + 1]; i++) {
+      const double *a = walls->p[i], *b = walls->p[i + 1];
+      const bool level = b[0] > a[0] && fabs(b[1] - a[1]) <= near;
+      if (!level || x < a[0] || x > b[0] || (found && a[1] >= f->bed)) continue;
+      *f = flat_at(walls, k, i, near);
+      found = true;
+    }
+  return found;
+}

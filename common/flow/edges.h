@@ -1,4 +1,5 @@
-/* Where the surface of waves meets the walls of any tank of one wall. */
+/* Where the surface of waves meets the walls of any tank of one wall, and where its bed is level.
+ */
 #pragma once
 #include "common/flow/flow.h"
 
@@ -9,3 +10,11 @@ struct flow_edges {
 
 /* At t = 0. The problem, if the water is not one body below one surface, else NULL. */
 const char *flow_find_edges(const struct flow_water *w, struct flow_edges *e);
+
+struct flow_flat {
+  double left, right, bed; /* m */
+};
+
+/* The level piece of the bed below x, of all the walls' points in a row at one height. False: there
+ * is none. */
+bool flow_find_flat(const struct case_file *c, double x, struct flow_flat *f);

@@ -77,9 +77,9 @@ struct flow {
   enum status (*create)(struct flow_water *w);
   void (*destroy)(struct flow_water *w);
 
-  /* Of waves, which fill a tank from wall to wall below a surface that is a function of x (a tank
-   * that is not rectangular only if they are at rest at t = 0), and of bodies `scale`, which needs
-   * nothing but form and box of the tank. Regions have neither: their outline is the case's. */
+  /* Of waves, which fill a tank from wall to wall below a surface that is a function of x, and of
+   * bodies `scale`, which needs nothing but form and walls. Regions have neither: their outline is
+   * the case's. */
   struct flow_scale (*scale)(const struct case_file *c);
   double (*elevation)(const struct flow_water *w, double x, double t); /* y, m */
 
@@ -129,7 +129,7 @@ struct flow {
   X(acoustic, "sound between surface and bed that runs to the right, round the same")              \
   X(pressed, "water at rest under a pressure that varies along the surface, round the same")       \
   X(still, "water at rest, in a tank of any one wall")                                             \
-  X(solitary, "the exact solitary wave, one crest that runs to a wall of a flat tank")
+  X(solitary, "the exact solitary wave, one crest over a flat bed that runs to a side")
 #define FLOWS_OF_BODIES(X)                                                                         \
   X(patch, "a square that turns like a rigid body: u = rate y, v = -rate x from its middle")       \
   X(drop,                                                                                          \

@@ -1,13 +1,16 @@
-/* The exact solitary wave (crest.h) in a flat tank between walls, to either side. */
+/* The exact solitary wave (crest.h) over a flat bed, to either side. Where the bed is not flat
+ * there is nothing of it but its tail. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "common/case/case.h"
 #include "common/flow/crest.h"
+#include "common/flow/edges.h"
 #include "common/flow/flow.h"
 
-#define TAIL 1e-3 /* elevation at a wall, at most, over the amplitude: what of it is cut off */
+#define TAIL 1e-3 /* elevation at the flat bed's ends, at most, over the amplitude: what is wrong  \
+                   */
 
 struct form {
   double amplitude, depth, x; /* m */
@@ -85,17 +88,26 @@ static struct flow_scale scale(const struct case_file *c) {
 
 static void check_place(const struct case_file *c, struct case_draft *d) {
   const struct form *f = c->form;
-  const double near = fmin(f->x - c->tank.min[0], c->tank.max[0] - f->x);
+  const char *end = c->rectangular ? "a wall" : "the end of the flat bed below it";
+  struct flow_flat flat;
   struct crest w;
   char found[96], allowed[128];
+  const bool over = flow_find_flat(c, f->x, &flat);
+  const double near = over ? fmin(f->x - flat.left, flat.right - f->x) : 0;
   if (wave_crest_create(steepness(f), &w) == OK &&
       !(near > 0 && wave_crest_elevation(&w, near / f->depth) <= TAIL * w.amplitude)) {
     double need = near > 0 ? near : 0;
     while (wave_crest_elevation(&w, need / f->depth) > TAIL * w.amplitude) need += 0.01 * f->depth;
-    snprintf(found, sizeof found, "a crest %.6g m from a wall", near);
+    if (over)
+      snprintf(found, sizeof found, "a crest %.6g m from %s", near, end);
+    else
+      snprintf(found, sizeof found, "a crest above no flat bed");
     snprintf(allowed, sizeof allowed,
-             "%.4g m and more, where its tail is a thousandth of its height", need);
-    case_flow_problem(d, "x", found, allowed, "move it, or make the tank longer");
+             "%.4g m and more%s, where its tail is a thousandth of its height", need,
+             over ? "" : " of it to both sides");
+    case_flow_problem(d, "x", found, allowed,
+                      c->rectangular ? "move it, or make the tank longer"
+                                     : "move it, or make the flat bed longer");
   }
   wave_crest_destroy(&w);
 }
@@ -112,22 +124,33 @@ static void check(const struct case_file *c, struct case_draft *d) {
              CREST_HIGHEST * f->depth);
     case_flow_problem(d, "amplitude", found, allowed,
                       "higher ones are too near the greatest speed, at 0.796, for the method");
-  } else if (c->rectangular) {
+  } else {
     check_place(c, d);
   }
 }
 
 /* ---- the wave, at any time ---- */
 
+struct wave {
+  struct crest crest;
+  double bed, speed; /* m, m/s */
+};
+
 static enum status create(struct flow_water *w) {
-  struct crest *crest = w->own = calloc(1, sizeof *crest);
-  CHECK(crest, ERR_MEMORY, "no memory for a solitary wave");
-  return wave_crest_create(steepness_of_known(w->c->form), crest);
+  const struct form *f = w->c->form;
+  struct flow_flat flat;
+  struct wave *wave = w->own = calloc(1, sizeof *wave);
+  CHECK(wave, ERR_MEMORY, "no memory for a solitary wave");
+  TRY(wave_crest_create(steepness_of_known(f), &wave->crest));
+  wave->bed = flow_find_flat(w->c, f->x, &flat) ? flat.bed : w->c->tank.min[1];
+  wave->speed = wave->crest.froude * sqrt(w->c->gravity * f->depth);
+  return OK;
 }
 
 static void destroy(struct flow_water *w) {
-  if (w->own) wave_crest_destroy(w->own);
-  free(w->own);
+  struct wave *wave = w->own;
+  if (wave) wave_crest_destroy(&wave->crest);
+  free(wave);
 }
 
 static double sense(const struct flow_water *w) {
@@ -135,31 +158,30 @@ static double sense(const struct flow_water *w) {
   return f->direction == 0 ? 1 : -1;
 }
 
-static double speed(const struct flow_water *w) {
-  const struct form *f = w->c->form;
-  const struct crest *crest = w->own;
-  return crest->froude * sqrt(w->c->gravity * f->depth);
-}
-
 /* Of x before the crest, in depths. */
 static double ahead(const struct flow_water *w, double x, double t) {
   const struct form *f = w->c->form;
-  return (sense(w) * (x - f->x) - speed(w) * t) / f->depth;
+  const struct wave *wave = w->own;
+  return (sense(w) * (x - f->x) - wave->speed * t) / f->depth;
 }
 
 /* Of y above the level at rest, in depths. */
 static double above(const struct flow_water *w, double y) {
   const struct form *f = w->c->form;
-  return (y - w->c->tank.min[1]) / f->depth - 1;
+  const struct wave *wave = w->own;
+  return (y - wave->bed) / f->depth - 1;
 }
 
 static double elevation(const struct flow_water *w, double x, double t) {
   const struct form *f = w->c->form;
-  return w->c->tank.min[1] + f->depth * (1 + wave_crest_elevation(w->own, ahead(w, x, t)));
+  const struct wave *wave = w->own;
+  return wave->bed + f->depth * (1 + wave_crest_elevation(&wave->crest, ahead(w, x, t)));
 }
 
+/* In a trench below the flat bed what there is on its level. */
 static struct crest_point at(const struct flow_water *w, double x, double y, double t) {
-  return wave_crest_at(w->own, ahead(w, x, t), above(w, y));
+  const struct wave *wave = w->own;
+  return wave_crest_at(&wave->crest, ahead(w, x, t), fmax(above(w, y), -1));
 }
 
 static double potential(const struct flow_water *w, double x, double y, double t) {
@@ -178,9 +200,9 @@ static void velocity(const struct flow_water *w, double x, double y, double t, d
 /* Over rho g, by Bernoulli's equation: of the flow that is steady beside the crest. */
 static double push(const struct flow_water *w, double x, double y, double t) {
   const struct form *f = w->c->form;
-  const struct crest *crest = w->own;
+  const struct wave *wave = w->own;
   const struct crest_point p = at(w, x, y, t);
-  return f->depth * (crest->froude * p.u - (p.u * p.u + p.v * p.v) / 2 - above(w, y));
+  return f->depth * (wave->crest.froude * p.u - (p.u * p.u + p.v * p.v) / 2 - above(w, y));
 }
 
 static double pressure(const struct flow_water *w, double x, double y, double t) {
@@ -197,30 +219,31 @@ static enum status head(const struct flow_water *w, const struct flow_point *p, 
 static double kinetic(const struct flow_water *w, double t) {
   (void)t;
   const struct form *f = w->c->form;
-  const struct crest *crest = w->own;
-  return w->c->gravity * pow(f->depth, 3) * crest->kinetic;
+  const struct wave *wave = w->own;
+  return w->c->gravity * pow(f->depth, 3) * wave->crest.kinetic;
 }
 
 static double potential_energy(const struct flow_water *w, double t) {
   (void)t;
   const struct form *f = w->c->form;
-  const struct crest *crest = w->own;
+  const struct wave *wave = w->own;
   const double bed = w->c->tank.min[1], top = bed + f->depth;
   const double width = w->c->tank.max[0] - w->c->tank.min[0];
   return w->c->gravity *
-         (width * (top * top - bed * bed) / 2 + top * f->depth * f->depth * crest->mass +
-          pow(f->depth, 3) * crest->potential);
+         (width * (top * top - bed * bed) / 2 + top * f->depth * f->depth * wave->crest.mass +
+          pow(f->depth, 3) * wave->crest.potential);
 }
 
 /* The highest that it has stood at a wall, over its height. */
 static double error(const struct flow_water *w, double end) {
   const struct form *f = w->c->form;
+  const struct wave *wave = w->own;
   double worst = 0;
   for (int side = 0; side < 2; side++) {
     const double wall = side ? w->c->tank.max[0] : w->c->tank.min[0];
     const double first = ahead(w, wall, 0), last = ahead(w, wall, end);
     const double nearest = first * last < 0 ? 0 : fmin(fabs(first), fabs(last));
-    worst = fmax(worst, wave_crest_elevation(w->own, nearest) / steepness(f));
+    worst = fmax(worst, wave_crest_elevation(&wave->crest, nearest) / steepness(f));
   }
   return worst;
 }

@@ -203,6 +203,55 @@ static void test_theory_starts_from_the_flow_and_knows_its_error(void) {
   for_each(&flow_waves, expect_theory);
 }
 
+/* ---- over beds that are not flat ---- */
+
+static struct case_file *parsed(const char *walls, const char *water) {
+  struct problems problems = {0};
+  struct case_file *c = NULL;
+  char text[1000];
+  snprintf(text, sizeof text,
+           "tank: {walls: [%s]}\nwater: {%s}\ntime: {end: 1}\nruns: [{solver: sph, resolution: "
+           "20}]\n",
+           walls, water);
+  if (case_parse("parsed", text, &fake_registry, &problems, &c) != OK)
+    TEST_FAIL("%s", problems.n ? problems.text[0] : status_message());
+  problems_destroy(&problems);
+  return c;
+}
+
+/* Over a shelf between a trench and a beach the wave is that of a flat tank of the shelf's level,
+ * and its water ends at the beach; in the trench it has no more than on the shelf's bed. */
+static void test_solitary_wave_starts_over_a_flat_piece_of_bed(void) {
+  const char *water = "wave: {kind: solitary, amplitude: 0.4, depth: 1, x: 16}";
+  struct case_file *shelf =
+      parsed("[[0, 4], [0, 0], [5, 0], [6, 0.5], [12, 0.5], [26, 0.5], [46, 2.5]]", water);
+  struct case_file *flat = parsed("[[0, 4], [0, 0.5], [40, 0.5], [40, 4]]", water);
+  if (!shelf || !flat) return;
+  struct flow_water a = opened(shelf, 0), b = opened(flat, 0);
+  for (double x = 1; x < 36; x += 0.913)
+    for (double y = 0.5; y < 2; y += 0.31) {
+      double u[2], v[2], p, q;
+      const struct flow_point at = {x, y, y};
+      EXPECT_NEAR(flow_elevation(&a, x, 0), flow_elevation(&b, x, 0), 1e-14);
+      EXPECT_NEAR(flow_potential(&a, x, y, 0), flow_potential(&b, x, y, 0), 1e-13);
+      flow_velocity(&a, x, y, 0, u);
+      flow_velocity(&b, x, y, 0, v);
+      for (int k = 0; k < 2; k++) EXPECT_NEAR(u[k], v[k], 1e-13);
+      EXPECT_OK(flow_head(&a, &at, &p));
+      EXPECT_OK(flow_head(&b, &at, &q));
+      EXPECT_NEAR(p, q, 1e-13);
+    }
+  double deep[2], bed[2];
+  flow_velocity(&a, 3, 0.1, 0, deep);
+  flow_velocity(&a, 3, 0.5, 0, bed);
+  EXPECT_NEAR(deep[0], bed[0], 0);
+  EXPECT_NEAR(geo_lines_box(&shelf->water).max[0], 36, 1e-6);
+  flow_close(&a);
+  flow_close(&b);
+  case_destroy(shelf);
+  case_destroy(flat);
+}
+
 /* ---- bodies ---- */
 
 /* A polygon of the body's own area, all of whose water theory has at pressure, and whose rim it has
@@ -276,6 +325,7 @@ int main(void) {
   RUN(test_pressure_ends_at_the_surface);
   RUN(test_particles_start_where_the_wave_has_moved_them);
   RUN(test_theory_starts_from_the_flow_and_knows_its_error);
+  RUN(test_solitary_wave_starts_over_a_flat_piece_of_bed);
   RUN(test_outline_of_a_body_is_its_rim);
   RUN(test_theory_of_a_body_obeys_euler);
   RUN(test_theory_of_a_body_keeps_its_energy);
