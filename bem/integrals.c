@@ -19,7 +19,7 @@ struct equation {
  * for the mirror image. */
 static void correct(const struct bem_panels *p, size_t j, double complex tau, size_t node,
                     double sign, struct equation *e) {
-  size_t first = bem_stencil_first(p->n, j, BEM_STENCIL);
+  size_t first = (size_t)bem_stencil_first(p, j, BEM_STENCIL);
   double complex moment[BEM_STENCIL];
   int regular = node >= first && node < first + BEM_STENCIL;
   moments((tau - p->middle[j]) / p->half[j], regular, moment);
@@ -30,6 +30,26 @@ static void correct(const struct bem_panels *p, size_t j, double complex tau, si
     for (int q = 0; q < BEM_STENCIL; q++) c += p->basis[j][m][q] * moment[q];
     c -= p->weight[j][m] / (p->zeta[k] - tau);
     e->a[k] += sign * cimag(c);
+    e->b[k] += sign * creal(c);
+    e->diagonal_a += cimag(c);
+    e->diagonal_b += sign * creal(c);
+  }
+}
+
+/* Adds the integral over a panel whose stencil is mirrored, which the loop over all nodes has left
+ * out. */
+static void add_mirrored(const struct bem_panels *p, size_t j, double complex tau, size_t node,
+                         double sign, struct equation *e) {
+  const ptrdiff_t first = bem_stencil_first(p, j, BEM_STENCIL), at = (ptrdiff_t)node;
+  double complex moment[BEM_STENCIL];
+  moments((tau - p->middle[j]) / p->half[j], at >= first && at < first + BEM_STENCIL, moment);
+  for (int m = 0; m < BEM_STENCIL; m++) {
+    int image;
+    const size_t k = bem_stencil_node(p, first + m, &image);
+    if (k == node && !image) continue;
+    double complex c = 0;
+    for (int q = 0; q < BEM_STENCIL; q++) c += p->basis[j][m][q] * moment[q];
+    e->a[k] += image ? -sign * cimag(c) : sign * cimag(c);
     e->b[k] += sign * creal(c);
     e->diagonal_a += cimag(c);
     e->diagonal_b += sign * creal(c);
@@ -67,7 +87,12 @@ void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *
   }
   struct equation e = {a, b, diagonal_a, diagonal_b};
   for (size_t j = 0; j + 1 < n; j++) {
-    size_t first = bem_stencil_first(n, j, BEM_STENCIL);
+    if (bem_panel_is_mirrored(p, j)) {
+      add_mirrored(p, j, p->zeta[k], k, 1, &e);
+      add_mirrored(p, j, conj(p->zeta[k]), n + BEM_STENCIL, -1, &e);
+      continue;
+    }
+    size_t first = (size_t)bem_stencil_first(p, j, BEM_STENCIL);
     if (panel_is_near(p, j, x, y) || (k >= first && k < first + BEM_STENCIL))
       correct(p, j, p->zeta[k], k, 1, &e);
     if (panel_is_near(p, j, x, -y)) correct(p, j, conj(p->zeta[k]), n, -1, &e);
@@ -84,12 +109,13 @@ struct contour {
 /* Adds those of panel j. */
 static void add_panel(const struct bem_panels *p, size_t j, const double *f, const double *h,
                       double complex tau, struct contour *sum) {
-  size_t first = bem_stencil_first(p->n, j, BEM_STENCIL);
+  const ptrdiff_t first = bem_stencil_first(p, j, BEM_STENCIL);
   double complex moment[BEM_STENCIL], c[BEM_STENCIL] = {0};
   moments((tau - p->middle[j]) / p->half[j], 0, moment);
-  for (size_t m = 0; m < BEM_STENCIL; m++)
-    for (int q = 0; q < BEM_STENCIL; q++)
-      c[q] += p->basis[j][m][q] * CMPLX(f[first + m], h[first + m]);
+  for (int m = 0; m < BEM_STENCIL; m++) {
+    const double complex value = bem_stencil_value(p, first + m, f, h);
+    for (int q = 0; q < BEM_STENCIL; q++) c[q] += p->basis[j][m][q] * value;
+  }
   for (int q = 0; q < BEM_STENCIL; q++) sum->value += c[q] * moment[q];
   for (int q = 1; q < BEM_STENCIL; q++) sum->slope += q * c[q] * moment[q - 1] / p->half[j];
   sum->winding += moment[0];

@@ -85,6 +85,37 @@ static void derivative(const double complex t[BEM_DERIVATIVE], size_t at,
   }
 }
 
+/* Places of the nodes of a stencil. */
+static void gather(const struct bem_panels *p, ptrdiff_t first, size_t count, double complex *t) {
+  for (size_t m = 0; m < count; m++) {
+    int image;
+    const double complex zeta = p->zeta[bem_stencil_node(p, first + (ptrdiff_t)m, &image)];
+    t[m] = image ? conj(zeta) : zeta;
+  }
+}
+
+static void set_slope(struct bem_panels *p, size_t k) {
+  const ptrdiff_t first = bem_stencil_first(p, k, BEM_DERIVATIVE);
+  double complex t[BEM_DERIVATIVE];
+  gather(p, first, BEM_DERIVATIVE, t);
+  derivative(t, (size_t)((ptrdiff_t)k - first), p->slope[k]);
+}
+
+static void set_panel(struct bem_panels *p, size_t j) {
+  double complex s[BEM_STENCIL];
+  p->middle[j] = 0.5 * (p->zeta[j] + p->zeta[j + 1]);
+  p->half[j] = 0.5 * (p->zeta[j + 1] - p->zeta[j]);
+  const double complex inverse = 1 / p->half[j];
+  gather(p, bem_stencil_first(p, j, BEM_STENCIL), BEM_STENCIL, s);
+  for (size_t m = 0; m < BEM_STENCIL; m++) s[m] = (s[m] - p->middle[j]) * inverse;
+  lagrange(s, p->basis[j]);
+  for (int m = 0; m < BEM_STENCIL; m++) { /* odd powers integrate to zero over -1..1 */
+    double complex sum = 0;
+    for (int q = 0; q < BEM_STENCIL; q += 2) sum += p->basis[j][m][q] * (2.0 / (q + 1));
+    p->weight[j][m] = sum * p->half[j];
+  }
+}
+
 /* What follows from the nodes in the mapped plane. */
 static void interpolate(struct bem_panels *p) {
   const size_t n = p->n;
@@ -92,24 +123,13 @@ static void interpolate(struct bem_panels *p) {
   for (size_t j = 0; j < n; j++) {
     p->re[j] = creal(p->zeta[j]);
     p->im[j] = cimag(p->zeta[j]);
-    size_t first = bem_stencil_first(n, j, BEM_DERIVATIVE);
-    derivative(p->zeta + first, j - first, p->slope[j]);
-    if (j + 1 == n) continue;
-    p->middle[j] = 0.5 * (p->zeta[j] + p->zeta[j + 1]);
-    p->half[j] = 0.5 * (p->zeta[j + 1] - p->zeta[j]);
-    first = bem_stencil_first(n, j, BEM_STENCIL);
-    double complex s[BEM_STENCIL], inverse = 1 / p->half[j];
-    for (size_t m = 0; m < BEM_STENCIL; m++) s[m] = (p->zeta[first + m] - p->middle[j]) * inverse;
-    lagrange(s, p->basis[j]);
-    for (int m = 0; m < BEM_STENCIL; m++) { /* odd powers integrate to zero over -1..1 */
-      double complex sum = 0;
-      for (int q = 0; q < BEM_STENCIL; q += 2) sum += p->basis[j][m][q] * (2.0 / (q + 1));
-      p->weight[j][m] = sum * p->half[j];
-    }
+    set_slope(p, j);
+    if (j + 1 < n) set_panel(p, j);
   }
   for (size_t k = 0; k < n; k++) p->weight_re[k] = p->weight_im[k] = 0;
   for (size_t j = 0; j + 1 < n; j++) {
-    size_t first = bem_stencil_first(n, j, BEM_STENCIL);
+    if (bem_panel_is_mirrored(p, j)) continue; /* always integrated exactly */
+    const size_t first = (size_t)bem_stencil_first(p, j, BEM_STENCIL);
     for (size_t m = 0; m < BEM_STENCIL; m++) {
       p->weight_re[first + m] += creal(p->weight[j][m]);
       p->weight_im[first + m] += cimag(p->weight[j][m]);
@@ -121,6 +141,7 @@ void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const doubl
                     double length) {
   p->n = n;
   p->length = length;
+  p->mirrored = 0;
 #pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
   for (size_t k = 0; k < n; k++) {
     double complex z = CMPLX(x[k], y[k]);
@@ -158,6 +179,7 @@ static enum status look_up(struct bem_panels *p, size_t k, double complex z,
 enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x, const double *y,
                                  const struct bem_conformal *walls, size_t side) {
   p->n = n;
+  p->mirrored = 1;
   TRY(reserve_charts(p, n));
   for (size_t k = 0; k < n; k++) TRY(look_up(p, k, CMPLX(x[k], y[k]), walls, side));
   p->zeta[0] = creal(p->zeta[0]); /* walls are on the real axis */
@@ -169,10 +191,10 @@ enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x
 void bem_panels_velocity(const struct bem_panels *p, const double *phi, const double *psi,
                          double complex *w) {
   for (size_t k = 0; k < p->n; k++) {
-    size_t first = bem_stencil_first(p->n, k, BEM_DERIVATIVE);
+    const ptrdiff_t first = bem_stencil_first(p, k, BEM_DERIVATIVE);
     double complex sum = 0;
-    for (size_t m = 0; m < BEM_DERIVATIVE; m++)
-      sum += p->slope[k][m] * CMPLX(phi[first + m], psi[first + m]);
+    for (int m = 0; m < BEM_DERIVATIVE; m++)
+      sum += p->slope[k][m] * bem_stencil_value(p, first + m, phi, psi);
     w[k] = sum * p->dzeta[k];
   }
 }

@@ -7,7 +7,9 @@
  * map of their own, onto the upper half plane (conformal.h), where all of this holds as well.
  *
  * On the panel between nodes j and j+1 beta is the complex polynomial in zeta through BEM_STENCIL
- * neighbouring nodes (Vinje & Brevig 1981 use two; with four the velocity is of fourth order). */
+ * neighbouring nodes (Vinje & Brevig 1981 use two; with four the velocity is of fourth order). At
+ * the edges of the water, where beta continues into the mirror image, the nodes' images complete
+ * the stencils in tanks that are not rectangular, so that these stay centred and know the wall. */
 #pragma once
 #include <complex.h>
 #include <stddef.h>
@@ -25,6 +27,7 @@ enum {
 struct bem_panels {
   size_t n, room;         /* nodes in use and allocated; panels are one fewer */
   double length;          /* L of the map, H */
+  int mirrored;           /* whether stencils at the edges reach on into the mirror image */
   double complex *zeta;   /* nodes in the mapped plane, [n], owned; so are all arrays below */
   double complex *dzeta;  /* d zeta / d z at the nodes, 1/H, [n] */
   double *re, *im;        /* zeta once more, for vector loops, [n] */
@@ -59,9 +62,31 @@ enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x
 void bem_panels_velocity(const struct bem_panels *p, const double *phi, const double *psi,
                          double complex *w);
 
-/* First of `count` neighbouring nodes around the middle of panel j (of node k for odd counts). */
-static inline size_t bem_stencil_first(size_t n, size_t at, size_t count) {
-  size_t left = (count - 1) / 2;
-  size_t first = at > left ? at - left : 0;
-  return first + count > n ? n - count : first;
+/* First of `count` neighbouring nodes around the middle of panel j (of node k for odd counts);
+ * beyond the edges, where stencils are mirrored, they are the mirror images of nodes. */
+static inline ptrdiff_t bem_stencil_first(const struct bem_panels *p, size_t at, size_t count) {
+  const ptrdiff_t first = (ptrdiff_t)at - ((ptrdiff_t)count - 1) / 2;
+  const ptrdiff_t most = (ptrdiff_t)(p->n - count);
+  if (p->mirrored || (first >= 0 && first <= most)) return first;
+  return first < 0 ? 0 : most;
+}
+
+/* The node at this place of a stencil, and whether it is its mirror image that stands there. */
+static inline size_t bem_stencil_node(const struct bem_panels *p, ptrdiff_t at, int *image) {
+  const ptrdiff_t last = (ptrdiff_t)p->n - 1;
+  *image = at < 0 || at > last;
+  return (size_t)(at < 0 ? -at : at > last ? 2 * last - at : at);
+}
+
+/* What an analytic function of these real and imaginary parts at the nodes is at such a place. */
+static inline double complex bem_stencil_value(const struct bem_panels *p, ptrdiff_t at,
+                                               const double *f, const double *h) {
+  int image;
+  const size_t k = bem_stencil_node(p, at, &image);
+  return CMPLX(f[k], image ? -h[k] : h[k]);
+}
+
+/* Whether nodes of panel j's stencil are mirror images. */
+static inline int bem_panel_is_mirrored(const struct bem_panels *p, size_t j) {
+  return p->mirrored && (j == 0 || j + 2 == p->n);
 }

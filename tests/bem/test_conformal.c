@@ -99,8 +99,9 @@ static void test_map_of_a_wedge_of_90_degrees_is_a_square(void) {
 
 /* ---- harmonic functions ----
  *
- * Cubic panels and a five-node stencil: fourth order inside. At an edge of the water the stencils
- * are one-sided and of third order, with errors that are smaller. */
+ * Cubic panels and a five-node stencil: fourth order, at the edges of the water too, where mirror
+ * images complete the stencils. There stencils of fourth order on one side gave 5e-7 to 5e-6 with
+ * 201 nodes, and third order. */
 
 /* Poles above the surface and their mirror images: real on the walls. */
 static double complex poles(const double complex at[2], double complex zeta, int slope) {
@@ -182,7 +183,7 @@ static void test_velocity_of_a_harmonic_function_is_of_fourth_order(void) {
         const double inner = log2(before.inner / e.inner), edge = log2(before.edge / e.edge);
         printf("; orders %.2f %.2f", inner, edge);
         if (n > 200) EXPECT(inner > 3.7);
-        if (n > 400) EXPECT(inner > 4 && edge > 2.7 && e.edge < 2 * e.inner);
+        if (n > 400) EXPECT(inner > 4 && edge > 3.3 && e.edge < 0.2 * e.inner);
       }
       printf("\n");
       EXPECT(e.slide < 1e-15);
