@@ -48,7 +48,7 @@ enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
   const struct bem_surface *s = &f->surface;
   const size_t n = s->n;
   if (s->walls)
-    TRY(bem_panels_set_walls(&f->panels, n, state, state + n, s->walls, s->side[0]));
+    TRY(bem_panels_set_walls(&f->panels, n, state, state + n, s->walls, s->side));
   else
     bem_panels_set(&f->panels, n, state, state + n, s->length);
   TRY(bem_solve_first(f->solve, &f->panels, state + 2 * n, f->psi, keep));

@@ -141,7 +141,7 @@ void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const doubl
                     double length) {
   p->n = n;
   p->length = length;
-  p->mirrored = 0;
+  p->mirrored[0] = p->mirrored[1] = 0;
 #pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
   for (size_t k = 0; k < n; k++) {
     double complex z = CMPLX(x[k], y[k]);
@@ -176,12 +176,18 @@ static enum status look_up(struct bem_panels *p, size_t k, double complex z,
   return OK;
 }
 
+/* Sides are followed with the water on their left. */
+static int leans_over(const struct bem_conformal *walls, size_t side) {
+  const double ROUNDING = 1e-9;
+  return creal(bem_conformal_along(walls, side)) < -ROUNDING;
+}
+
 enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x, const double *y,
-                                 const struct bem_conformal *walls, size_t side) {
+                                 const struct bem_conformal *walls, const size_t side[2]) {
   p->n = n;
-  p->mirrored = 1;
+  for (int end = 0; end < 2; end++) p->mirrored[end] = !leans_over(walls, side[end]);
   TRY(reserve_charts(p, n));
-  for (size_t k = 0; k < n; k++) TRY(look_up(p, k, CMPLX(x[k], y[k]), walls, side));
+  for (size_t k = 0; k < n; k++) TRY(look_up(p, k, CMPLX(x[k], y[k]), walls, side[0]));
   p->zeta[0] = creal(p->zeta[0]); /* walls are on the real axis */
   p->zeta[n - 1] = creal(p->zeta[n - 1]);
   interpolate(p);

@@ -9,7 +9,9 @@
  * On the panel between nodes j and j+1 beta is the complex polynomial in zeta through BEM_STENCIL
  * neighbouring nodes (Vinje & Brevig 1981 use two; with four the velocity is of fourth order). At
  * the edges of the water, where beta continues into the mirror image, the nodes' images complete
- * the stencils in tanks that are not rectangular, so that these stay centred and know the wall. */
+ * the stencils in tanks that are not rectangular, so that these stay centred and know the wall;
+ * but not on a side that leans over the water: where the angle between it and the surface is more
+ * than a right one velocities have no bound, and polynomials across the edge only spread that. */
 #pragma once
 #include <complex.h>
 #include <stddef.h>
@@ -25,9 +27,9 @@ enum {
 };
 
 struct bem_panels {
-  size_t n, room;         /* nodes in use and allocated; panels are one fewer */
-  double length;          /* L of the map, H */
-  int mirrored;           /* whether stencils at the edges reach on into the mirror image */
+  size_t n, room;  /* nodes in use and allocated; panels are one fewer */
+  double length;   /* L of the map, H */
+  int mirrored[2]; /* whether stencils at the left and the right edge reach into the mirror image */
   double complex *zeta;   /* nodes in the mapped plane, [n], owned; so are all arrays below */
   double complex *dzeta;  /* d zeta / d z at the nodes, 1/H, [n] */
   double *re, *im;        /* zeta once more, for vector loops, [n] */
@@ -52,11 +54,10 @@ double complex bem_map_slope(double length, double complex z); /* d zeta / d z *
 void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y,
                     double length);
 
-/* The same in a tank of any walls, with the first node on this side of them. ERR_MEMORY,
- * ERR_SOLVER.
- */
+/* The same in a tank of any walls, with the first and the last node on these sides of them.
+ * ERR_MEMORY, ERR_SOLVER. */
 enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x, const double *y,
-                                 const struct bem_conformal *walls, size_t side);
+                                 const struct bem_conformal *walls, const size_t side[2]);
 
 /* Complex velocity w = u - i v = d beta / dz at every node. */
 void bem_panels_velocity(const struct bem_panels *p, const double *phi, const double *psi,
@@ -67,8 +68,8 @@ void bem_panels_velocity(const struct bem_panels *p, const double *phi, const do
 static inline ptrdiff_t bem_stencil_first(const struct bem_panels *p, size_t at, size_t count) {
   const ptrdiff_t first = (ptrdiff_t)at - ((ptrdiff_t)count - 1) / 2;
   const ptrdiff_t most = (ptrdiff_t)(p->n - count);
-  if (p->mirrored || (first >= 0 && first <= most)) return first;
-  return first < 0 ? 0 : most;
+  if (first < 0) return p->mirrored[0] ? first : 0;
+  return first > most && !p->mirrored[1] ? most : first;
 }
 
 /* The node at this place of a stencil, and whether it is its mirror image that stands there. */
@@ -88,5 +89,5 @@ static inline double complex bem_stencil_value(const struct bem_panels *p, ptrdi
 
 /* Whether nodes of panel j's stencil are mirror images. */
 static inline int bem_panel_is_mirrored(const struct bem_panels *p, size_t j) {
-  return p->mirrored && (j == 0 || j + 2 == p->n);
+  return (j == 0 && p->mirrored[0]) || (j + 2 == p->n && p->mirrored[1]);
 }

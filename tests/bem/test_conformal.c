@@ -139,7 +139,8 @@ static struct errors errors_of(const struct tank_case *t, size_t n) {
   EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-13, 1000}, &s));
   EXPECT_OK(bem_panels_reserve(&p, n));
   shape(t, n, x, y);
-  const size_t side = bem_conformal_side(m, CMPLX(x[0], y[0]));
+  const size_t side[2] = {bem_conformal_side(m, CMPLX(x[0], y[0])),
+                          bem_conformal_side(m, CMPLX(x[n - 1], y[n - 1]))};
   EXPECT_OK(bem_panels_set_walls(&p, n, x, y, m, side));
   for (int i = 0; i < 2; i++) { /* above two nodes */
     const size_t k = (n - 1) * (i ? 5 : 2) / 8;
