@@ -204,6 +204,14 @@ void cmp_chart_curve(struct cmp_chart *chart, const struct cmp_curve *k) {
   cmp_key_string(s, k->name, k->note);
 }
 
+void cmp_chart_band(struct cmp_chart *chart, size_t series, size_t column, const char *colour) {
+  curve_open(chart);
+  fprintf(chart->fig->script,
+          "'%s.csv' skip 1 using ($1==%zu?$3:NaN):%zu:%zu with filledcurves fillcolor '%s' "
+          "fillstyle transparent solid 0.25 noborder notitle",
+          chart->fig->name, series, column + 4, column + 5, colour);
+}
+
 void cmp_chart_others(struct cmp_chart *chart, size_t column, bool named) {
   FILE *s = chart->fig->script;
   if (!chart->others) return;

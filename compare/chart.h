@@ -61,6 +61,8 @@ struct cmp_curve {
   size_t every; /* draws one row in so many; 0: all */
 };
 void cmp_chart_curve(struct cmp_chart *chart, const struct cmp_curve *curve);
+/* Between two columns of the table that follow each other, where both are numbers. */
+void cmp_chart_band(struct cmp_chart *chart, size_t series, size_t column, const char *colour);
 void cmp_chart_others(struct cmp_chart *chart, size_t column,
                       bool named);                           /* runs without a style */
 void cmp_chart_level(struct cmp_chart *chart, double level); /* dashed, horizontal */

@@ -65,18 +65,29 @@ static void series_free(struct cmp_series *s) {
   free(s->t);
   free(s->value);
   free(s->raw);
+  free(s->error);
 }
 
-static void series_add(struct cmp_series *s, double t, double value) {
+static void series_add(struct cmp_series *s, double t, double value, double error) {
   if (s->n && !(t > s->t[s->n - 1])) return; /* a row at the same instant says nothing new */
+  if (s->error) s->error[s->n] = error;
   s->t[s->n] = t;
   s->value[s->n++] = value;
 }
 
+static enum status series_error_room(struct cmp_series *s, size_t n) {
+  s->error = calloc(n + 1, sizeof *s->error);
+  CHECK(s->error, ERR_MEMORY, "no memory for the errors of a series of %zu rows", n);
+  return OK;
+}
+
+/* error: [n], or NULL. */
 static enum status series_scaled(const char *name, size_t n, const double *t, const double *value,
-                                 double T, double unit, struct cmp_series *s) {
+                                 const double *error, double T, double unit, struct cmp_series *s) {
   TRY(series_room(s, name, n));
-  for (size_t i = 0; i < n; i++) series_add(s, t[i] / T, value[i] / unit);
+  if (error) TRY(series_error_room(s, n));
+  for (size_t i = 0; i < n; i++)
+    series_add(s, t[i] / T, value[i] / unit, error ? error[i] / unit : NAN);
   return OK;
 }
 
@@ -86,8 +97,8 @@ static enum status series_list(const struct result_series *from, size_t n,
   CHECK(*to, ERR_MEMORY, "no memory for %zu series", n);
   for (size_t k = 0; k < n; k++) {
     const struct cmp_unit unit = unit_of(si ? si : from[k].units, s);
-    TRY(series_scaled(from[k].name, from[k].n, from[k].t, from[k].value, s->T, unit.size,
-                      &(*to)[k]));
+    TRY(series_scaled(from[k].name, from[k].n, from[k].t, from[k].value,
+                      from[k].n_errors ? from[k].error : NULL, s->T, unit.size, &(*to)[k]));
     (*to)[k].units = unit.name;
     (*to)[k].label = unit.label;
     (*to)[k].x = from[k].x / s->H;
@@ -111,7 +122,8 @@ static enum status point_fields(const struct result_point_read *p, const struct 
     char *name;
     if (asprintf(&name, "%s.%s", p->name, field[k].name) < 0)
       return status_raise(ERR_MEMORY, "no memory for a name");
-    enum status status = series_scaled(name, p->n, p->t, p->value[k], s->T, unit.size, &to[k]);
+    enum status status =
+        series_scaled(name, p->n, p->t, p->value[k], NULL, s->T, unit.size, &to[k]);
     to[k].name = name; /* whatever happened: it is freed with the series */
     TRY(status);
     to[k].x = p->x / s->H;
@@ -154,6 +166,7 @@ static enum status energies(const struct result_file *f, const struct cmp_scales
   static const char *const names[] = {"kinetic", "potential", "mechanical", "internal", "closure"};
   enum { SERIES = sizeof all / sizeof *all };
   for (size_t k = 0; k < SERIES; k++) TRY(series_room(all[k], names[k], f->n_energy));
+  for (size_t k = 0; k < 3 && f->n_energy_errors; k++) TRY(series_error_room(all[k], f->n_energy));
   const double rest =
       f->rest_potential; /* its own: a compressible fluid's is not the reference's */
   for (size_t i = 0; i < f->n_energy; i++) {
@@ -161,12 +174,16 @@ static enum status energies(const struct result_file *f, const struct cmp_scales
     double value[SERIES] = {e->kinetic, e->potential - rest,
                             e->kinetic + e->potential + e->removed - rest, e->internal,
                             result_energy_budget(e) - result_energy_budget(&f->energy[0])};
-    for (size_t k = 0; k < SERIES; k++) series_add(all[k], e->time / s->T, value[k] / s->E);
+    const struct result_energy *error = f->n_energy_errors ? &f->energy_error[i] : NULL;
+    const double bar[SERIES] = {error ? error->kinetic : NAN, error ? error->potential : NAN,
+                                error ? error->total : NAN, NAN, NAN};
+    for (size_t k = 0; k < SERIES; k++)
+      series_add(all[k], e->time / s->T, value[k] / s->E, bar[k] / s->E);
   }
   TRY(series_room(&d->volume, "volume", f->n_steps));
   for (size_t i = 0; i < f->n_steps; i++)
     series_add(&d->volume, f->steps[i].time / s->T,
-               (f->steps[i].volume + f->steps[i].removed_volume) / (s->H * s->H));
+               (f->steps[i].volume + f->steps[i].removed_volume) / (s->H * s->H), NAN);
   return OK;
 }
 
@@ -178,7 +195,7 @@ static enum status terms(const struct result_file *f, const struct cmp_scales *s
   for (size_t k = 0; k < f->n_terms; k++) {
     TRY(series_room(&d->terms[k], f->terms[k].name, f->n_energy));
     for (size_t i = 0; i < f->n_energy; i++)
-      series_add(&d->terms[k], f->energy[i].time / s->T, f->energy[i].term[k] / s->E);
+      series_add(&d->terms[k], f->energy[i].time / s->T, f->energy[i].term[k] / s->E, NAN);
   }
   return OK;
 }
@@ -239,10 +256,18 @@ static enum status surfaces(const struct result_file *f, const struct cmp_scales
     for (int side = 0; side < 2; side++) {
       double front;
       TRY(front_find(surface, side, d->bed, depth, &front));
-      if (isfinite(front)) series_add(&d->fronts[side], t, front);
+      if (isfinite(front)) series_add(&d->fronts[side], t, front, NAN);
     }
   }
   return OK;
+}
+
+static struct cmp_instant event_instant(const struct result_event_read *e,
+                                        const struct cmp_scales *s) {
+  return (struct cmp_instant){.time = cmp_number(e->time / s->T),
+                              .error = isfinite(e->error[0]) ? e->error[0] / s->T : 0,
+                              .located = true,
+                              .at = {e->x / s->H, e->y / s->H}};
 }
 
 static bool event_take(const struct result_file *f, const struct cmp_scales *s, const char *name,
@@ -250,7 +275,7 @@ static bool event_take(const struct result_file *f, const struct cmp_scales *s, 
   for (size_t k = 0; k < f->n_events; k++)
     if (!strcmp(f->events[k].name, name)) {
       const struct result_event_read *e = &f->events[k];
-      *instant = (struct cmp_instant){cmp_number(e->time / s->T), 0, {e->x / s->H, e->y / s->H}};
+      *instant = event_instant(e, s);
       return true;
     }
   return false;
@@ -262,8 +287,11 @@ static void instants(const struct result_file *f, const struct cmp_scales *s, do
       .n = d->n, .t = d->t, .jet = d->jet, .surface = d->surface, .spacing = d->dx};
   seen.place = jet_place(d, depth, window);
   if (d->floats) {
-    d->overturning = d->touchdown = (struct cmp_instant){
-        cmp_unknown("the water is a body that floats, not a wave that breaks"), NAN, {NAN, NAN}};
+    d->overturning = d->touchdown =
+        (struct cmp_instant){cmp_unknown("the water is a body that floats, not a wave that breaks"),
+                             NAN,
+                             false,
+                             {NAN, NAN}};
     return;
   }
   if (!event_take(f, s, "overturning", &d->overturning))
@@ -279,7 +307,7 @@ static enum status experiments(const struct result_file *f, const struct cmp_sca
   for (size_t k = 0; k < f->n_experiments; k++) {
     const struct case_experiment *e = &f->experiments[k];
     double unit = cmp_series_find(d->probes, d->n_probes, e->target) ? s->p : s->H;
-    TRY(series_scaled(e->label, e->n, e->t, e->value, s->T, unit, &d->experiments[k]));
+    TRY(series_scaled(e->label, e->n, e->t, e->value, NULL, s->T, unit, &d->experiments[k]));
   }
   return OK;
 }
@@ -359,8 +387,8 @@ void cmp_data_face(struct cmp_data *d, const struct cmp_scales *s, enum cmp_side
   struct geo_box box = geo_lines_box(&d->walls);
   double wall = side == CMP_RIGHT ? box.max[0] : box.min[0],
          near = 1e-6 * (box.max[0] - box.min[0]);
-  d->impact =
-      (struct cmp_instant){cmp_unknown("the file has no event wall_impact"), NAN, {NAN, NAN}};
+  d->impact = (struct cmp_instant){
+      cmp_unknown("the file has no event wall_impact"), NAN, false, {NAN, NAN}};
   if (side == CMP_NO_SIDE) {
     d->impact.time = cmp_unknown("no front runs to a wall");
     return;
@@ -369,7 +397,7 @@ void cmp_data_face(struct cmp_data *d, const struct cmp_scales *s, enum cmp_side
   for (size_t k = 0; k < d->file->n_events; k++) {
     const struct result_event_read *e = &d->file->events[k];
     if (strcmp(e->name, "wall_impact") || fabs(e->x / s->H - wall) > near) continue;
-    d->impact = (struct cmp_instant){cmp_number(e->time / s->T), 0, {e->x / s->H, e->y / s->H}};
+    d->impact = event_instant(e, s);
     return;
   }
 }
@@ -380,7 +408,7 @@ static void series_cut(struct cmp_series *s, double until) {
 
 static void instant_cut(struct cmp_instant *i, double until) {
   if (cmp_known(&i->time) && i->time.value > until)
-    *i = (struct cmp_instant){cmp_unknown("the run had failed by then"), NAN, {NAN, NAN}};
+    *i = (struct cmp_instant){cmp_unknown("the run had failed by then"), NAN, false, {NAN, NAN}};
 }
 
 void cmp_data_cut(struct cmp_data *d, double until) {
@@ -395,6 +423,17 @@ void cmp_data_cut(struct cmp_data *d, double until) {
   instant_cut(&d->touchdown, until);
 }
 
+/* The errors of rows so near each other are taken to be of one sign: their mean is the mean's. */
+static enum status error_average(struct cmp_series *s, double over) {
+  const struct cmp_signal each = {s->n, s->t, s->error};
+  double *mean = calloc(s->n + 1, sizeof *mean);
+  CHECK(mean, ERR_MEMORY, "no memory for the errors of a series of %zu rows", s->n);
+  const enum status status = cmp_signal_average(&each, over, mean);
+  free(s->error);
+  s->error = mean;
+  return status;
+}
+
 static enum status series_average(struct cmp_series *s, double over) {
   struct cmp_signal raw = cmp_series_signal(s);
   double *mean = calloc(s->n + 1, sizeof *mean);
@@ -402,7 +441,8 @@ static enum status series_average(struct cmp_series *s, double over) {
   s->raw = s->value;
   s->value = mean;
   s->average = over;
-  return cmp_signal_average(&raw, over, mean);
+  TRY(cmp_signal_average(&raw, over, mean));
+  return s->error ? error_average(s, over) : OK;
 }
 
 enum status cmp_data_average(struct cmp_data *d, const char *probe, double over) {

@@ -40,6 +40,7 @@ struct cmp_series {
   const char *units; /* "rho g H"; NULL where nobody asks */
   const char *label; /* the same on an axis */
   double *raw;       /* what `value` is the mean of; NULL without an average; owned */
+  double *error;     /* standard errors of `value`, NaN where not known; NULL: none; owned */
 };
 
 struct cmp_data {

@@ -21,11 +21,17 @@ static bool family_shows(const struct comparison *c, const struct cmp_family *fa
          !strcmp(c->ref.data.file->experiments[k].target, family->plan.target);
 }
 
-static void series_rows(struct cmp_chart *chart, size_t id, const char *name,
-                        const struct cmp_series *s) {
+static void series_rows(struct cmp_chart *chart, const struct cmp_family *family, size_t id,
+                        const char *name, const struct cmp_series *s) {
   for (size_t i = 0; i < s->n; i++) {
-    double both[] = {s->value[i], s->raw ? s->raw[i] : NAN};
-    cmp_chart_row(chart, id, name, s->t[i], both, s->raw ? 2 : 1);
+    const double error = s->error ? s->error[i] : NAN;
+    double row[4];
+    size_t n = 0;
+    row[n++] = s->value[i];
+    if (family->raw) row[n++] = s->raw ? s->raw[i] : NAN;
+    if (family->errors) row[n++] = s->value[i] - error;
+    if (family->errors) row[n++] = s->value[i] + error;
+    cmp_chart_row(chart, id, name, s->t[i], row, n);
   }
 }
 
@@ -33,11 +39,11 @@ static void family_rows(struct cmp_chart *chart, const struct cmp_family *family
   const struct comparison *c = chart->c;
   for (size_t r = 0; r <= c->n_runs; r++)
     if (family->run[r])
-      series_rows(chart, r, cmp_run_or_ref(c, r < c->n_runs ? r : SIZE_MAX)->data.label,
+      series_rows(chart, family, r, cmp_run_or_ref(c, r < c->n_runs ? r : SIZE_MAX)->data.label,
                   family->run[r]);
   for (size_t k = 0; k < c->ref.data.n_experiments; k++)
     if (family_shows(c, family, k))
-      series_rows(chart, c->n_runs + 1 + k, c->ref.data.experiments[k].name,
+      series_rows(chart, family, c->n_runs + 1 + k, c->ref.data.experiments[k].name,
                   &c->ref.data.experiments[k]);
 }
 
@@ -88,6 +94,27 @@ static void beyond_mark(struct cmp_chart *chart, const struct cmp_family *family
 
 /* ---- drawing a family ---- */
 
+/* What columns the table has besides, and what the caption says of it. */
+static enum status family_begin(const struct comparison *c, struct cmp_figures *f,
+                                const char *caption, struct cmp_family *family,
+                                struct cmp_chart *chart) {
+  char columns[256];
+  for (size_t r = 0; r <= c->n_runs; r++) {
+    family->raw |= family->run[r] && family->run[r]->raw;
+    family->errors |= family->run[r] && family->run[r]->error;
+  }
+  snprintf(columns, sizeof columns, "%s%s", family->plan.columns,
+           family->errors ? ",less a standard error,and more by one" : "");
+  family->plan.columns = columns;
+  TRY(family_frame(c, family));
+  const enum status status = cmp_chart_begin(c, f, &family->plan, chart);
+  family->plan.columns = NULL;
+  TRY(status);
+  snprintf(chart->fig->caption, sizeof chart->fig->caption, "%s%s", caption,
+           family->errors ? " Bands: the standard error that a run states of itself." : "");
+  return OK;
+}
+
 static const char *experiment_colour(size_t shown) {
   return shown % 2 ? "#a08050" : "#707070";
 }
@@ -122,6 +149,8 @@ static void run_draw(struct cmp_chart *chart, const struct cmp_family *family, s
   if (!family->run[r] || !family->run[r]->n) return;
   bool reference = r == chart->c->n_runs;
   size_t id = reference ? SIZE_MAX : r;
+  if (family->run[r]->error)
+    cmp_chart_band(chart, r, family->raw ? 2 : 1, cmp_run_style(chart->c, id).colour);
   cmp_chart_curve(chart, &(struct cmp_curve){
                              .series = r,
                              .name = named ? cmp_run_or_ref(chart->c, id)->data.label : NULL,
@@ -153,9 +182,7 @@ enum status cmp_family_chart(const struct comparison *c, struct cmp_figures *f, 
   struct cmp_chart chart;
   family->plan.panels = 1;
   family->plan.panel_height = 280;
-  TRY(family_frame(c, family));
-  TRY(cmp_chart_begin(c, f, &family->plan, &chart));
-  snprintf(chart.fig->caption, sizeof chart.fig->caption, "%s", caption);
+  TRY(family_begin(c, f, caption, family, &chart));
   cmp_family_caption_end(c, chart.fig);
   family_rows(&chart, family);
   cmp_chart_panel(&chart, 0, &family->frame, family->label, NULL);
@@ -200,14 +227,13 @@ static void run_panel(struct cmp_chart *chart, const struct cmp_family *family, 
 enum status cmp_family_panels(const struct comparison *c, struct cmp_figures *f,
                               const char *caption, struct cmp_family *family) {
   struct cmp_chart chart;
-  char left_out[160];
+  char left_out[160], whole[640];
   const size_t picked = cmp_runs_picked(c, CMP_PANELS), panels = picked ? picked : 1;
   family->plan.panels = panels;
   family->plan.panel_height = panels == 1 ? 280 : 175;
-  TRY(family_frame(c, family));
-  TRY(cmp_chart_begin(c, f, &family->plan, &chart));
   cmp_picked_say(c, CMP_PANELS, "have no panel", left_out, sizeof left_out);
-  snprintf(chart.fig->caption, sizeof chart.fig->caption, "%s%s", caption, left_out);
+  snprintf(whole, sizeof whole, "%s%s", caption, left_out);
+  TRY(family_begin(c, f, whole, family, &chart));
   family_rows(&chart, family);
   for (size_t r = 0, k = 0; r < c->n_runs || (k == 0 && r == c->n_runs); r++)
     if (r == c->n_runs || cmp_run_is_picked(c, r, CMP_PANELS)) run_panel(&chart, family, k++, r);

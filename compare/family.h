@@ -8,6 +8,7 @@ struct cmp_family {
   const char *label;             /* of the axis */
   struct cmp_chart_plan plan;    /* without a target no experiments are drawn */
   struct cmp_frame frame;
+  bool raw, errors; /* any series has these: columns of the table, after the value */
 };
 
 bool cmp_family_empty(const struct comparison *c, const struct cmp_family *family);

@@ -190,7 +190,9 @@ static void instant_cells(struct page *p, const struct cmp_instant *i,
     cmp_html_cell(p, NULL, " ");
     return;
   }
-  if (i->error > 0)
+  if (i->error > 0 && i->located)
+    cmp_html_cell(p, NULL, "%.5f ± %.1g", i->time.value, i->error);
+  else if (i->error > 0)
     cmp_html_cell(p, NULL, "%.3f ± %.2g", i->time.value, i->error);
   else
     cmp_html_cell(p, NULL, "%.4f", i->time.value);
@@ -221,10 +223,11 @@ void cmp_html_jets(struct page *p, const struct comparison *c) {
   cmp_html_reasons_list(p, &why);
   cmp_page_element(
       p, "p", "soft",
-      "A time with ± was read off the sequence of surfaces; ± holds the interval between outputs "
-      "and how far the instant moves when the surface does by half a particle spacing: a face that "
-      "stands near the vertical for long has no sharp instant. One without was located by the "
-      "solver.");
+      "A time with three decimals and ± was read off the sequence of surfaces; ± holds the "
+      "interval "
+      "between outputs and how far the instant moves when the surface does by half a particle "
+      "spacing: a face that stands near the vertical for long has no sharp instant. One with more "
+      "decimals was located by the solver; ± is then the standard error that its run states.");
   cmp_page_element(p, "h3", NULL, "Shape");
   jets_table(p, c);
 }

@@ -233,6 +233,7 @@ static bool breaker_follow(const struct cmp_jet_sequence *s, size_t *first, size
                                   ? cmp_unknown("the surface never overhangs")
                                   : cmp_unknown("the surface overhangs from the start"),
                               NAN,
+                              false,
                               {NAN, NAN}};
   if (peak == SIZE_MAX) return false;
   *first = *last = peak;

@@ -41,14 +41,16 @@ void cmp_jet_find(const struct geo_lines *surface, const struct cmp_jet_place *p
  * tangent, and the gap below the tip to close linearly. What overhangs at the first output already
  * is no breaker.
  *
- * `error` holds what is not known: the interval between outputs, the time from the estimated
- * instant to the first output that shows it, and how far the instant moves when the surface does by
- * half a particle spacing. A face of water falling back from a wall may stand within a few degrees
- * of the vertical for long; a surface half a spacing off at either end of a section six spacings
- * high then turns at any time of that, so the bar reaches back to when such a section came up. */
+ * `error` of one that is found here holds what is not known: the interval between outputs, the time
+ * from the estimated instant to the first output that shows it, and how far the instant moves when
+ * the surface does by half a particle spacing. A face of water falling back from a wall may stand
+ * within a few degrees of the vertical for long; a surface half a spacing off at either end of a
+ * section six spacings high then turns at any time of that, so the bar reaches back to when such a
+ * section came up. */
 struct cmp_instant {
   struct cmp_value time;
-  double error; /* 0 when a solver located it */
+  double error; /* of one that a solver located its own standard error, 0: it states none */
+  bool located; /* by a solver */
   double at[2]; /* NaN when unknown */
 };
 struct cmp_jet_sequence {

@@ -204,7 +204,8 @@ static json_t *event_errors(struct maker *m, const struct comparison *c,
 static json_t *surface_errors(struct maker *m, const struct comparison *c,
                               const struct result_file *f) {
   json_t *array = json_array();
-  for (size_t k = 0, from = 0; k < f->n_surfaces; from += f->surface[k++].points) {
+  for (size_t k = 0, from = 0; f->n_surface_errors && k < f->n_surfaces;
+       from += f->surface[k++].points) {
     json_t *object = error_range(m, f->surface[k].points, f->surface_error + from, 1, c->scales.H);
     set(m, object, "t_star", number(f->surface_time[k] / c->scales.T));
     add(m, array, object);
@@ -220,9 +221,10 @@ static json_t *error_bars(struct maker *m, const struct comparison *c,
   set(m, object, "order", number(f->coarser.order));
   set(m, object, "events", event_errors(m, c, f));
   set(m, object, "surfaces", surface_errors(m, c, f));
-  set(m, object, "total_energy",
-      error_range(m, f->n_energy_errors, &f->energy_error->total,
-                  sizeof *f->energy_error / sizeof(double), c->scales.E));
+  if (f->n_energy_errors)
+    set(m, object, "total_energy",
+        error_range(m, f->n_energy_errors, &f->energy_error->total,
+                    sizeof *f->energy_error / sizeof(double), c->scales.E));
   for (size_t k = 0; k < f->n_probes; k++)
     set(m, series, f->probes[k].name,
         error_range(m, f->probes[k].n_errors, f->probes[k].error, 1, c->scales.p));
