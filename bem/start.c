@@ -77,6 +77,7 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "runs.%s.solver: found 'bem' without gravity; allowed: gravity, which its scales "
                  "are made of; set fluid.gravity or take another solver",
                  r->name);
+  case_refuse_motions(c, r, problems);
   if (c->periodic[0])
     problems_add(
         problems, case_run_line(r, "solver"),

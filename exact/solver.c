@@ -57,6 +57,7 @@ static const char *unknown_water(const struct flow *f) {
 
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
   struct flow_water w;
+  case_refuse_motions(c, r, problems);
   if (!flow_has_theory(c->flow)) {
     char waves[128], bodies[128];
     name_known(&flow_waves, sizeof waves, waves);

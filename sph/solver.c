@@ -245,6 +245,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
         "runs.%s.walls: found 'mirror-exponential' without gravity, whose pressure it goes "
         "on with below the bed; allowed: with gravity; write walls: mirror-plain",
         r->name);
+  case_refuse_motions(c, r, problems);
   if (!c->rectangular)
     problems_add(
         problems, case_run_line(r, "solver"),

@@ -44,6 +44,15 @@ enum status geo_lines_add(struct geo_lines *l, double x, double y) {
   return OK;
 }
 
+enum status geo_lines_insert(struct geo_lines *l, size_t piece, size_t i, double x, double y) {
+  TRY(reserve(l, l->pieces, l->points + 1));
+  memmove(l->p + i + 1, l->p + i, (l->points++ - i) * sizeof *l->p);
+  l->p[i][0] = x;
+  l->p[i][1] = y;
+  for (size_t k = piece; k < l->pieces; k++) l->first[k + 1]++;
+  return OK;
+}
+
 enum status geo_lines_copy(struct geo_lines *to, const struct geo_lines *from) {
   geo_lines_clear(to);
   TRY(reserve(to, from->pieces, from->points));

@@ -34,6 +34,8 @@ void geo_lines_clear(struct geo_lines *l);   /* empty again, keeps the memory */
 enum status geo_lines_begin(struct geo_lines *l, bool closed);
 enum status geo_lines_add(struct geo_lines *l, double x, double y);
 enum status geo_lines_copy(struct geo_lines *to, const struct geo_lines *from);
+/* A vertex more, before point i of its piece. */
+enum status geo_lines_insert(struct geo_lines *l, size_t piece, size_t i, double x, double y);
 /* Appends a piece of another set. */
 enum status geo_lines_add_piece(struct geo_lines *to, const struct geo_lines *from, size_t piece);
 

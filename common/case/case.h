@@ -7,6 +7,7 @@
 #include "common/base/geometry.h"
 #include "common/base/status.h"
 #include "common/solver.h"
+#include "common/tank/motion.h"
 
 struct flow;
 
@@ -125,6 +126,8 @@ struct case_file {
   struct geo_box tank;    /* box of the walls */
   bool rectangular;       /* one open piece: left wall, flat bed, right wall */
   bool periodic[2];       /* along x: the sides are no walls; along y: nor is the bed */
+  size_t n_motions;       /* of the tank or its sides; of a case that is read from a result file, */
+  struct tank_motion *motions; /* those that came from a file are at rest */
 
   const struct flow *flow; /* the water at t = 0 (common/flow/flow.h) */
   void *form;              /* what the case says of it, in a struct of its own; owned */
@@ -178,6 +181,10 @@ void problems_finish(struct problems *p, const char *file, size_t n_set, const c
 
 /* Where to point when value `key` of a run is wrong: the line of the key, of the run without it. */
 int case_run_line(const struct case_run *r, const char *key);
+
+/* For the check of a solver whose walls do not move: refuses tank.motions. */
+void case_refuse_motions(const struct case_file *c, const struct case_run *r,
+                         struct problems *problems);
 
 /* Whether a run has value `key` itself, not from a named scheme or the solver's table. */
 bool case_run_gives(const struct case_run *r, const char *key);

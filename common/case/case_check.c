@@ -284,6 +284,7 @@ void case_check_window(struct case_draft *d) {
 void case_check(struct case_draft *d) {
   case_check_geometry(d);
   if (d->good.time) check_time(d);
+  case_check_motions(d);
   check_instruments(d);
   check_no_gauges(d);
   check_run_names(d);

@@ -81,6 +81,27 @@ void case_check_window(struct case_draft *d);
 /* case_check_geometry.c: tank and water; what fails is no longer good. */
 void case_check_geometry(struct case_draft *d);
 
+/* case_rows.c: two columns of numbers from a text file, its path relative to the case file, in SI
+ * units. Adds problems; `line` and `path` are those of the key that names it. */
+struct case_columns {
+  const char *what; /* "time, value" */
+  double unit[2];   /* of the file's numbers, SI */
+  enum { CASE_ROWS_ANY, CASE_ROWS_DO_NOT_FALL, CASE_ROWS_RISE } order; /* of the first one */
+};
+struct case_rows {
+  size_t n;
+  double *x, *y; /* [n], owned */
+};
+enum status case_read_rows(struct case_draft *d, const char *file, int line, const char *path,
+                           const struct case_columns *columns, struct case_rows *r);
+void case_rows_destroy(struct case_rows *r);
+
+/* case_motion.c: tank.motions, behind the walls; what they are checked for when all is read. */
+enum status case_read_motions(struct case_draft *d, int node);
+void case_check_motions(struct case_draft *d);
+void case_release_motions(struct case_file *c);
+extern const struct case_table case_motion_tables[];
+
 /* case_experiment.c: reads the data file of e, a path relative to the case file, into SI units.
  * Adds problems; `line` and `path` are those of the key `file`. */
 enum status case_read_experiment(struct case_draft *d, struct case_experiment *e, const char *file,

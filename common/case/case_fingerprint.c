@@ -16,11 +16,23 @@ static void write_lines(FILE *out, const char *name, const struct geo_lines *l) 
   }
 }
 
+static void write_motion(FILE *out, const struct tank_motion *m) {
+  const double number[] = {m->about[0],    m->about[1],   m->hinge,    m->sine.amplitude,
+                           m->sine.period, m->sine.phase, m->sine.ramp};
+  fprintf(out, "motion %s %d", tank_motion_name(m), m->side);
+  for (size_t i = 0; i < sizeof number / sizeof *number; i++)
+    fprintf(out, " %.12g", number[i] + 0.0);
+  for (size_t i = 0; i < m->file.n; i++)
+    fprintf(out, " %.12g %.12g", m->file.t[i] + 0.0, m->file.q[i] + 0.0);
+  fputc('\n', out);
+}
+
 static void write_inputs(FILE *out, const struct case_file *c, const struct case_run *r) {
   fprintf(out, "plunge %s %s\n", PLUNGE_VERSION, PLUNGE_REVISION);
   fprintf(out, "fluid %.17g %.17g\nH %.17g\ng %.17g\n", c->density, c->gravity, c->H, c->g);
   write_lines(out, "wall", &c->walls);
   fprintf(out, "periodic %d %d\n", c->periodic[0], c->periodic[1]);
+  for (size_t i = 0; i < c->n_motions; i++) write_motion(out, &c->motions[i]);
   write_lines(out, "water", &c->water);
   fprintf(out, "velocity %.17g %.17g\nflow %s\n", c->velocity[0], c->velocity[1],
           flow_name(c->flow));
@@ -80,6 +92,7 @@ static void write_water(FILE *out, const struct case_file *c) {
   if (c->periodic[0]) fputs("periodic sides\n", out);
   if (c->periodic[1]) fputs("periodic bed\n", out);
   if (c->gravity == 0) fprintf(out, "g %.12g\n", c->g);
+  for (size_t i = 0; i < c->n_motions; i++) write_motion(out, &c->motions[i]);
   if (c->flow->scale) {
     fprintf(out, "%s %zu\n", flow_is_wave(c->flow) ? "wave" : "body", 1 + flow_place(c->flow));
     write_form(out, c->flow, c->form);

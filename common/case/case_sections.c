@@ -89,7 +89,7 @@ static const struct param scales_rows[] = {
 };
 
 struct tank_section {
-  int walls, sides, bed;
+  int walls, sides, bed, motions;
 };
 enum { SIDES_WALLS, SIDES_PERIODIC };
 static const char *const sides_names[] = {"walls", "periodic", NULL};
@@ -116,6 +116,7 @@ static const struct param tank_rows[] = {
      .value = "wall",
      .help = "what its bed is",
      .helps = bed_helps},
+    NODE(struct tank_section, motions, "", "a list of motions of the tank or its sides"),
 };
 
 struct water_section {
@@ -222,6 +223,7 @@ static enum status read_tank(struct case_draft *d) {
   size_t faults = d->doc.faults;
   if (d->at.tank && case_read_section(d, d->at.tank, "tank", tank_rows, ROWS(tank_rows), &s))
     TRY(read_lines(&d->doc, s.walls, "tank.walls", 2, false, &d->c->walls));
+  TRY(case_read_motions(d, s.motions));
   d->c->periodic[0] = s.sides == SIDES_PERIODIC;
   d->c->periodic[1] = s.bed == SIDES_PERIODIC;
   d->good.tank = d->at.tank && d->doc.faults == faults;
@@ -416,7 +418,7 @@ enum status case_read_sections(struct case_draft *d) {
   static const struct param section_rows[] = {
       SECTION(fluid, "", "a mapping with density, gravity"),
       SECTION(scales, "", "a mapping with H, g"),
-      SECTION(tank, NULL, "a mapping with walls, sides, bed"),
+      SECTION(tank, NULL, "a mapping with walls, sides, bed, motions"),
       SECTION(water, NULL, "a mapping with regions, wave or body"),
       SECTION(time, NULL, "a mapping with end, every, sample"),
       SECTION(probes, "", "a list of probes"),

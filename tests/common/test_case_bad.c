@@ -158,7 +158,7 @@ static void test_long_texts_are_shortened_in_messages(void) {
       "line of text of at most 200 bytes\n"
       "odd.yaml:2: water: found '1'; allowed: a mapping with the keys regions, wave, body, velocity, "
       "pressure\n"
-      "odd.yaml:3: tank: found '1'; allowed: a mapping with the keys walls, sides, bed\n"
+      "odd.yaml:3: tank: found '1'; allowed: a mapping with the keys walls, sides, bed, motions\n"
       "odd.yaml:4: time: found '1'; allowed: a mapping with the keys end, every, sample\n"
       "odd.yaml:5: runs: found '1'; allowed: a list of 1 to 1000 runs\n");
   free(title);
