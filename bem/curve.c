@@ -31,7 +31,8 @@ enum status bem_curve_fit(struct bem_curve *c, const struct bem_surface *s, size
   c->arc[0] = start;
   for (size_t k = 1; k < c->n; k++)
     c->arc[k] = c->arc[k - 1] + hypot(x[k] - x[k - 1], y[k] - y[k - 1]);
-  return bem_spline_fit(c->n, c->arc, BEM_FIELDS, c->value, c->second, c->scratch);
+  return (bem_surface_is_closed(s) ? bem_spline_fit_round : bem_spline_fit)(
+      c->n, c->arc, BEM_FIELDS, c->value, c->second, c->scratch);
 }
 
 double bem_curve_value(struct bem_curve *c, size_t field, double arc) {

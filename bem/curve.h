@@ -1,5 +1,5 @@
 /* A piece of the surface without a kink as a smooth curve: not-a-knot cubic splines of x, y and phi
- * in arc length. */
+ * in arc length, periodic ones of a closed chain. */
 #pragma once
 #include "bem/surface.h"
 

@@ -14,18 +14,17 @@ static const double SPILLABLE = 0.01; /* of the volume of the water */
 
 static const double BEND = 0.1; /* of the panel at the edge: so near it is at the bend */
 
-static bool always(const struct bem_run *r) {
-  (void)r;
-  return true;
-}
-
 /* The water has not come to the right wall. */
 static bool before_wall(const struct bem_run *r) {
   return r->flow.surface.right == BEM_END_BED;
 }
 
+static bool between_walls(const struct bem_run *r) {
+  return !bem_surface_is_closed(&r->flow.surface);
+}
+
 static bool at_wall(const struct bem_run *r) {
-  return !before_wall(r);
+  return !before_wall(r) && between_walls(r);
 }
 
 static bool film_at_wall(const struct bem_run *r) {
@@ -187,7 +186,7 @@ static const struct bem_event all[] = {
     {"wall_impact", before_wall, impact_value, last_node, record},
     {"overturning", film_at_wall, overturn_value, overturn_where, overturn_act},
     {"touchdown", overturned, touchdown_value, touchdown_where, touchdown_act},
-    {"overflow", always, over_left_value, first_node, over_left_act},
+    {"overflow", between_walls, over_left_value, first_node, over_left_act},
     {"overflow", at_wall, over_right_value, last_node, over_right_act},
     {"cut at the wall", before_wall, cut_value, last_node, cut_act},
     {"bend", walls_bend, bend_left_value, first_node, bend_act},

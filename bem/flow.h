@@ -18,6 +18,7 @@ struct bem_flow {
   double filter;              /* rate of the sixth-difference filter everywhere, sqrt(g/H) */
   size_t room;
   double *psi, *u, *v, *tx, *ty, *q; /* nodal values of the last evaluation, [n], owned */
+  double *phi_round, *psi_round;     /* periodic parts of phi and psi of a closed chain, in psi's */
   double *damping;                   /* part of the last rates that removes noise, [3n], in psi's */
   double complex *w;                 /* u - i v, [n], owned */
   enum status status;                /* why an evaluation failed */

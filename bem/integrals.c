@@ -14,17 +14,21 @@ struct equation {
   double *a, *b, diagonal_a, diagonal_b;
 };
 
+static int carries(const struct bem_panels *p, ptrdiff_t first, size_t node) {
+  const ptrdiff_t at = bem_stencil_place(p, first, node);
+  return at >= 0 && at < BEM_STENCIL;
+}
+
 /* Adds the exact integral over panel j, seen from tau, less its quadrature, which the loop over all
- * nodes has counted. node: the collocation node if tau is that node itself, else p->n. sign is -1
- * for the mirror image. */
+ * nodes has counted. node: the collocation node if tau is that node itself, else none
+ * (bem_stencil_place). sign is -1 for the mirror image. */
 static void correct(const struct bem_panels *p, size_t j, double complex tau, size_t node,
                     double sign, struct equation *e) {
-  size_t first = (size_t)bem_stencil_first(p, j, BEM_STENCIL);
+  const ptrdiff_t first = bem_stencil_first(p, j, BEM_STENCIL);
   double complex moment[BEM_STENCIL];
-  int regular = node >= first && node < first + BEM_STENCIL;
-  moments((tau - p->middle[j]) / p->half[j], regular, moment);
-  for (size_t m = 0; m < BEM_STENCIL; m++) {
-    size_t k = first + m;
+  moments((tau - p->middle[j]) / p->half[j], carries(p, first, node), moment);
+  for (int m = 0, image; m < BEM_STENCIL; m++) {
+    const size_t k = bem_stencil_node(p, first + m, &image);
     if (k == node) continue; /* beta - beta_k vanishes there */
     double complex c = 0;
     for (int q = 0; q < BEM_STENCIL; q++) c += p->basis[j][m][q] * moment[q];
@@ -65,40 +69,56 @@ static int panel_is_near(const struct bem_panels *p, size_t j, double x, double 
   return dx * dx + dy * dy < near * near * (a * a + b * b);
 }
 
-/* Own contour: real part of W (beta_n - beta_k); mirror image, for W' seen from conj(zeta_k):
- * real part of -W' (beta_n - conj(beta_k)). */
+/* A closed chain: the mirror image of its integral is that seen from the mirror image of the node
+ * less that from zero, which leaves 2 pi psi_k and c = Re of the integral of beta dt/t. But beta
+ * between surface and bed has no source there, hence c = 0, of which half is taken away: a constant
+ * psi, which all of that does not see, then has pi on the diagonal as all others have. */
+static void close_chain(const struct bem_panels *p, size_t k, double *a, double *b) {
+  const double *re = p->re, *im = p->im, *wr = p->weight_re, *wi = p->weight_im;
+#pragma omp simd
+  for (size_t m = 0; m < p->n; m++) {
+    double r2 = 1 / (re[m] * re[m] + im[m] * im[m]);
+    a[m] += 0.5 * (wi[m] * re[m] - wr[m] * im[m]) * r2;
+    b[m] += 0.5 * (wr[m] * re[m] + wi[m] * im[m]) * r2;
+  }
+  a[k] -= 2 * M_PI;
+}
+
+/* Own contour: real part of W (beta_n - beta_k); mirror image, for W' seen from the mirror image of
+ * zeta_k: real part of -W' (beta_n - conj(beta_k)). */
 void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *b) {
-  const size_t n = p->n;
-  const double x = p->re[k], y = p->im[k];
+  const size_t n = p->n, panels = bem_panels_count(p), none = n + BEM_STENCIL;
+  const double complex mirrored = bem_panels_mirror(p, p->zeta[k]);
+  const double x = p->re[k], y = p->im[k], mx = creal(mirrored), my = cimag(mirrored);
   const double *re = p->re, *im = p->im, *wr = p->weight_re, *wi = p->weight_im;
   double diagonal_a = 0, diagonal_b = 0;
 #pragma omp simd reduction(+ : diagonal_a, diagonal_b)
   for (size_t m = 0; m < n; m++) {
-    double dx = re[m] - x, dy = im[m] - y, ey = im[m] + y;
+    double dx = re[m] - x, dy = im[m] - y, ex = re[m] - mx, ey = im[m] - my;
     double r2 = dx * dx + dy * dy;
-    double own = m == k ? 0 : 1 / (m == k ? 1 : r2), mirror = 1 / (dx * dx + ey * ey);
+    double own = m == k ? 0 : 1 / (m == k ? 1 : r2), mirror = 1 / (ex * ex + ey * ey);
     double own_re = (wr[m] * dx + wi[m] * dy) * own, own_im = (wi[m] * dx - wr[m] * dy) * own;
-    double mirror_re = (wr[m] * dx + wi[m] * ey) * mirror;
-    double mirror_im = (wi[m] * dx - wr[m] * ey) * mirror;
+    double mirror_re = (wr[m] * ex + wi[m] * ey) * mirror;
+    double mirror_im = (wi[m] * ex - wr[m] * ey) * mirror;
     a[m] = own_im - mirror_im;
     b[m] = own_re - mirror_re;
     diagonal_a += own_im + mirror_im;
     diagonal_b += own_re - mirror_re;
   }
   struct equation e = {a, b, diagonal_a, diagonal_b};
-  for (size_t j = 0; j + 1 < n; j++) {
+  for (size_t j = 0; j < panels; j++) {
     if (bem_panel_is_mirrored(p, j)) {
       add_mirrored(p, j, p->zeta[k], k, 1, &e);
-      add_mirrored(p, j, conj(p->zeta[k]), n + BEM_STENCIL, -1, &e);
+      add_mirrored(p, j, mirrored, none, -1, &e);
       continue;
     }
-    size_t first = (size_t)bem_stencil_first(p, j, BEM_STENCIL);
-    if (panel_is_near(p, j, x, y) || (k >= first && k < first + BEM_STENCIL))
+    if (panel_is_near(p, j, x, y) || carries(p, bem_stencil_first(p, j, BEM_STENCIL), k))
       correct(p, j, p->zeta[k], k, 1, &e);
-    if (panel_is_near(p, j, x, -y)) correct(p, j, conj(p->zeta[k]), n, -1, &e);
+    if (panel_is_near(p, j, mx, my)) correct(p, j, mirrored, none, -1, &e);
   }
   a[k] -= e.diagonal_a;
   b[k] -= e.diagonal_b;
+  if (bem_panels_closed(p)) close_chain(p, k, a, b);
 }
 
 /* Integrals over the surface seen from a point: of f + i h, of its derivative, and of one. */
@@ -121,15 +141,27 @@ static void add_panel(const struct bem_panels *p, size_t j, const double *f, con
   sum->winding += moment[0];
 }
 
+/* Takes from the view of the mirror image of tau, on a closed chain, that from zero, and turns its
+ * derivative by the mirror image into one by conj(tau). */
+static void see_closed(const struct bem_panels *p, const double *f, const double *h,
+                       double complex tau, struct contour *seen) {
+  struct contour zero = {0};
+  for (size_t j = 0; j < p->n; j++) add_panel(p, j, f, h, 0, &zero);
+  seen->value -= zero.value;
+  seen->winding -= zero.winding;
+  seen->slope *= -p->period.bed / (conj(tau) * conj(tau));
+}
+
 /* The surface and its mirror image close the contour, so f(tau) is the mean of f weighted with
  * dt / (t - tau), and its derivative the same mean of d f / dt, for f continuous along it. */
 void bem_integrals_inside(const struct bem_panels *p, const double *f, const double *h,
                           double complex tau, double complex *value, double complex *slope) {
   struct contour own = {0}, seen = {0}; /* seen: the surface from the mirror image of tau */
-  for (size_t j = 0; j + 1 < p->n; j++) {
+  for (size_t j = 0; j < bem_panels_count(p); j++) {
     add_panel(p, j, f, h, tau, &own);
-    add_panel(p, j, f, h, conj(tau), &seen);
+    add_panel(p, j, f, h, bem_panels_mirror(p, tau), &seen);
   }
+  if (bem_panels_closed(p)) see_closed(p, f, h, tau, &seen);
   double complex winding = own.winding - conj(seen.winding);
   *value = (own.value - conj(seen.value)) / winding;
   *slope = (own.slope - conj(seen.slope)) / winding;

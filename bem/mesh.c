@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "bem/cyclic.h"
 #include "common/base/array.h"
 
 /* The wanted number of nodes per H, divided by the resolution, is the root of the sum of squares of
@@ -18,9 +19,9 @@ static const double OPEN = 0.15;             /* rad: a kink that turns less is n
 static const size_t FEWEST = 7;              /* nodes of a piece */
 
 enum status bem_mesh_reserve(struct bem_mesh *m, size_t n) {
-  double **array[] = {&m->work.rho,      &m->work.share, &m->work.growth, &m->work.dx,
-                      &m->work.dy,       &m->work.ddx,   &m->work.ddy,    &m->work.bend,
-                      &m->work.diagonal, &m->work.beside};
+  double **array[] = {&m->work.rho,      &m->work.share,  &m->work.growth, &m->work.dx,
+                      &m->work.dy,       &m->work.ddx,    &m->work.ddy,    &m->work.bend,
+                      &m->work.diagonal, &m->work.beside, &m->work.round};
   enum { ARRAYS = sizeof array / sizeof *array };
   if (n <= m->work.room) return OK;
   TRY(array_resize(&m->work.memory, ARRAYS * n, "numbers of a mesh"));
@@ -39,8 +40,8 @@ void bem_mesh_destroy(struct bem_mesh *m) {
 static void measure_bend(struct bem_mesh *m, const struct bem_surface *s, const double *x,
                          const double *y) {
   const double *dx = m->work.dx, *dy = m->work.dy, *ddx = m->work.ddx, *ddy = m->work.ddy;
-  bem_surface_differences(s->n, s->corner, x, m->work.dx, m->work.ddx);
-  bem_surface_differences(s->n, s->corner, y, m->work.dy, m->work.ddy);
+  bem_surface_differences(s, x, m->work.dx, m->work.ddx);
+  bem_surface_differences(s, y, m->work.dy, m->work.ddy);
   for (size_t k = 0; k < s->n; k++) {
     double speed = hypot(dx[k], dy[k]);
     double c = (dx[k] * ddy[k] - dy[k] * ddx[k]) / (speed * speed * speed);
@@ -49,13 +50,18 @@ static void measure_bend(struct bem_mesh *m, const struct bem_surface *s, const 
   }
 }
 
-/* Solves (1 - SPREAD delta^2) smooth = rough in place; nothing is lost at the ends. The matrix is
- * positive definite: there is always a solution. */
-static void spread(size_t panels, double *rho, double *diagonal, double *beside) {
+/* Solves (1 - SPREAD delta^2) smooth = rough in place; nothing is lost at the ends, and a closed
+ * chain has none. The matrix is positive definite: there is always a solution. */
+static void spread(struct bem_mesh *m, size_t panels, bool closed) {
+  double *rho = m->work.rho, *diagonal = m->work.diagonal, *beside = m->work.beside;
   for (size_t j = 0; j < panels; j++) {
-    bool end = j == 0 || j + 1 == panels;
+    bool end = !closed && (j == 0 || j + 1 == panels);
     diagonal[j] = 1 + (end ? 1 : 2) * SPREAD;
     beside[j] = -SPREAD;
+  }
+  if (closed) {
+    bem_cyclic_solve(panels, diagonal, beside, 1, panels, rho, m->work.round);
+    return;
   }
   lapack_int n = (lapack_int)panels, one = 1, failed;
   LAPACK_dptsv(&n, &one, diagonal, beside, rho, &n, &failed);
@@ -74,7 +80,7 @@ static void measure_density(struct bem_mesh *m, const struct bem_surface *s, con
     rho[j] = sqrt(1 + 0.5 * (bend[j] + bend[j + 1]) / (BEND * BEND) + near * near);
     distance += l;
   }
-  spread(n - 1, rho, m->work.diagonal, m->work.beside);
+  spread(m, n - 1, bem_surface_is_closed(s));
   for (size_t j = 0; j + 1 < n; j++) {
     rho[j] *= m->resolution;
     share[j] *= rho[j];

@@ -11,7 +11,7 @@ struct bem_mesh {
   double resolution; /* nodes per H where the surface is smooth */
   struct {           /* scratch: no call finds there what another has left */
     size_t room;
-    double *memory;  /* [10 room], owned: of the arrays below, [room] each */
+    double *memory;  /* [11 room], owned: of the arrays below, [room] each */
     double *rho;     /* nodes wanted per length of the panel after a node, 1/H */
     double *share;   /* nodes that the panel after a node is worth */
     double *growth;  /* rate at which the water changes that, sqrt(g/H) */
@@ -19,6 +19,7 @@ struct bem_mesh {
     double *ddx, *ddy;
     double *bend;              /* square of the curvature that counts, 1/H^2 */
     double *diagonal, *beside; /* of a tridiagonal matrix */
+    double *round;             /* for one that goes round */
   } work;
   struct bem_curve curve; /* scratch of regridding */
 };

@@ -33,6 +33,17 @@ static enum status reserve(struct bem_output *o, size_t n) {
   return OK;
 }
 
+/* The surface of water without sides in SI units, cut where it goes through the tank's. */
+static enum status period_line(struct bem_output *o) {
+  const struct case_file *c = o->c;
+  const struct bem_surface *s = &o->view.surface;
+  TRY(bem_period_cut(s, s->state, &o->line));
+  for (size_t i = 0; i < o->line.points; i++)
+    for (int axis = 0; axis < 2; axis++)
+      o->line.p[i][axis] = c->tank.min[axis] + c->H * o->line.p[i][axis];
+  return OK;
+}
+
 /* The surface in SI units, without the part that has run through the right wall before it is cut.
  */
 static enum status polyline(struct bem_output *o) {
@@ -40,6 +51,7 @@ static enum status polyline(struct bem_output *o) {
   const struct bem_surface *s = &o->view.surface;
   const double *x = s->state, *y = x + s->n;
   geo_lines_clear(&o->line);
+  if (bem_surface_is_closed(s)) return period_line(o);
   TRY(geo_lines_begin(&o->line, false));
   for (size_t k = 0; k < s->n; k++) {
     double px = x[k], py = y[k];

@@ -103,8 +103,9 @@ static void set_slope(struct bem_panels *p, size_t k) {
 
 static void set_panel(struct bem_panels *p, size_t j) {
   double complex s[BEM_STENCIL];
-  p->middle[j] = 0.5 * (p->zeta[j] + p->zeta[j + 1]);
-  p->half[j] = 0.5 * (p->zeta[j + 1] - p->zeta[j]);
+  const double complex next = p->zeta[j + 1 < p->n ? j + 1 : 0];
+  p->middle[j] = 0.5 * (p->zeta[j] + next);
+  p->half[j] = 0.5 * (next - p->zeta[j]);
   const double complex inverse = 1 / p->half[j];
   gather(p, bem_stencil_first(p, j, BEM_STENCIL), BEM_STENCIL, s);
   for (size_t m = 0; m < BEM_STENCIL; m++) s[m] = (s[m] - p->middle[j]) * inverse;
@@ -118,21 +119,22 @@ static void set_panel(struct bem_panels *p, size_t j) {
 
 /* What follows from the nodes in the mapped plane. */
 static void interpolate(struct bem_panels *p) {
-  const size_t n = p->n;
+  const size_t n = p->n, panels = bem_panels_count(p);
 #pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
   for (size_t j = 0; j < n; j++) {
     p->re[j] = creal(p->zeta[j]);
     p->im[j] = cimag(p->zeta[j]);
     set_slope(p, j);
-    if (j + 1 < n) set_panel(p, j);
+    if (j < panels) set_panel(p, j);
   }
   for (size_t k = 0; k < n; k++) p->weight_re[k] = p->weight_im[k] = 0;
-  for (size_t j = 0; j + 1 < n; j++) {
+  for (size_t j = 0; j < panels; j++) {
     if (bem_panel_is_mirrored(p, j)) continue; /* always integrated exactly */
-    const size_t first = (size_t)bem_stencil_first(p, j, BEM_STENCIL);
-    for (size_t m = 0; m < BEM_STENCIL; m++) {
-      p->weight_re[first + m] += creal(p->weight[j][m]);
-      p->weight_im[first + m] += cimag(p->weight[j][m]);
+    const ptrdiff_t first = bem_stencil_first(p, j, BEM_STENCIL);
+    for (int m = 0, image; m < BEM_STENCIL; m++) {
+      const size_t k = bem_stencil_node(p, first + m, &image);
+      p->weight_re[k] += creal(p->weight[j][m]);
+      p->weight_im[k] += cimag(p->weight[j][m]);
     }
   }
 }
@@ -140,6 +142,7 @@ static void interpolate(struct bem_panels *p) {
 void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y,
                     double length) {
   p->n = n;
+  p->period = (struct bem_period){0};
   p->length = length;
   p->mirrored[0] = p->mirrored[1] = 0;
 #pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
@@ -147,6 +150,20 @@ void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const doubl
     double complex z = CMPLX(x[k], y[k]);
     p->zeta[k] = bem_map(length, z);
     p->dzeta[k] = bem_map_slope(length, z);
+  }
+  interpolate(p);
+}
+
+void bem_panels_set_round(struct bem_panels *p, size_t n, const double *x, const double *y,
+                          const struct bem_period *period) {
+  p->n = n;
+  p->period = *period;
+  p->mirrored[0] = p->mirrored[1] = 0;
+#pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
+  for (size_t k = 0; k < n; k++) {
+    double complex z = CMPLX(x[k], y[k]);
+    p->zeta[k] = bem_period_map(period, z);
+    p->dzeta[k] = bem_period_slope(period, z);
   }
   interpolate(p);
 }
@@ -185,6 +202,7 @@ static int leans_over(const struct bem_conformal *walls, size_t side) {
 enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x, const double *y,
                                  const struct bem_conformal *walls, const size_t side[2]) {
   p->n = n;
+  p->period = (struct bem_period){0};
   for (int end = 0; end < 2; end++) p->mirrored[end] = !leans_over(walls, side[end]);
   TRY(reserve_charts(p, n));
   for (size_t k = 0; k < n; k++) TRY(look_up(p, k, CMPLX(x[k], y[k]), walls, side[0]));

@@ -4,7 +4,8 @@
  * the left wall zeta >= 1, the right wall zeta <= 0. There beta = phi + i psi with psi = 0 on the
  * walls continues to the upper half plane by Schwarz reflection, beta(conj zeta) = conj beta(zeta),
  * so the surface and its mirror image close the contour and walls need no nodes. Other tanks have a
- * map of their own, onto the upper half plane (conformal.h), where all of this holds as well.
+ * map of their own, onto the upper half plane (conformal.h), where all of this holds as well. Water
+ * without sides has a closed surface around a circle, its bed (period.h), that it is reflected in.
  *
  * On the panel between nodes j and j+1 beta is the complex polynomial in zeta through BEM_STENCIL
  * neighbouring nodes (Vinje & Brevig 1981 use two; with four the velocity is of fourth order). At
@@ -17,6 +18,7 @@
 #include <stddef.h>
 
 #include "bem/conformal.h"
+#include "bem/period.h"
 #include "common/base/status.h"
 
 enum {
@@ -27,8 +29,10 @@ enum {
 };
 
 struct bem_panels {
-  size_t n, room;  /* nodes in use and allocated; panels are one fewer */
-  double length;   /* L of the map, H */
+  size_t n, room; /* nodes in use and allocated; panels are one fewer, or as many in a closed
+                     chain, which has each node once */
+  double length;  /* L of the map, H */
+  struct bem_period period; /* of a closed chain */
   int mirrored[2]; /* whether stencils at the left and the right edge reach into the mirror image */
   double complex *zeta;   /* nodes in the mapped plane, [n], owned; so are all arrays below */
   double complex *dzeta;  /* d zeta / d z at the nodes, 1/H, [n] */
@@ -59,15 +63,34 @@ void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const doubl
 enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x, const double *y,
                                  const struct bem_conformal *walls, const size_t side[2]);
 
+/* The same for the n nodes of one period. */
+void bem_panels_set_round(struct bem_panels *p, size_t n, const double *x, const double *y,
+                          const struct bem_period *period);
+
 /* Complex velocity w = u - i v = d beta / dz at every node. */
 void bem_panels_velocity(const struct bem_panels *p, const double *phi, const double *psi,
                          double complex *w);
 
+static inline int bem_panels_closed(const struct bem_panels *p) {
+  return p->period.length > 0;
+}
+
+static inline size_t bem_panels_count(const struct bem_panels *p) {
+  return bem_panels_closed(p) ? p->n : p->n - 1;
+}
+
+/* Where the mirror image of a point of the mapped plane is. */
+static inline double complex bem_panels_mirror(const struct bem_panels *p, double complex tau) {
+  return bem_panels_closed(p) ? p->period.bed / conj(tau) : conj(tau);
+}
+
 /* First of `count` neighbouring nodes around the middle of panel j (of node k for odd counts);
- * beyond the edges, where stencils are mirrored, they are the mirror images of nodes. */
+ * beyond the edges, where stencils are mirrored, they are the mirror images of nodes. A closed
+ * chain has no edges: stencils go on round it. */
 static inline ptrdiff_t bem_stencil_first(const struct bem_panels *p, size_t at, size_t count) {
   const ptrdiff_t first = (ptrdiff_t)at - ((ptrdiff_t)count - 1) / 2;
   const ptrdiff_t most = (ptrdiff_t)(p->n - count);
+  if (bem_panels_closed(p)) return first;
   if (first < 0) return p->mirrored[0] ? first : 0;
   return first > most && !p->mirrored[1] ? most : first;
 }
@@ -75,6 +98,9 @@ static inline ptrdiff_t bem_stencil_first(const struct bem_panels *p, size_t at,
 /* The node at this place of a stencil, and whether it is its mirror image that stands there. */
 static inline size_t bem_stencil_node(const struct bem_panels *p, ptrdiff_t at, int *image) {
   const ptrdiff_t last = (ptrdiff_t)p->n - 1;
+  *image = 0;
+  if (bem_panels_closed(p))
+    return (size_t)(at < 0 ? at + last + 1 : at > last ? at - last - 1 : at);
   *image = at < 0 || at > last;
   return (size_t)(at < 0 ? -at : at > last ? 2 * last - at : at);
 }
@@ -85,6 +111,14 @@ static inline double complex bem_stencil_value(const struct bem_panels *p, ptrdi
   int image;
   const size_t k = bem_stencil_node(p, at, &image);
   return CMPLX(f[k], image ? -h[k] : h[k]);
+}
+
+/* Where a node, or none (n + BEM_STENCIL), is in a stencil; outside it if it is not one of it. */
+static inline ptrdiff_t bem_stencil_place(const struct bem_panels *p, ptrdiff_t first,
+                                          size_t node) {
+  const ptrdiff_t n = (ptrdiff_t)p->n, at = (ptrdiff_t)node - first;
+  if (!bem_panels_closed(p) || at > n + BEM_STENCIL) return at;
+  return at < 0 ? at + n : at >= n ? at - n : at;
 }
 
 /* Whether nodes of panel j's stencil are mirror images. */

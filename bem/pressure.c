@@ -36,13 +36,19 @@ static bool wet(const struct bem_surface *s, const double *state, double x, doub
   return y < near && (s->right == BEM_END_WALL || x < state[n - 1]);
 }
 
-/* Image of a point of the walls, which is on the real axis, and d zeta / d z there. *under: whether
+/* Image of a point of the walls and d zeta / d z there. *under: whether
  * it is under water. */
 static enum status map(const struct bem_flow *f, const double *state, double complex z, bool *under,
-                       double *tau, double complex *dzeta) {
+                       double complex *tau, double complex *dzeta) {
   const struct bem_surface *s = &f->surface;
   const struct bem_panels *p = &f->panels;
   double complex zeta;
+  if (bem_surface_is_closed(s)) { /* the bed, the only wall */
+    *under = true;
+    *tau = bem_period_map(&s->period, z);
+    *dzeta = bem_period_slope(&s->period, z);
+    return OK;
+  }
   if (!s->walls) {
     *under = wet(s, state, creal(z), cimag(z));
     *tau = creal(bem_map(s->length, z));
@@ -51,21 +57,22 @@ static enum status map(const struct bem_flow *f, const double *state, double com
   }
   TRY(bem_conformal_on_wall(s->walls, z, &zeta, dzeta));
   *tau = creal(zeta);
-  *under = *tau > p->re[0] && *tau < p->re[s->n - 1];
+  *under = creal(zeta) > p->re[0] && creal(zeta) < p->re[s->n - 1];
   return OK;
 }
 
 enum status bem_pressure_at(const struct bem_pressure *p, const struct bem_flow *f,
                             const double *state, double x, double y, double *pressure) {
   const struct bem_surface *s = &f->surface;
-  double complex dzeta, value, slope;
-  double tau;
+  double complex tau, dzeta, value, slope;
   bool under;
   *pressure = 0;
+  const bool closed = bem_surface_is_closed(s);
   TRY(map(f, state, CMPLX(x, y), &under, &tau, &dzeta));
   if (!under) return OK;
-  bem_integrals_inside(&f->panels, state + 2 * s->n, f->psi, tau, &value, &slope);
-  double complex w = slope * dzeta;
+  bem_integrals_inside(&f->panels, closed ? f->phi_round : state + 2 * s->n,
+                       closed ? f->psi_round : f->psi, tau, &value, &slope);
+  double complex w = slope * dzeta + bem_period_current(s, state);
   bem_integrals_inside(&f->panels, p->phi_t, p->psi_t, tau, &value, &slope);
   *pressure = -creal(value) - 0.5 * creal(w * conj(w)) - (y - f->level);
   return OK;

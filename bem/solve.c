@@ -20,8 +20,9 @@ struct bem_solve {
   struct bem_solve_options options;
   struct bem_solve_counts count;
   size_t n, room;                  /* unknowns, allocated for */
+  size_t ends;                     /* nodes before the first unknown, and after the last */
   double *a;                       /* matrix by rows, [n][n] */
-  double *b;                       /* coefficients of phi by rows, [n][n + 2], when kept */
+  double *b;                       /* coefficients of phi by rows, [n][nodes], when kept */
   double *row;                     /* scratch, two rows a thread */
   double *f, *x;                   /* right-hand side and solution, [n] */
   const struct bem_panels *panels; /* of the last assembly */
@@ -122,21 +123,26 @@ static enum status resize(struct bem_solve *s, size_t n) {
   return OK;
 }
 
-/* Row k belongs to inner node k + 1. The right-hand side is summed while the row is at hand. */
+static size_t count_nodes(const struct bem_solve *s) {
+  return s->n + 2 * s->ends;
+}
+
+/* Row k belongs to the inner node k + ends. The right-hand side is summed while the row is at hand.
+ */
 static enum status assemble(struct bem_solve *s, const double *phi, int keep) {
   const struct bem_panels *p = s->panels;
-  const size_t n = s->n;
+  const size_t n = s->n, ends = s->ends, nodes = count_nodes(s);
   if (keep && !s->b)
     TRY(array_create(&s->b, s->room * (s->room + 2), "numbers of a boundary system"));
 #pragma omp parallel for schedule(dynamic, 8)
   for (size_t k = 0; k < n; k++) {
     double *a = s->row + 2 * (n + 2) * (size_t)omp_get_thread_num();
-    double *b = keep ? s->b + k * (n + 2) : a + n + 2;
-    bem_integrals_row(p, k + 1, a, b);
-    memcpy(s->a + k * n, a + 1, n * sizeof *a);
+    double *b = keep ? s->b + k * nodes : a + nodes;
+    bem_integrals_row(p, k + ends, a, b);
+    memcpy(s->a + k * n, a + ends, n * sizeof *a);
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
-    for (size_t m = 0; m < n + 2; m++) sum += b[m] * phi[m];
+    for (size_t m = 0; m < nodes; m++) sum += b[m] * phi[m];
     s->f[k] = sum;
   }
   s->count.assemblies++;
@@ -166,17 +172,18 @@ static enum status finish(struct bem_solve *s, double *psi) {
     memcpy(s->x, s->f, n * sizeof *s->x);
     LAPACK_dgetrs("T", &size, &one, s->a, &size, s->pivot, s->x, &size, &info);
   } else {
-    memcpy(s->x, psi + 1, n * sizeof *s->x);
+    memcpy(s->x, psi + s->ends, n * sizeof *s->x);
     TRY(iterate(s));
   }
-  memcpy(psi + 1, s->x, n * sizeof *s->x);
-  psi[0] = psi[n + 1] = 0;
+  memcpy(psi + s->ends, s->x, n * sizeof *s->x);
+  if (s->ends) psi[0] = psi[n + 1] = 0;
   return OK;
 }
 
 enum status bem_solve_first(struct bem_solve *s, const struct bem_panels *p, const double *phi,
                             double *psi, int keep) {
-  TRY(resize(s, p->n - 2));
+  s->ends = p->period.length > 0 ? 0 : 1;
+  TRY(resize(s, p->n - 2 * s->ends));
   s->panels = p;
   TRY(assemble(s, phi, keep));
   if (s->dense) {
@@ -189,12 +196,12 @@ enum status bem_solve_first(struct bem_solve *s, const struct bem_panels *p, con
 }
 
 enum status bem_solve_again(struct bem_solve *s, const double *phi, double *psi) {
-  const size_t n = s->n;
+  const size_t n = s->n, nodes = count_nodes(s);
   for (size_t k = 0; k < n; k++) {
-    const double *b = s->b + k * (n + 2);
+    const double *b = s->b + k * nodes;
     double sum = 0;
 #pragma omp simd reduction(+ : sum)
-    for (size_t m = 0; m < n + 2; m++) sum += b[m] * phi[m];
+    for (size_t m = 0; m < nodes; m++) sum += b[m] * phi[m];
     s->f[k] = sum;
   }
   return finish(s, psi);

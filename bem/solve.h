@@ -1,4 +1,5 @@
-/* The linear system for psi at the inner surface nodes (psi = 0 at the two contact points), and who
+/* The linear system for psi at the inner surface nodes (psi = 0 at the two contact points; a closed
+ * chain has inner nodes only), and who
  * solves it: LAPACK's dense factorisation for few nodes; for many GMRES (SUNDIALS SPGMR), without a
  * preconditioner: the system is of the second kind, its condition number 2 to 33 in a dam break,
  * and a factorised near field saved fewer iterations than it cost. The bits do not depend on the

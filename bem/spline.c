@@ -2,6 +2,8 @@
 
 #include <lapack.h>
 
+#include "bem/cyclic.h"
+
 /* Second derivative at an end from those at the two nodes next to it: the third derivative does not
  * jump at the first of them. r: length of the outer interval over that of the inner. */
 static double outer(double r, double first, double second) {
@@ -36,6 +38,24 @@ enum status bem_spline_fit(size_t n, const double *s, size_t n_f, const double *
     d[0] = outer(r, d[1], d[2]);
     d[last] = outer(q, d[last - 1], d[last - 2]);
   }
+  return OK;
+}
+
+/* The last node is the first again. */
+enum status bem_spline_fit_round(size_t n, const double *s, size_t n_f, const double *const *f,
+                                 double *second, double *scratch) {
+  const size_t m = n - 1;
+  double *diagonal = scratch, *beside = diagonal + m;
+  for (size_t i = 0; i < m; i++) {
+    const size_t b = i > 0 ? i - 1 : m - 1;
+    const double before = s[b + 1] - s[b], after = s[i + 1] - s[i];
+    diagonal[i] = 2 * (before + after);
+    beside[i] = after;
+    for (size_t k = 0; k < n_f; k++)
+      second[k * n + i] = 6 * ((f[k][i + 1] - f[k][i]) / after - (f[k][b + 1] - f[k][b]) / before);
+  }
+  TRY(bem_cyclic_solve(m, diagonal, beside, n_f, n, second, beside + m));
+  for (double *d = second; d < second + n_f * n; d += n) d[m] = d[0];
   return OK;
 }
 

@@ -1,4 +1,4 @@
-/* Not-a-knot cubic splines. */
+/* Not-a-knot and periodic cubic splines. */
 #pragma once
 #include <stddef.h>
 
@@ -9,6 +9,11 @@
  */
 enum status bem_spline_fit(size_t n, const double *s, size_t n_f, const double *const *f,
                            double *second, double *scratch);
+
+/* The same of functions whose slopes are periodic: what f[i] gains from the first abscissa to the
+ * last it gains again. */
+enum status bem_spline_fit_round(size_t n, const double *s, size_t n_f, const double *const *f,
+                                 double *second, double *scratch);
 
 /* Value of one of them at `at`; *from is where the search starts and is left at the interval found.
  */

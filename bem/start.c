@@ -78,12 +78,11 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "are made of; set fluid.gravity or take another solver",
                  r->name);
   case_refuse_motions(c, r, problems);
-  if (c->periodic[0])
-    problems_add(
-        problems, case_run_line(r, "solver"),
-        "runs.%s.solver: found 'bem' in a tank with periodic sides; allowed: walls at both "
-        "ends, where the surface is mirrored; change tank.sides or take another solver",
-        r->name);
+  if (c->periodic[0] && !flow_is_wave(c->flow))
+    problems_add(problems, case_run_line(r, "solver"),
+                 "runs.%s.solver: found 'bem' with regions of water in a tank with periodic sides; "
+                 "allowed: a wave there; change tank.sides or take another solver",
+                 r->name);
   if (!c->rectangular) {
     bem_basin_check(c, r, problems, &width);
     width /= c->H;
@@ -96,7 +95,7 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
   check_most(r, width, problems);
 }
 
-/* From wall to wall, with the potential that the flow has there. */
+/* From wall to wall, or round a tank without sides, with the potential that the flow has there. */
 static enum status start_wave(const struct flow_water *w, double resolution,
                               struct bem_surface *s) {
   const struct case_file *c = w->c;
@@ -104,6 +103,7 @@ static enum status start_wave(const struct flow_water *w, double resolution,
   double speed = sqrt(c->gravity * c->H);
   s->right = BEM_END_WALL;
   s->length = s->tank;
+  if (c->periodic[0]) s->period = bem_period_create(s->tank, c->flow->scale(c).mean / c->H);
   TRY(bem_surface_reserve(s, last + 1));
   double *x = s->state, *y = x + s->n, *phi = y + s->n;
   for (size_t k = 0; k < s->n; k++) {
@@ -112,6 +112,7 @@ static enum status start_wave(const struct flow_water *w, double resolution,
     y[k] = (eta - c->tank.min[1]) / c->H;
     phi[k] = flow_potential(w, at, eta, 0) / (c->H * speed);
   }
+  if (c->periodic[0]) y[last] = y[0];
   return OK;
 }
 

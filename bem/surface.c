@@ -44,6 +44,11 @@ static void hold_along(double complex along, double *x, double *y) {
 
 void bem_surface_hold_ends(const struct bem_surface *s, double *x, double *y) {
   const size_t last = s->n - 1;
+  if (bem_surface_is_closed(s)) {
+    x[last] = x[0];
+    y[last] = y[0];
+    return;
+  }
   if (s->walls) {
     hold_along(bem_conformal_along(s->walls, s->side[0]), x, y);
     hold_along(bem_conformal_along(s->walls, s->side[1]), x + last, y + last);
@@ -54,15 +59,19 @@ void bem_surface_hold_ends(const struct bem_surface *s, double *x, double *y) {
   off[last] = 0;
 }
 
-/* First node of a stencil of `count` that starts `left` before `at` and stays within one piece. */
-static size_t window(size_t n, size_t corner, size_t at, size_t left, size_t count, bool after) {
+/* First node of a stencil of `count` that starts `left` before `at` and stays within one piece; it
+ * goes on round a closed chain, where it may lie before the first node. */
+static ptrdiff_t window(const struct bem_surface *s, size_t at, size_t left, size_t count,
+                        bool after) {
+  const size_t n = s->n, corner = s->corner;
+  if (bem_surface_is_closed(s)) return (ptrdiff_t)at - (ptrdiff_t)left;
   size_t begin = corner && (at > corner || (at == corner && after)) ? corner : 0;
   size_t end = corner && begin == 0 ? corner + 1 : n;
   size_t first = at >= begin + left ? at - left : begin;
-  return first + count > end ? end - count : first;
+  return (ptrdiff_t)(first + count > end ? end - count : first);
 }
 
-void bem_surface_differences(size_t n, size_t corner, const double *f, double *first,
+void bem_surface_differences(const struct bem_surface *s, const double *f, double *first,
                              double *second) {
   /* rows: position of the node in its stencil; exact for quartics */
   static const double d1[FIVE][FIVE] = {{-25, 48, -36, 16, -3},
@@ -75,12 +84,13 @@ void bem_surface_differences(size_t n, size_t corner, const double *f, double *f
                                         {-1, 16, -30, 16, -1},
                                         {-1, 4, 6, -20, 11},
                                         {11, -56, 114, -104, 35}};
-  for (size_t k = 0; k < n; k++) {
-    size_t w = window(n, corner, k, 2, FIVE, true);
+  for (size_t k = 0; k < s->n; k++) {
+    const ptrdiff_t w = window(s, k, 2, FIVE, true), at = (ptrdiff_t)k - w;
     double a = 0, b = 0;
-    for (size_t m = 0; m < FIVE; m++) {
-      a += d1[k - w][m] * f[w + m];
-      b += d2[k - w][m] * f[w + m];
+    for (int m = 0; m < FIVE; m++) {
+      const double value = bem_period_value(f, s->n, w + m);
+      a += d1[at][m] * value;
+      b += d2[at][m] * value;
     }
     first[k] = a / 12;
     if (second) second[k] = b / 12;
@@ -139,14 +149,14 @@ struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *
     for (int g = 0; g < FOUR; g++) panel_basis(at, gauss_point[g], value[at][g], slope[at][g]);
   struct bem_totals t = {0};
   for (size_t j = 0; j + 1 < s->n; j++) {
-    size_t w = window(s->n, s->corner, j, 1, FOUR, true), at = j - w;
+    const ptrdiff_t w = window(s, j, 1, FOUR, true), at = (ptrdiff_t)j - w;
     for (int g = 0; g < FOUR; g++) {
       double yg = 0, phig = 0, dx = 0, dpsi = 0;
-      for (size_t m = 0; m < FOUR; m++) {
-        yg += value[at][g][m] * y[w + m];
-        phig += value[at][g][m] * phi[w + m];
-        dx += slope[at][g][m] * x[w + m];
-        dpsi += slope[at][g][m] * psi[w + m];
+      for (int m = 0; m < FOUR; m++) {
+        yg += value[at][g][m] * bem_period_value(y, s->n, w + m);
+        phig += value[at][g][m] * bem_period_value(phi, s->n, w + m);
+        dx += slope[at][g][m] * bem_period_value(x, s->n, w + m);
+        dpsi += slope[at][g][m] * bem_period_value(psi, s->n, w + m);
       }
       t.volume += gauss_weight[g] * yg * dx;
       t.potential += gauss_weight[g] * 0.5 * yg * yg * dx;
@@ -154,6 +164,8 @@ struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *
     }
   }
   if (s->walls) add_walls(s, &t);
+  /* through the ends of a period: what phi gains from one to the other, times the flow */
+  t.kinetic += 0.5 * bem_period_current(s, s->state) * s->period.length * psi[0];
   return t;
 }
 
@@ -167,17 +179,17 @@ double bem_surface_power(const struct bem_surface *s, double level, const double
   for (size_t at = 0; at < 3; at++)
     for (int g = 0; g < FOUR; g++) panel_basis(at, gauss_point[g], value[at][g], slope[at][g]);
   for (size_t j = 0; j + 1 < n; j++) {
-    size_t w = window(n, s->corner, j, 1, FOUR, true), at = j - w;
+    const ptrdiff_t w = window(s, j, 1, FOUR, true), at = (ptrdiff_t)j - w;
     for (int g = 0; g < FOUR; g++) {
       double own = 0, head = 0, mx = 0, my = 0, dx = 0, dy = 0, dpsi = 0;
-      for (size_t m = 0; m < FOUR; m++) {
-        size_t k = w + m;
+      for (int m = 0; m < FOUR; m++) {
+        const size_t k = bem_period_node(n, w + m);
         double a = value[at][g][m], b = slope[at][g][m];
         own += a * (rphi[k] - u[k] * rx[k] - v[k] * ry[k]);
         head += a * (0.5 * (u[k] * u[k] + v[k] * v[k]) + y[k] - level);
         mx += a * rx[k];
         my += a * ry[k];
-        dx += b * x[k];
+        dx += b * bem_period_value(x, n, w + m);
         dy += b * y[k];
         dpsi += b * psi[k];
       }

@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "bem/conformal.h"
+#include "bem/period.h"
 #include "common/base/status.h"
 
 enum bem_end { BEM_END_WALL, BEM_END_BED }; /* what the last node slides along */
@@ -20,7 +21,12 @@ struct bem_surface {
   size_t side[2];                    /* of the walls, which the first and the last node are on */
   double tank;                       /* length of a rectangular tank, H */
   double length; /* of the tank that the map closes: longer until the tip has met the wall, H */
+  struct bem_period period; /* of water without sides: the last node is the first, a period on */
 };
+
+static inline bool bem_surface_is_closed(const struct bem_surface *s) {
+  return s->period.length > 0;
+}
 
 struct bem_totals {
   double volume, kinetic, potential; /* H^2, rho g H^3, rho g H^3 (y from 0) */
@@ -40,11 +46,12 @@ enum status bem_surface_follow(struct bem_surface *s, const struct bem_surface *
 void bem_surface_replace(struct bem_surface *s, const struct bem_surface *fresh);
 
 /* Keeps the contact points on their walls: takes away what would move them off, where x and y are
- * the components of a velocity at the nodes, [n]. */
+ * the components of a velocity at the nodes, [n]; or the last node of a closed chain at the first.
+ */
 void bem_surface_hold_ends(const struct bem_surface *s, double *x, double *y);
 
 /* d/di and d2/di2 of a nodal quantity by five-point differences that do not reach over the kink. */
-void bem_surface_differences(size_t n, size_t corner, const double *f, double *first,
+void bem_surface_differences(const struct bem_surface *s, const double *f, double *first,
                              double *second /* or NULL */);
 
 /* 0 in the high part of the film on the right wall, 1 elsewhere, smoothly: the thin spikes that the
