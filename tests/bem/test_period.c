@@ -100,8 +100,76 @@ static void test_systems_that_go_round_are_solved(void) {
   for (int i = 0; i < 2 * N; i++) EXPECT_NEAR(f[i], x[i], 1e-14);
 }
 
+/* ---- a small wave ---- */
+
+static const char text[] =
+    "title: small wave\n"
+    "fluid: {density: 1, gravity: 1}\n"
+    "scales: {H: 1}\n"
+    "tank: {walls: [[[0.3, 2], [0.3, 0.1], [2.3, 0.1], [2.3, 2]]], sides: periodic}\n"
+    "water: {wave: {kind: airy, amplitude: %g, wavelength: 1, depth: 0.5}}\n"
+    "time: {end: %g, every: %g, sample: 0.02}\n"
+    "gauges: [{name: wire, x: 0.7}]\n"
+    "probes: [{name: bed, at: [0.9, 0.1]}]\n"
+    "runs: [{name: bem, solver: bem, resolution: %d}]\n";
+
+static const double A = 5e-4, K = 2 * M_PI, DEPTH = 0.5;
+
+struct wave {
+  double phase, drift, pressure; /* error over the run, rad; relative; over that of the crest */
+};
+
+/* Phase at t = 0 of the wave of frequency omega that fits best around this mean. */
+static double phase_of(const struct result_series *g, size_t from, double mean, double omega) {
+  double cc = 0, ss = 0, cs = 0, c = 0, s = 0;
+  for (size_t i = from; i < g->n; i++) {
+    const double a = cos(omega * g->t[i]), b = sin(omega * g->t[i]), f = g->value[i] - mean;
+    cc += a * a, ss += b * b, cs += a * b, c += f * a, s += f * b;
+  }
+  return atan2(cc * s - cs * c, ss * c - cs * s);
+}
+
+/* Ten periods; phase from the last two. */
+static struct wave small_wave(int nodes) {
+  const double omega = sqrt(K * tanh(K * DEPTH)), end = 20 * M_PI / omega;
+  char with[sizeof text + 80];
+  struct wave out = {NAN, 0, 0};
+  snprintf(with, sizeof with, text, A, end, end, nodes);
+  struct result_file *f = run_bem(with);
+  if (!f) return out;
+  const struct result_series *g = &f->gauges[0], *p = &f->probes[0];
+  size_t from = g->n;
+  while (from > 0 && g->t[from - 1] > end - 4 * M_PI / omega) from--;
+  out.phase = remainder(phase_of(g, from, 0.1 + DEPTH, omega) - K * (0.7 - 0.3), 2 * M_PI);
+  for (size_t i = 0; i < f->n_energy; i++) {
+    double e = f->energy[i].total + f->energy[i].term[0], first = f->energy[0].total;
+    out.drift = fmax(out.drift, fabs(e - first) / f->energy[0].kinetic / 2);
+  }
+  for (size_t i = 0; i < p->n; i++) {
+    double push = A / cosh(K * DEPTH);
+    double theory = DEPTH + push * cos(K * (0.9 - 0.3) - omega * p->t[i]);
+    out.pressure = fmax(out.pressure, fabs(p->value[i] - theory) / push);
+  }
+  printf("  %3d nodes per wavelength: phase %+.2e, energy %.1e, pressure %.1e, %.0f evaluations\n",
+         nodes, out.phase, out.drift, out.pressure, run_statistic(f, "evaluations"));
+  result_file_destroy(f);
+  return out;
+}
+
+static void test_a_small_wave_runs_round_as_linear_theory_says_at_fourth_order(void) {
+  struct wave coarse = small_wave(16), fine = small_wave(32), usual = small_wave(64);
+  double order = log2((coarse.phase - usual.phase) / (fine.phase - usual.phase));
+  printf("  order %.2f\n", order);
+  EXPECT(order > 3.7);
+  /* what linear theory leaves out: Stokes' (ka)^2/2 of the phase speed, and second harmonics */
+  EXPECT_NEAR(usual.phase, 0, 20 * M_PI * K * K * A * A);
+  EXPECT(usual.pressure < 10 * K * A);
+  EXPECT(usual.drift < 1e-5);
+}
+
 int main(void) {
   RUN(test_velocity_under_a_closed_chain_is_of_fourth_order);
   RUN(test_systems_that_go_round_are_solved);
+  RUN(test_a_small_wave_runs_round_as_linear_theory_says_at_fourth_order);
   return TEST_RESULT;
 }
