@@ -10,6 +10,7 @@
 enum status bem_flow_reserve(struct bem_flow *f, size_t n) {
   TRY(bem_panels_reserve(&f->panels, n));
   TRY(bem_mesh_reserve(&f->mesh, n));
+  TRY(bem_guess_begin(&f->guess, n));
   if (n > f->room) {
     free(f->psi);
     free(f->w);
@@ -29,6 +30,7 @@ enum status bem_flow_reserve(struct bem_flow *f, size_t n) {
 
 void bem_flow_destroy(struct bem_flow *f) {
   bem_panels_destroy(&f->panels);
+  bem_guess_destroy(&f->guess);
   bem_solve_destroy(f->solve);
   bem_mesh_destroy(&f->mesh);
   bem_surface_destroy(&f->surface);
@@ -95,11 +97,13 @@ enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
   return OK;
 }
 
-enum status bem_flow_rates(struct bem_flow *f, const double *state, double *rate) {
+enum status bem_flow_rates(struct bem_flow *f, double time, const double *state, double *rate) {
   const struct bem_surface *s = &f->surface;
   const size_t n = s->n;
   double *dx = rate, *dy = rate + n, *dphi = rate + 2 * n;
+  bem_guess_make(&f->guess, time, f->psi);
   TRY(bem_flow_solve(f, state, 0));
+  bem_guess_keep(&f->guess, time, f->psi);
   bem_mesh_velocity(&f->mesh, s, state, f->u, f->v, f->tx, f->ty, f->q);
   for (size_t k = 0; k < n; k++) {
     double u = f->u[k], v = f->v[k];

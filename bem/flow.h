@@ -3,6 +3,7 @@
 #pragma once
 #include <complex.h>
 
+#include "bem/guess.h"
 #include "bem/mesh.h"
 #include "bem/panels.h"
 #include "bem/solve.h"
@@ -10,6 +11,7 @@
 
 struct bem_flow {
   struct bem_panels panels;
+  struct bem_guess guess; /* of psi, in rates */
   struct bem_solve *solve;
   struct bem_mesh mesh;
   struct bem_surface surface; /* at the start of the step; its shape's facts hold during the step */
@@ -34,5 +36,5 @@ enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f);
 /* psi, w, u, v of the surface `state` (x[n], y[n], phi[n]). keep: see bem_solve_first. */
 enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep);
 
-/* d state / dt, [3n]. */
-enum status bem_flow_rates(struct bem_flow *f, const double *state, double *rate);
+/* d state / dt, [3n], of the state at a time. */
+enum status bem_flow_rates(struct bem_flow *f, double time, const double *state, double *rate);

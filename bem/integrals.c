@@ -2,10 +2,19 @@
 
 #include <math.h>
 
+/* log((sigma - 1) / (sigma + 1)), without what clog does to be exact to the last bit. */
+static double complex log_ratio(double complex sigma) {
+  const double x = creal(sigma), y = cimag(sigma);
+  const double above = (x - 1) * (x - 1) + y * y, below = (x + 1) * (x + 1) + y * y;
+  const double off = -4 * x / below; /* above / below - 1 */
+  return CMPLX(0.5 * (fabs(off) < 0.5 ? log1p(off) : log(above / below)),
+               atan2(2 * y, x * x + y * y - 1));
+}
+
 /* moment[q] = integral over -1..1 of s^q / (s - sigma) ds: I_q = sigma I_(q-1) + (1 - (-1)^q) / q.
  * `regular` leaves out the logarithm, which the caller knows to be multiplied by zero. */
 static void moments(double complex sigma, int regular, double complex moment[BEM_STENCIL]) {
-  moment[0] = regular ? 0 : clog((sigma - 1) / (sigma + 1));
+  moment[0] = regular ? 0 : log_ratio(sigma);
   for (int q = 1; q < BEM_STENCIL; q++) moment[q] = sigma * moment[q - 1] + (q % 2 ? 2.0 / q : 0.0);
 }
 
@@ -60,13 +69,60 @@ static void add_mirrored(const struct bem_panels *p, size_t j, double complex ta
   }
 }
 
-/* Whether panel j is near x + i y. */
-static int panel_is_near(const struct bem_panels *p, size_t j, double x, double y) {
-  const double near =
-      8; /* half chords; the harmonic function of the tests is as exact with 4 or 24 */
-  double dx = x - creal(p->middle[j]), dy = y - cimag(p->middle[j]);
-  double a = creal(p->half[j]), b = cimag(p->half[j]);
-  return dx * dx + dy * dy < near * near * (a * a + b * b);
+static double distance(double complex a, double complex b) {
+  const double x = creal(a) - creal(b), y = cimag(a) - cimag(b);
+  return sqrt(x * x + y * y);
+}
+
+/* The first panel after j that may be near a point whose distance from being near panel j is `gap`:
+ * the way to those in between is shorter. */
+static size_t next_panel(const struct bem_panels *p, size_t j, double gap) {
+  const double *way = p->way, until = way[j] + gap;
+  const size_t panels = bem_panels_count(p);
+  size_t low = j, step = 1; /* way[low] < until */
+  while (low + step < panels && way[low + step] < until) low += step, step *= 2;
+  for (; step > 0; step /= 2)
+    if (low + step < panels && way[low + step] < until) low += step;
+  return low + 1;
+}
+
+/* The first panel from j on that is near tau; bem_panels_count: there is none. */
+static size_t find_near(const struct bem_panels *p, double complex tau, size_t j) {
+  while (j < bem_panels_count(p)) {
+    const double gap = distance(tau, p->middle[j]) - p->reach[j];
+    if (gap < 0) return j;
+    j = next_panel(p, j, gap);
+  }
+  return bem_panels_count(p);
+}
+
+/* Panels whose polynomials node k carries are integrated exactly even where they are not near. */
+static void correct_carried(const struct bem_panels *p, size_t k, struct equation *e) {
+  const ptrdiff_t panels = (ptrdiff_t)bem_panels_count(p);
+  for (ptrdiff_t i = (ptrdiff_t)k - BEM_STENCIL; i < (ptrdiff_t)k + BEM_STENCIL; i++) {
+    if (!bem_panels_closed(p) && (i < 0 || i >= panels)) continue;
+    const size_t j = (size_t)((i + panels) % panels);
+    if (bem_panel_is_mirrored(p, j) || !carries(p, bem_stencil_first(p, j, BEM_STENCIL), k) ||
+        distance(p->zeta[k], p->middle[j]) < p->reach[j])
+      continue;
+    correct(p, j, p->zeta[k], k, 1, e);
+  }
+}
+
+/* Between walls no panel is nearer to the mirror image of node k than to the node itself. */
+static void correct_panels(const struct bem_panels *p, size_t k, struct equation *e) {
+  const size_t panels = bem_panels_count(p), none = p->n + BEM_STENCIL;
+  const double complex tau = p->zeta[k], mirrored = bem_panels_mirror(p, tau);
+  for (size_t j = find_near(p, tau, 0); j < panels; j = find_near(p, tau, j + 1)) {
+    if (bem_panel_is_mirrored(p, j)) continue;
+    correct(p, j, tau, k, 1, e);
+    if (!bem_panels_closed(p) && distance(mirrored, p->middle[j]) < p->reach[j])
+      correct(p, j, mirrored, none, -1, e);
+  }
+  correct_carried(p, k, e);
+  if (!bem_panels_closed(p)) return;
+  for (size_t j = find_near(p, mirrored, 0); j < panels; j = find_near(p, mirrored, j + 1))
+    correct(p, j, mirrored, none, -1, e);
 }
 
 /* A closed chain: the mirror image of its integral is that seen from the mirror image of the node
@@ -86,14 +142,13 @@ static void close_chain(const struct bem_panels *p, size_t k, double *a, double 
 
 /* Own contour: real part of W (beta_n - beta_k); mirror image, for W' seen from the mirror image of
  * zeta_k: real part of -W' (beta_n - conj(beta_k)). */
-void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *b) {
-  const size_t n = p->n, panels = bem_panels_count(p), none = n + BEM_STENCIL;
+static void sum_round(const struct bem_panels *p, size_t k, struct equation *e) {
   const double complex mirrored = bem_panels_mirror(p, p->zeta[k]);
   const double x = p->re[k], y = p->im[k], mx = creal(mirrored), my = cimag(mirrored);
   const double *re = p->re, *im = p->im, *wr = p->weight_re, *wi = p->weight_im;
-  double diagonal_a = 0, diagonal_b = 0;
+  double *a = e->a, *b = e->b, diagonal_a = 0, diagonal_b = 0;
 #pragma omp simd reduction(+ : diagonal_a, diagonal_b)
-  for (size_t m = 0; m < n; m++) {
+  for (size_t m = 0; m < p->n; m++) {
     double dx = re[m] - x, dy = im[m] - y, ex = re[m] - mx, ey = im[m] - my;
     double r2 = dx * dx + dy * dy;
     double own = m == k ? 0 : 1 / (m == k ? 1 : r2), mirror = 1 / (ex * ex + ey * ey);
@@ -105,17 +160,58 @@ void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *
     diagonal_a += own_im + mirror_im;
     diagonal_b += own_re - mirror_re;
   }
-  struct equation e = {a, b, diagonal_a, diagonal_b};
-  for (size_t j = 0; j < panels; j++) {
-    if (bem_panel_is_mirrored(p, j)) {
-      add_mirrored(p, j, p->zeta[k], k, 1, &e);
-      add_mirrored(p, j, mirrored, none, -1, &e);
-      continue;
-    }
-    if (panel_is_near(p, j, x, y) || carries(p, bem_stencil_first(p, j, BEM_STENCIL), k))
-      correct(p, j, p->zeta[k], k, 1, &e);
-    if (panel_is_near(p, j, mx, my)) correct(p, j, mirrored, none, -1, &e);
+  e->diagonal_a = diagonal_a;
+  e->diagonal_b = diagonal_b;
+}
+
+/* The same between walls, for nodes [from, to). There the denominators of both together are
+ * P + i Q = (zeta_n - x)^2 + y^2, zeta_k = x + i y; their reciprocals differ by 2 i y / (P + i Q)
+ * and add up to 2 (zeta_n - x) / (P + i Q). */
+static void sum_between_walls(const struct bem_panels *p, size_t k, size_t from, size_t to,
+                              struct equation *e) {
+  const double x = p->re[k], y = p->im[k], twice = 2 * y;
+  const double *re = p->re, *im = p->im, *wr = p->weight_re, *wi = p->weight_im;
+  double *a = e->a, *b = e->b, sum_a = 0, sum_b = 0;
+#pragma omp simd reduction(+ : sum_a, sum_b)
+  for (size_t m = from; m < to; m++) {
+    double dx = re[m] - x, up = im[m];
+    double P = dx * dx + (y - up) * (y + up), Q = 2 * dx * up, inverse = 1 / (P * P + Q * Q);
+    P *= inverse, Q *= inverse;
+    double real = wr[m] * P + wi[m] * Q, imaginary = wi[m] * P - wr[m] * Q; /* of W / (P + i Q) */
+    a[m] = twice * real;
+    b[m] = -twice * imaginary;
+    sum_a += imaginary * dx + real * up;
+    sum_b += imaginary;
   }
+  e->diagonal_a += 2 * sum_a;
+  e->diagonal_b -= twice * sum_b;
+}
+
+/* Of its own node there is the mirror image only: W / (2 i y). */
+static void sum_nodes(const struct bem_panels *p, size_t k, struct equation *e) {
+  e->diagonal_a = -0.5 * p->weight_re[k] / p->im[k];
+  e->diagonal_b = -0.5 * p->weight_im[k] / p->im[k];
+  e->a[k] = -e->diagonal_a;
+  e->b[k] = e->diagonal_b;
+  sum_between_walls(p, k, 0, k, e);
+  sum_between_walls(p, k, k + 1, p->n, e);
+}
+
+/* Panels at the edges of the surface whose stencils are mirrored there. */
+static void add_edges(const struct bem_panels *p, size_t k, struct equation *e) {
+  const size_t edge[2] = {0, p->n - 2};
+  for (int i = 0; i < 2; i++) {
+    if (!bem_panel_is_mirrored(p, edge[i])) continue;
+    add_mirrored(p, edge[i], p->zeta[k], k, 1, e);
+    add_mirrored(p, edge[i], conj(p->zeta[k]), p->n + BEM_STENCIL, -1, e);
+  }
+}
+
+void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *b) {
+  struct equation e = {a, b, 0, 0};
+  (bem_panels_closed(p) ? sum_round : sum_nodes)(p, k, &e);
+  if (!bem_panels_closed(p)) add_edges(p, k, &e);
+  correct_panels(p, k, &e);
   a[k] -= e.diagonal_a;
   b[k] -= e.diagonal_b;
   if (bem_panels_closed(p)) close_chain(p, k, a, b);

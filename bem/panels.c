@@ -14,6 +14,8 @@ enum status bem_panels_reserve(struct bem_panels *p, size_t n) {
   TRY(array_resize(&p->im, n, "boundary nodes"));
   TRY(array_resize(&p->middle, n, "boundary nodes"));
   TRY(array_resize(&p->half, n, "boundary nodes"));
+  TRY(array_resize(&p->reach, n, "boundary nodes"));
+  TRY(array_resize(&p->way, n, "boundary nodes"));
   TRY(array_resize(&p->basis, n, "boundary nodes"));
   TRY(array_resize(&p->weight, n, "boundary nodes"));
   TRY(array_resize(&p->weight_re, n, "boundary nodes"));
@@ -31,6 +33,8 @@ void bem_panels_destroy(struct bem_panels *p) {
   free(p->im);
   free(p->middle);
   free(p->half);
+  free(p->reach);
+  free(p->way);
   free(p->basis);
   free(p->weight);
   free(p->weight_re);
@@ -117,6 +121,20 @@ static void set_panel(struct bem_panels *p, size_t j) {
   }
 }
 
+/* Half chords: panels nearer than so many are integrated exactly. The harmonic functions of the
+ * tests are as exact with 4 or 24. */
+static const double NEAR = 5;
+
+/* So that whoever looks for near panels can pass over the others. */
+static void measure_way(struct bem_panels *p) {
+  for (size_t j = 0; j < bem_panels_count(p); j++) {
+    p->reach[j] = NEAR * cabs(p->half[j]);
+    p->way[j] = j ? p->way[j - 1] + cabs(p->middle[j] - p->middle[j - 1]) +
+                        fabs(p->reach[j] - p->reach[j - 1])
+                  : 0;
+  }
+}
+
 /* What follows from the nodes in the mapped plane. */
 static void interpolate(struct bem_panels *p) {
   const size_t n = p->n, panels = bem_panels_count(p);
@@ -127,6 +145,7 @@ static void interpolate(struct bem_panels *p) {
     set_slope(p, j);
     if (j < panels) set_panel(p, j);
   }
+  measure_way(p);
   for (size_t k = 0; k < n; k++) p->weight_re[k] = p->weight_im[k] = 0;
   for (size_t j = 0; j < panels; j++) {
     if (bem_panel_is_mirrored(p, j)) continue; /* always integrated exactly */

@@ -39,6 +39,9 @@ struct bem_panels {
   double *re, *im;        /* zeta once more, for vector loops, [n] */
   double complex *middle; /* of the chord of a panel, [n - 1] */
   double complex *half;   /* half its chord: t = middle + half s, -1 <= s <= 1, [n - 1] */
+  double *reach;          /* how near to its middle a point is near the panel, [n] */
+  double *way; /* from the first panel's middle along the middles, and by what `reach` changes on
+                  it, [n] */
   double complex (*basis)[BEM_STENCIL][BEM_STENCIL]; /* [n - 1][node][power of s] */
   double complex (*weight)[BEM_STENCIL];   /* integral of the node's basis function dt, [n - 1] */
   double *weight_re, *weight_im;           /* the same summed at each node, [n] */

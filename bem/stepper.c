@@ -20,9 +20,8 @@ struct bem_stepper {
 };
 
 static int rates(realtype time, N_Vector y, N_Vector rate, void *data) {
-  (void)time;
   struct bem_stepper *s = data;
-  s->flow->status = bem_flow_rates(s->flow, N_VGetArrayPointer(y), N_VGetArrayPointer(rate));
+  s->flow->status = bem_flow_rates(s->flow, time, N_VGetArrayPointer(y), N_VGetArrayPointer(rate));
   if (s->flow->status == OK) return 0;
   return s->flow->status == ERR_MEMORY ? -1 : 1; /* 1: CVODE may try a smaller step */
 }
