@@ -2,15 +2,23 @@
 
 #include <math.h>
 
-/* Water so near the right wall is film and no breaker. */
-static const double ASIDE = 0.08; /* H */
+/* A film on a wall is thinner than that, of the mean depth and of its length. It bulges here and
+ * there without ever becoming a breaker. */
+static const double THIN = 0.2, SLENDER = 0.5;
 
 static const double UPRIGHT = 0.02; /* rad */
+static const double CAVITY = 100;   /* so much longer is the way round one than across */
+static const double LEVEL = 0.5;    /* cosine: less than 60 degrees from it faces up */
 
-static double tangent(const struct bem_surface *s, const double *state, size_t k) {
-  const double *x = state + k, *y = x + s->n;
-  double dx = x[-2] - 8 * x[-1] + 8 * x[1] - x[2], dy = y[-2] - 8 * y[-1] + 8 * y[1] - y[2];
-  return dx / hypot(dx, dy);
+static double tangent(const struct bem_surface *s, const double *state, size_t at) {
+  double d[2];
+  const ptrdiff_t k = (ptrdiff_t)at;
+  for (size_t axis = 0; axis < 2; axis++) {
+    const double *f = state + axis * s->n;
+    d[axis] = bem_period_value(f, s->n, k - 2) - 8 * bem_period_value(f, s->n, k - 1) +
+              8 * bem_period_value(f, s->n, k + 1) - bem_period_value(f, s->n, k + 2);
+  }
+  return d[0] / hypot(d[0], d[1]);
 }
 
 /* Least value of the parabola through three neighbouring values, `least` the middle one; *offset,
@@ -23,15 +31,36 @@ static double refine(double before, double least, double after, double *offset) 
   return least - 0.5 * slope * slope / bend;
 }
 
-double bem_breaker_tangent(const struct bem_surface *s, const double *state, double *where) {
-  const double *x = state, *y = state + s->n;
-  double least = 1, offset;
+/* Whether node k is in the film on the wall that an end of the surface is on. Water on a side that
+ * is flatter than 45 degrees rests there and is none. */
+static bool in_film(const struct bem_surface *s, const double *state, size_t k, bool right) {
+  const size_t end = right ? s->n - 1 : 0;
+  double complex a, b;
+  if (bem_surface_is_closed(s)) return false;
+  bem_sides_wall(s, bem_sides_held(s, right), &a, &b);
+  if (fabs(creal(b - a)) > fabs(cimag(b - a))) return false;
+  const double complex over =
+      CMPLX(state[k] - state[end], state[s->n + k] - state[s->n + end]) * conj(b - a) / cabs(b - a);
+  return fabs(cimag(over)) < fmin(THIN * s->depth, SLENDER * fabs(creal(over)));
+}
+
+static bool counts(const struct bem_surface *s, const double *state, size_t k) {
+  if (s->corner && k + 2 > s->corner && k < s->corner + 2) return false;
+  return !in_film(s, state, k, false) && !in_film(s, state, k, true);
+}
+
+double bem_breaker_tangent(const struct bem_surface *s, const double *state, enum bem_face face,
+                           double *where) {
+  const double *y = state + s->n;
+  double least = 1, offset, before = 1;
   size_t at = 0;
+  enum bem_face here = BEM_RISING;
   *where = 0;
   for (size_t k = 3; k + 3 < s->n; k++) {
-    if (y[k + 1] <= y[k - 1] || s->tank - x[k] < ASIDE || y[k] > BEM_FILM_HIGH) continue;
     double t = tangent(s, state, k);
-    if (t >= least) continue;
+    if (!(t < 0 && before < 0)) here = y[k + 1] > y[k - 1] ? BEM_RISING : BEM_FALLING;
+    before = t;
+    if (t >= least || here != face || !counts(s, state, k)) continue;
     least = t;
     at = k;
   }
@@ -54,40 +83,61 @@ double bem_breaker_upright(const struct bem_surface *s, const double *state, dou
   return 0.5 * (from + to);
 }
 
-/* Vertical distance of node k from the surface left of the node `cavity`; *below is where the last
- * search ended. */
-static double height_over(const struct bem_surface *s, const double *state, size_t cavity, size_t k,
-                          size_t *below) {
-  const double *x = state, *y = state + s->n;
-  while (*below > 0 && x[*below] > x[k]) --*below;
-  while (*below + 1 < cavity && x[*below + 1] < x[k]) ++*below;
-  double a = (x[k] - x[*below]) / (x[*below + 1] - x[*below]);
-  return y[k] - y[*below] - a * (y[*below + 1] - y[*below]);
+/* Where the surface has closed round air, which is more than a bubble that the panels do not
+ * resolve.
+ */
+static bool find_closed(const struct bem_sides *w, const struct bem_surface *s, const double *state,
+                        struct bem_near *near) {
+  struct bem_crossing c;
+  for (size_t from = 0; bem_sides_cross(w, s, state, from, &c); from = c.first + 1) {
+    if (c.area > 0 || c.last - c.first <= BEM_BUBBLE) continue;
+    *near = (struct bem_near){-0.5 * (w->arc[c.first + 1] - w->arc[c.first]),
+                              HUGE_VAL,
+                              bem_period_node(s->n, (ptrdiff_t)c.last),
+                              c.first,
+                              false,
+                              c.x,
+                              c.y};
+    return true;
+  }
+  return false;
 }
 
-/* The cavity's deepest point is the first node from the left where x turns back, and from there the
- * distance first grows from zero. */
-double bem_breaker_gap(const struct bem_surface *s, const double *state, double *where) {
-  const double *x = state;
-  size_t cavity = 1, at = 0;
-  *where = 0;
-  while (cavity + 2 < s->n && x[cavity + 1] > x[cavity]) cavity++;
-  if (cavity + 2 >= s->n || s->tank - x[cavity] < ASIDE) return 1;
-  double most = 0, least = 1, offset;
-  size_t below = cavity;
-  for (size_t k = cavity + 1; k < s->n && x[k] < x[cavity]; k++) {
-    double gap = height_over(s, state, cavity, k, &below);
-    if (gap > most && least == 1) {
-      most = gap;
-    } else if (gap < least) {
-      least = gap;
-      at = k;
-    }
-  }
-  *where = (double)at;
-  if (!at || at + 1 >= s->n || x[at + 1] >= x[cavity]) return least;
-  double before = height_over(s, state, cavity, at - 1, &below);
-  least = refine(before, least, height_over(s, state, cavity, at + 1, &below), &offset);
-  *where += offset;
-  return least;
+/* Where the surface has gone farthest through a wall with air before it. */
+static bool find_struck(const struct bem_surface *s, const double *state, struct bem_near *near) {
+  struct bem_near here;
+  near->distance = 0;
+  for (size_t k = BEM_BUBBLE / 2; k + BEM_BUBBLE / 2 < s->n; k++)
+    if (bem_sides_outside(s, state, k, BEM_AIR, &here) && here.distance < near->distance)
+      *near = here;
+  return near->distance < 0;
+}
+
+double bem_breaker_gap(const struct bem_sides *w, const struct bem_surface *s, const double *state,
+                       struct bem_near *near) {
+  bem_sides_set(w, s, state);
+  if (!find_closed(w, s, state, near) && !find_struck(s, state, near))
+    bem_sides_narrowest(w, s, state, BEM_AIR, 1, near);
+  return near->distance;
+}
+
+/* Between the sides of a notch it is never so narrow. */
+bool bem_breaker_touches(const struct bem_sides *w, const struct bem_surface *s,
+                         const double *state, double little) {
+  struct bem_near near;
+  bem_breaker_gap(w, s, state, &near);
+  return near.distance < little && near.around > CAVITY * near.distance;
+}
+
+static bool faces_up(const struct bem_surface *s, const double *state, size_t before,
+                     size_t after) {
+  const double dx = state[after] - state[before], dy = state[s->n + after] - state[s->n + before];
+  return dx > LEVEL * hypot(dx, dy);
+}
+
+bool bem_breaker_falls(const struct bem_surface *s, const double *state,
+                       const struct bem_near *near) {
+  const ptrdiff_t node = (ptrdiff_t)near->node, panel = (ptrdiff_t)near->panel;
+  return !near->wall &&
+         (faces_up(s, state, node - 1, node + 1) || faces_up(s, state, panel, panel + 1));
 }

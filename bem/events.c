@@ -12,7 +12,14 @@
 static const double SPILL = 0.05;     /* H */
 static const double SPILLABLE = 0.01; /* of the volume of the water */
 
+static const double LEANING = 0.05; /* rad from the vertical */
+
 static const double BEND = 0.1; /* of the panel at the edge: so near it is at the bend */
+
+static bool always(const struct bem_run *r) {
+  (void)r;
+  return true;
+}
 
 /* The water has not come to the right wall. */
 static bool before_wall(const struct bem_run *r) {
@@ -27,22 +34,35 @@ static bool at_wall(const struct bem_run *r) {
   return !before_wall(r) && between_walls(r);
 }
 
-static bool film_at_wall(const struct bem_run *r) {
-  return r->flow.surface.tip > 0 && at_wall(r);
+/* A face that was upright at the start, as that of a released column is, has leaned forward since.
+ */
+static bool rising_leaned(const struct bem_run *r) {
+  return r->breaker[BEM_RISING].leaned;
 }
 
-static bool overturned(const struct bem_run *r) {
-  return r->overturned;
+static bool falling_leaned(const struct bem_run *r) {
+  return r->breaker[BEM_FALLING].leaned;
 }
 
-static double first_node(const struct bem_surface *s, const double *state) {
-  (void)s, (void)state;
-  return 0;
+static void place(const struct bem_surface *s, size_t k, double at[2]) {
+  at[0] = s->state[k];
+  at[1] = s->state[s->n + k];
 }
 
-static double last_node(const struct bem_surface *s, const double *state) {
-  (void)state;
-  return (double)(s->n - 1);
+static void at_first(const struct bem_run *r, double at[2]) {
+  place(&r->flow.surface, 0, at);
+}
+
+static void at_last(const struct bem_run *r, double at[2]) {
+  place(&r->flow.surface, r->flow.surface.n - 1, at);
+}
+
+/* The value at a fractional node, by the parabola through the three nearest nodes. */
+static double value_at(const double *a, size_t n, double where) {
+  size_t k = (size_t)(where + 0.5);
+  if (k < 1 || k + 1 >= n) return a[k];
+  double t = where - (double)k;
+  return a[k] + 0.5 * t * (a[k + 1] - a[k - 1] + t * (a[k + 1] - 2 * a[k] + a[k - 1]));
 }
 
 /* The thin tip reaches the right wall. */
@@ -54,42 +74,80 @@ static enum status record(struct bem_run *r, const struct bem_event *e, double x
   return bem_output_event(&r->output, e->name, r->time, x, y);
 }
 
-/* First vertical tangent of the main breaker. */
-static double overturn_value(const struct bem_run *r, const double *state) {
+/* A vertical tangent of a face. */
+static double overturn_value(const struct bem_run *r, const double *state, enum bem_face face) {
   double where;
-  return bem_breaker_tangent(&r->flow.surface, state, &where);
+  return bem_breaker_tangent(&r->flow.surface, state, face, &where);
 }
 
-static double overturn_where(const struct bem_surface *s, const double *state) {
-  double where;
-  bem_breaker_tangent(s, state, &where);
-  return bem_breaker_upright(s, state, where);
+static double rising_value(const struct bem_run *r, const double *state) {
+  return overturn_value(r, state, BEM_RISING);
 }
 
-static enum status overturn_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
-  r->overturned = true;
-  r->overturn.name = e->name;
-  r->overturn.time = r->time;
-  r->overturn.x = x;
-  r->overturn.y = y;
+static double falling_value(const struct bem_run *r, const double *state) {
+  return overturn_value(r, state, BEM_FALLING);
+}
+
+static void overturn_place(const struct bem_run *r, enum bem_face face, double at[2]) {
+  const struct bem_surface *s = &r->flow.surface;
+  double where;
+  bem_breaker_tangent(s, s->state, face, &where);
+  where = bem_breaker_upright(s, s->state, where);
+  for (int axis = 0; axis < 2; axis++)
+    at[axis] = value_at(s->state + (size_t)axis * s->n, s->n, where);
+}
+
+static void rising_place(const struct bem_run *r, double at[2]) {
+  overturn_place(r, BEM_RISING, at);
+}
+
+static void falling_place(const struct bem_run *r, double at[2]) {
+  overturn_place(r, BEM_FALLING, at);
+}
+
+static enum status remember(struct bem_run *r, enum bem_face face, double x, double y) {
+  r->breaker[face].overturned = true;
+  r->breaker[face].time = r->time;
+  r->breaker[face].x = x;
+  r->breaker[face].y = y;
   return OK;
 }
 
-/* The jet meets the surface below it. */
-static double touchdown_value(const struct bem_run *r, const double *state) {
-  double where;
-  return bem_breaker_gap(&r->flow.surface, state, &where);
+static enum status rising_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
+  (void)e;
+  return remember(r, BEM_RISING, x, y);
 }
 
-static double touchdown_where(const struct bem_surface *s, const double *state) {
-  double where;
-  bem_breaker_gap(s, state, &where);
-  return where;
+static enum status falling_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
+  (void)e;
+  return remember(r, BEM_FALLING, x, y);
 }
 
-static enum status touchdown_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
-  TRY(record(r, e, x, y));
-  return bem_run_end(r, x, y, "the jet touched down", "potential flow ends here");
+/* The surface meets itself or a wall. */
+static double contact_value(const struct bem_run *r, const double *state) {
+  struct bem_near near;
+  return bem_breaker_gap(&r->sides, &r->flow.surface, state, &near);
+}
+
+static void contact_place(const struct bem_run *r, double at[2]) {
+  const struct bem_surface *s = &r->flow.surface;
+  struct bem_near near;
+  bem_breaker_gap(&r->sides, s, s->state, &near);
+  at[0] = near.x;
+  at[1] = near.y;
+}
+
+static enum status contact_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
+  const struct bem_surface *s = &r->flow.surface;
+  struct bem_near near;
+  bem_breaker_gap(&r->sides, s, s->state, &near);
+  const bool falls = bem_breaker_falls(s, s->state, &near);
+  TRY(bem_output_event(&r->output, falls ? "touchdown" : e->name, r->time, x, y));
+  return bem_run_end(r, x, y,
+                     falls       ? "the jet touched down"
+                     : near.wall ? "water struck a wall with air before it"
+                                 : "the surface met itself",
+                     "potential flow ends here");
 }
 
 /* Way of an edge of the water to the higher end of the side it is on (`up`) or to the other. */
@@ -183,14 +241,15 @@ static enum status cut_act(struct bem_run *r, const struct bem_event *e, double 
 }
 
 static const struct bem_event all[] = {
-    {"wall_impact", before_wall, impact_value, last_node, record},
-    {"overturning", film_at_wall, overturn_value, overturn_where, overturn_act},
-    {"touchdown", overturned, touchdown_value, touchdown_where, touchdown_act},
-    {"overflow", between_walls, over_left_value, first_node, over_left_act},
-    {"overflow", at_wall, over_right_value, last_node, over_right_act},
-    {"cut at the wall", before_wall, cut_value, last_node, cut_act},
-    {"bend", walls_bend, bend_left_value, first_node, bend_act},
-    {"bend", walls_bend, bend_right_value, last_node, bend_act},
+    {"wall_impact", before_wall, impact_value, at_last, record},
+    {"overturning", rising_leaned, rising_value, rising_place, rising_act},
+    {"overturning", falling_leaned, falling_value, falling_place, falling_act},
+    {"self_contact", always, contact_value, contact_place, contact_act},
+    {"overflow", between_walls, over_left_value, at_first, over_left_act},
+    {"overflow", at_wall, over_right_value, at_last, over_right_act},
+    {"cut at the wall", before_wall, cut_value, at_last, cut_act},
+    {"bend", walls_bend, bend_left_value, at_first, bend_act},
+    {"bend", walls_bend, bend_right_value, at_last, bend_act},
 };
 enum { N = sizeof all / sizeof *all };
 
@@ -202,27 +261,28 @@ static void find_roots(void *run, double time, const double *state, double *root
 
 const struct bem_roots bem_events_roots = {.n = N, .find = find_roots};
 
-/* The value at a fractional node, by the parabola through the three nearest nodes. */
-static double value_at(const double *a, size_t n, double where) {
-  size_t k = (size_t)(where + 0.5);
-  if (k < 1 || k + 1 >= n) return a[k];
-  double t = where - (double)k;
-  return a[k] + 0.5 * t * (a[k + 1] - a[k - 1] + t * (a[k + 1] - 2 * a[k] + a[k - 1]));
-}
-
 enum status bem_events_act(struct bem_run *r, const int *found) {
-  const struct bem_surface *s = &r->flow.surface;
   for (int i = 0; i < N && !r->ended; i++) {
     if (!found[i]) continue;
-    double where = all[i].where(s, s->state);
-    TRY(all[i].act(r, &all[i], value_at(s->state, s->n, where),
-                   value_at(s->state + s->n, s->n, where)));
+    double at[2];
+    all[i].where(r, at);
+    TRY(all[i].act(r, &all[i], at[0], at[1]));
   }
+  for (enum bem_face face = 0; face < BEM_FACES; face++)
+    if (!r->breaker[face].leaned)
+      r->breaker[face].leaned = overturn_value(r, r->flow.surface.state, face) > LEANING;
   return OK;
 }
 
+static enum status conclude_breaker(struct bem_run *r, enum bem_face face) {
+  if (!r->breaker[face].overturned) return OK;
+  return bem_output_event(&r->output, "overturning", r->breaker[face].time, r->breaker[face].x,
+                          r->breaker[face].y);
+}
+
 enum status bem_events_conclude(struct bem_run *r) {
-  if (!r->overturned) return OK;
-  return bem_output_event(&r->output, r->overturn.name, r->overturn.time, r->overturn.x,
-                          r->overturn.y);
+  const bool falling_first = r->breaker[BEM_FALLING].overturned &&
+                             r->breaker[BEM_FALLING].time < r->breaker[BEM_RISING].time;
+  TRY(conclude_breaker(r, falling_first ? BEM_FALLING : BEM_RISING));
+  return conclude_breaker(r, falling_first ? BEM_RISING : BEM_FALLING);
 }

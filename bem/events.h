@@ -4,10 +4,10 @@
 #include "bem/run.h"
 
 struct bem_event {
-  const char *name;                                                  /* in the result file */
-  bool (*armed)(const struct bem_run *r);                            /* whether it can happen now */
-  double (*value)(const struct bem_run *r, const double *state);     /* falls through zero then */
-  double (*where)(const struct bem_surface *s, const double *state); /* node, with fractions */
+  const char *name;                                              /* in the result file */
+  bool (*armed)(const struct bem_run *r);                        /* whether it can happen now */
+  double (*value)(const struct bem_run *r, const double *state); /* falls through zero then */
+  void (*where)(const struct bem_run *r, double at[2]);          /* place, H */
   /* (x, y): the place where it happened, H */
   enum status (*act)(struct bem_run *r, const struct bem_event *e, double x, double y);
 };
@@ -18,5 +18,6 @@ extern const struct bem_roots bem_events_roots;
 /* Acts on those that were found at the state of r->flow.surface until one ends the run. */
 enum status bem_events_act(struct bem_run *r, const int *found);
 
-/* Writes what is known only at the end of the run: the last vertical tangent is the breaker's. */
+/* Writes what is known only at the end of the run: the last vertical tangent of either
+ * face is the breaker's. */
 enum status bem_events_conclude(struct bem_run *r);

@@ -20,6 +20,7 @@ enum status bem_output_create(struct bem_output *o, const struct bem_solve_optio
 
 void bem_output_destroy(struct bem_output *o) {
   bem_flow_destroy(&o->view);
+  bem_sides_destroy(&o->sides);
   bem_pressure_destroy(&o->pressure);
   geo_lines_destroy(&o->line);
   free(o->field);
@@ -175,14 +176,8 @@ static enum status look(struct bem_output *o, const struct bem_flow *f, struct b
   return bem_flow_solve(&o->view, state, keep);
 }
 
-/* Whether the jet is too near the water below it for psi to be right. */
-static bool touches(const struct bem_surface *s) {
-  double where;
-  return bem_breaker_gap(s, s->state, &where) <= CLOSEST;
-}
-
 enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
-                           struct bem_stepper *stepper, bool overturned, double time, double dt) {
+                           struct bem_stepper *stepper, double time, double dt) {
   const struct case_file *c = o->c;
   for (;;) {
     double output = (double)o->next_output * c->every, sample = (double)o->next_sample * c->sample;
@@ -191,7 +186,9 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
     bool shown = output - seconds < near, sampled = sample - seconds < near;
     TRY(look(o, f, stepper, seconds / o->time_scale, sampled && c->n_probes > 0));
     if (shown) TRY(write_surface(o, output));
-    if (sampled && !(overturned && touches(&o->view.surface)))
+    TRY(bem_sides_reserve(&o->sides, o->view.surface.n));
+    const struct bem_surface *s = &o->view.surface; /* near a contact psi is wrong */
+    if (sampled && !bem_breaker_touches(&o->sides, s, s->state, CLOSEST))
       TRY(write_row(o, stepper, sample, dt));
     o->next_output += shown;
     o->next_sample += sampled;

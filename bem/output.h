@@ -2,6 +2,7 @@
 #pragma once
 #include "bem/flow.h"
 #include "bem/pressure.h"
+#include "bem/sides.h"
 #include "bem/stepper.h"
 #include "common/base/progress.h"
 #include "common/case/case.h"
@@ -23,7 +24,8 @@ struct bem_output {
   double drift; /* of the energy, relative to the initial one */
   double first_energy;
   size_t most_nodes;
-  struct bem_flow view; /* an interpolated state and its velocities; the run never sees it */
+  struct bem_flow view;   /* an interpolated state and its velocities; the run never sees it */
+  struct bem_sides sides; /* scratch */
   struct bem_pressure pressure;
   struct geo_lines line;
   size_t room;
@@ -35,10 +37,10 @@ void bem_output_destroy(struct bem_output *o);
 
 /* Writes what is due up to `time` (sqrt(H/g)), which the last step has passed: surfaces at the
  * multiples of time.every, a row of every series at those of time.sample, both interpolated by
- * CVODE. stepper NULL: the state at t = 0. overturned: there may be a jet, of whose last instants
- * there is no row. */
+ * CVODE. stepper NULL: the state at t = 0. Just before the surface
+ * meets itself there is no row. */
 enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
-                           struct bem_stepper *stepper, bool overturned, double time, double dt);
+                           struct bem_stepper *stepper, double time, double dt);
 
 /* Counts what filter and smoothing take out of the energy during the step that ended at `time`. */
 void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double time, double dt);

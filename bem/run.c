@@ -6,6 +6,7 @@
 
 enum status bem_run_restart(struct bem_run *r) {
   bem_pace_restarted(&r->pace);
+  TRY(bem_sides_reserve(&r->sides, r->flow.surface.n));
   return bem_stepper_restart(r->stepper, r->time);
 }
 
@@ -14,7 +15,7 @@ static enum status change_shape(struct bem_run *r, enum bem_cut cut) {
   case BEM_CUT_AT_WALL:
     return bem_contact_meet_wall(&r->flow);
   case BEM_CUT_THIN_FILM:
-    return bem_contact_cut_film(&r->flow, r->film);
+    return bem_contact_cut_film(&r->flow, r->flow.surface.film);
   case BEM_CUT_TOP:
     return bem_contact_cut_top(&r->flow, r->top[1]);
   }
@@ -39,7 +40,7 @@ enum status bem_run_trim_film(struct bem_run *r) {
   const struct bem_surface *s = &r->flow.surface;
   if (s->tip == 0 || s->right == BEM_END_BED) return OK;
   if (bem_contact_crosses_wall(s)) return bem_run_cut(r, BEM_CUT_AT_WALL);
-  return bem_contact_film_is_thin(s, r->film) ? bem_run_cut(r, BEM_CUT_THIN_FILM) : OK;
+  return bem_contact_film_is_thin(s, r->flow.surface.film) ? bem_run_cut(r, BEM_CUT_THIN_FILM) : OK;
 }
 
 enum status bem_run_end(struct bem_run *r, double x, double y, const char *what, const char *then) {

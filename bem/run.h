@@ -1,9 +1,11 @@
 /* The state of a run, and what changes it other than the flow. Lengths are in H, times in
  * sqrt(H/g), rho = 1. */
 #pragma once
+#include "bem/breaker.h"
 #include "bem/flow.h"
 #include "bem/output.h"
 #include "bem/pace.h"
+#include "bem/sides.h"
 #include "bem/stepper.h"
 
 struct bem_run {
@@ -13,14 +15,13 @@ struct bem_run {
   struct bem_output output;
   struct bem_stepper *stepper;
   struct bem_pace pace;
-  double film;   /* thickness below which the film on the right wall is cut */
   double top[2]; /* heights of the tops of the left and the right wall above the bed */
   double time, dt;
+  struct bem_sides sides; /* of the surface, scratch */
   struct {
-    const char *name;
-    double time, x, y;
-  } overturn;      /* the latest tangent that became vertical: the breaker's if it overturns */
-  bool overturned; /* there was one */
+    bool leaned, overturned; /* has not been upright all the time; its tangent became vertical */
+    double time, x, y;       /* when and where that was for the last time */
+  } breaker[BEM_FACES];
   bool overflowed, ended;
 };
 

@@ -106,7 +106,7 @@ static enum status advance(struct bem_run *r, struct progress *progress) {
     TRY(bem_stepper_step(r->stepper, &r->time, &r->dt, &found));
     TRY(bem_pace_add(&r->pace, r->time, r->dt));
     bem_output_damped(&r->output, &r->flow, r->time, r->dt);
-    TRY(bem_output_due(&r->output, &r->flow, r->stepper, r->overturned, r->time, r->dt));
+    TRY(bem_output_due(&r->output, &r->flow, r->stepper, r->time, r->dt));
     work += (double)r->flow.surface.n;
     progress_step(progress, step, r->time * r->output.time_scale, r->dt * r->output.time_scale,
                   work, "node", r->output.drift);
@@ -171,19 +171,19 @@ static enum status begin(struct bem_run *r, const struct case_run *cr) {
   TRY(bem_output_create(&r->output, &solve));
   if (!c->rectangular) TRY(bem_basin_map(c, &r->walls));
   r->flow.surface.walls = r->walls;
+  r->flow.surface.film = o->film / c->H;
   TRY(bem_start_surface(c, cr, &r->flow));
+  r->flow.surface.depth = r->flow.level;
   r->flow.filter = o->filter * (r->flow.surface.tip > 0 ? 1 : GENTLE);
   r->flow.smoothing = o->smoothing;
   TRY(bem_stepper_create(&r->flow, tolerance, &bem_events_roots, r, &r->stepper));
   TRY(bem_run_restart(r));
-  return bem_output_due(&r->output, &r->flow, NULL, false, 0, 0);
+  return bem_output_due(&r->output, &r->flow, NULL, 0, 0);
 }
 
 static enum status run_once(const struct case_file *c, const struct case_run *cr,
                             struct result *out, struct progress *progress) {
-  const struct bem_options *o = cr->options;
   struct bem_run r = {.c = c,
-                      .film = o->film / c->H,
                       .output = {.c = c,
                                  .file = out,
                                  .start = progress_wall_clock(),
@@ -198,6 +198,7 @@ static enum status run_once(const struct case_file *c, const struct case_run *cr
   bem_output_destroy(&r.output);
   bem_pace_destroy(&r.pace);
   bem_stepper_destroy(r.stepper);
+  bem_sides_destroy(&r.sides);
   bem_flow_destroy(&r.flow);
   bem_conformal_destroy(r.walls);
   return status;

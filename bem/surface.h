@@ -15,8 +15,10 @@ struct bem_surface {
   double *state; /* x[n], y[n], phi[n]: H, H, H sqrt(gH); owned */
   size_t corner; /* node where the outline has a kink; 0: none */
   enum bem_end right;
-  double tip; /* the last node is the thin tip of a sheet: spacing there over that of the smooth
-                 surface; 0: it is not */
+  double tip;   /* the last node is the thin tip of a sheet: spacing there over that of the smooth
+                   surface; 0: it is not */
+  double film;  /* thickness below which sheets are cut, H */
+  double depth; /* mean, of the water at rest, H */
   const struct bem_conformal *walls; /* NULL: those of a rectangular tank */
   size_t side[2];                    /* of the walls, which the first and the last node are on */
   double tank;                       /* length of a rectangular tank, H */

@@ -1,0 +1,250 @@
+#include "bem/sides.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "common/base/array.h"
+
+/* So many times as far along the surface as straight on is another side: half round a tip is less
+ * than 1.6 times, and a notch of more than 40 degrees never. */
+static const double AROUND = 3;
+static const double FACING = 0.3; /* cosine between the normal and the way over */
+static const double FAR = 1e3;    /* H: walls go on for ever */
+
+enum status bem_sides_reserve(struct bem_sides *w, size_t n) {
+  if (n <= w->room) return OK;
+  TRY(array_resize(&w->arc, n, "lengths along a surface"));
+  w->room = n;
+  return OK;
+}
+
+void bem_sides_destroy(struct bem_sides *w) {
+  free(w->arc);
+  *w = (struct bem_sides){0};
+}
+
+void bem_sides_set(const struct bem_sides *w, const struct bem_surface *s, const double *state) {
+  const double *x = state, *y = x + s->n;
+  w->arc[0] = 0;
+  for (size_t k = 1; k < s->n; k++)
+    w->arc[k] = w->arc[k - 1] + hypot(x[k] - x[k - 1], y[k] - y[k - 1]);
+}
+
+/* ---- walls ---- */
+
+size_t bem_sides_walls(const struct bem_surface *s) {
+  if (bem_surface_is_closed(s)) return s->period.bed > 0 ? 1 : 0;
+  if (s->walls) return s->walls->n + 1;
+  return s->right == BEM_END_BED ? 2 : 3;
+}
+
+size_t bem_sides_held(const struct bem_surface *s, bool right) {
+  if (bem_surface_is_closed(s)) return SIZE_MAX;
+  if (s->walls) return s->side[right];
+  return right ? bem_sides_walls(s) - 1 : 0;
+}
+
+void bem_sides_wall(const struct bem_surface *s, size_t wall, double complex *a,
+                    double complex *b) {
+  if (s->walls) {
+    const double complex along = bem_conformal_along(s->walls, wall);
+    *a = s->walls->point[wall];
+    *b = s->walls->point[wall + 1];
+    if (wall == 0) *a = *b - FAR * along;
+    if (wall == s->walls->n) *b = *a + FAR * along;
+    return;
+  }
+  if (bem_surface_is_closed(s)) {
+    *a = -FAR;
+    *b = FAR;
+    return;
+  }
+  const double end = s->right == BEM_END_BED ? FAR : s->tank;
+  const double complex corner[] = {CMPLX(0, FAR), 0, end, CMPLX(end, FAR)};
+  *a = corner[wall];
+  *b = corner[wall + 1];
+}
+
+/* ---- distances ---- */
+
+/* A closed chain goes on for a period on either side of the nodes 0 to n - 1. */
+static ptrdiff_t first_panel(const struct bem_surface *s) {
+  return bem_surface_is_closed(s) ? 1 - (ptrdiff_t)s->n : 0;
+}
+
+static ptrdiff_t behind_panels(const struct bem_surface *s) {
+  return (bem_surface_is_closed(s) ? 2 : 1) * ((ptrdiff_t)s->n - 1);
+}
+
+static double complex node(const struct bem_surface *s, const double *state, ptrdiff_t k) {
+  return CMPLX(bem_period_value(state, s->n, k), bem_period_value(state + s->n, s->n, k));
+}
+
+static double length_to(const struct bem_sides *w, const struct bem_surface *s, ptrdiff_t k) {
+  return bem_period_value(w->arc, s->n, k);
+}
+
+static double cross(double complex a, double complex b) {
+  return cimag(conj(a) * b);
+}
+
+/* Distance of z from the way from a to b; *part: where on it. */
+static double distance_to(double complex z, double complex a, double complex b, double *part) {
+  const double complex way = b - a;
+  const double u = creal((z - a) * conj(way)) / creal(way * conj(way));
+  *part = fmin(fmax(u, 0), 1);
+  return cabs(z - a - *part * way);
+}
+
+/* Out of the water, at a node that is not an end of the surface. */
+static double complex outward(const struct bem_surface *s, const double *state, ptrdiff_t k) {
+  const double complex way = node(s, state, k + 1) - node(s, state, k - 1);
+  return I * way / cabs(way);
+}
+
+static bool faces(double complex normal, enum bem_between between, double complex over) {
+  const double out = creal(over * conj(normal));
+  return (between == BEM_AIR ? out : -out) >= FACING * cabs(over);
+}
+
+/* The first panel after j that may be nearer than `by` less than panel j is. */
+static ptrdiff_t skip(const struct bem_sides *w, const struct bem_surface *s, ptrdiff_t j,
+                      double by) {
+  const double until = length_to(w, s, j + 1) + by;
+  ptrdiff_t low = j + 1, high = behind_panels(s);
+  while (low < high) {
+    const ptrdiff_t middle = low + (high - low) / 2;
+    if (length_to(w, s, middle + 1) > until)
+      high = middle;
+    else
+      low = middle + 1;
+  }
+  return low;
+}
+
+bool bem_sides_across(const struct bem_sides *w, const struct bem_surface *s, const double *state,
+                      size_t k, enum bem_between between, double reach, struct bem_near *near) {
+  const ptrdiff_t own = (ptrdiff_t)k;
+  const double complex z = node(s, state, own), normal = outward(s, state, own);
+  bool found = false;
+  for (ptrdiff_t j = first_panel(s); j < behind_panels(s);) {
+    const double complex a = node(s, state, j), b = node(s, state, j + 1);
+    double part, d = distance_to(z, a, b, &part);
+    const double from = length_to(w, s, j), to = length_to(w, s, j + 1);
+    const double along = fabs(from + part * (to - from) - w->arc[k]);
+    const double complex foot = a + part * (b - a);
+    if (d < reach && along >= AROUND * d && (j > own || j + 1 < own) &&
+        faces(normal, between, foot - z)) {
+      *near =
+          (struct bem_near){d, along, k, bem_period_node(s->n, j), false, creal(foot), cimag(foot)};
+      reach = d;
+      found = true;
+    }
+    j = skip(w, s, j, d - reach);
+  }
+  return found;
+}
+
+bool bem_sides_wall_across(const struct bem_sides *w, const struct bem_surface *s,
+                           const double *state, size_t k, enum bem_between between, double reach,
+                           struct bem_near *near) {
+  const double complex z = node(s, state, (ptrdiff_t)k), normal = outward(s, state, (ptrdiff_t)k);
+  const double way[2] = {w->arc[k], w->arc[s->n - 1] - w->arc[k]};
+  bool found = false;
+  for (size_t i = 0; i < bem_sides_walls(s); i++) {
+    double complex a, b;
+    double part, around = HUGE_VAL;
+    bem_sides_wall(s, i, &a, &b);
+    const double d = distance_to(z, a, b, &part);
+    for (int end = 0; end < 2; end++) /* the way to the image in the wall is twice as far */
+      if (bem_sides_held(s, end) == i) around = fmin(around, way[end]);
+    const double complex foot = a + part * (b - a);
+    if (d >= reach || around < AROUND * d || !faces(normal, between, foot - z)) continue;
+    *near = (struct bem_near){d, around, k, i, true, creal(foot), cimag(foot)};
+    reach = d;
+    found = true;
+  }
+  return found;
+}
+
+bool bem_sides_outside(const struct bem_surface *s, const double *state, size_t k,
+                       enum bem_between between, struct bem_near *near) {
+  const double complex z = node(s, state, (ptrdiff_t)k);
+  double complex nearest_way = 1;
+  double part, at = 0;
+  near->distance = HUGE_VAL;
+  for (size_t i = 0; i < bem_sides_walls(s); i++) {
+    double complex a, b;
+    bem_sides_wall(s, i, &a, &b);
+    const double d = distance_to(z, a, b, &part);
+    if (d >= near->distance) continue;
+    const double complex foot = a + part * (b - a);
+    *near = (struct bem_near){d, HUGE_VAL, k, i, true, creal(foot), cimag(foot)};
+    nearest_way = foot - z;
+    at = part > 0 && part < 1 ? cross(b - a, z - a) : 1; /* beside an edge it is inside */
+  }
+  if (!(at < 0) || near->distance == 0) return false;
+  near->distance = -near->distance;
+  return faces(outward(s, state, (ptrdiff_t)k), between, -nearest_way);
+}
+
+bool bem_sides_narrowest(const struct bem_sides *w, const struct bem_surface *s,
+                         const double *state, enum bem_between between, double reach,
+                         struct bem_near *near) {
+  bool found = false;
+  near->distance = reach;
+  for (size_t k = 1; k + 1 < s->n; k++) {
+    found |= bem_sides_across(w, s, state, k, between, near->distance, near);
+    found |= bem_sides_wall_across(w, s, state, k, between, near->distance, near);
+  }
+  return found;
+}
+
+/* ---- crossings ---- */
+
+/* Whether the ways from a to b and from c to d cross; *part: where on the first. */
+static bool ways_cross(double complex a, double complex b, double complex c, double complex d,
+                       double *part) {
+  const double over = cross(b - a, d - c);
+  if (over == 0) return false;
+  const double other = cross(c - a, b - a) / over;
+  *part = cross(c - a, d - c) / over;
+  return *part >= 0 && *part < 1 && other >= 0 && other < 1;
+}
+
+/* Water is on the right of the surface: a loop that it runs round clockwise holds water. */
+static double loop_area(const struct bem_surface *s, const double *state, ptrdiff_t first,
+                        ptrdiff_t last, double complex at) {
+  double twice = 0;
+  for (ptrdiff_t k = first + 1; k < last; k++)
+    twice += cross(node(s, state, k) - at, node(s, state, k + 1) - at);
+  return -0.5 * twice;
+}
+
+static bool cross_panel(const struct bem_sides *w, const struct bem_surface *s, const double *state,
+                        ptrdiff_t i, struct bem_crossing *c) {
+  const double complex a = node(s, state, i), b = node(s, state, i + 1);
+  const double length = length_to(w, s, i + 1) - length_to(w, s, i);
+  const ptrdiff_t behind = bem_surface_is_closed(s) ? i + (ptrdiff_t)s->n - 2 : behind_panels(s);
+  for (ptrdiff_t j = i + 2; j < behind;) {
+    const double complex p = node(s, state, j), q = node(s, state, j + 1);
+    double part, d = distance_to(a, p, q, &part);
+    if (d <= length && ways_cross(a, b, p, q, &part)) {
+      const double complex at = a + part * (b - a);
+      *c = (struct bem_crossing){(size_t)i, (size_t)j, creal(at), cimag(at),
+                                 loop_area(s, state, i, j, at)};
+      return true;
+    }
+    j = skip(w, s, j, d - length);
+  }
+  return false;
+}
+
+bool bem_sides_cross(const struct bem_sides *w, const struct bem_surface *s, const double *state,
+                     size_t from, struct bem_crossing *c) {
+  for (size_t i = from; i + 1 < s->n; i++)
+    if (cross_panel(w, s, state, (ptrdiff_t)i, c)) return true;
+  return false;
+}
