@@ -129,7 +129,8 @@ struct flow {
   X(acoustic, "sound between surface and bed that runs to the right, round the same")              \
   X(pressed, "water at rest under a pressure that varies along the surface, round the same")       \
   X(still, "water at rest, in a tank of any one wall")                                             \
-  X(solitary, "the exact solitary wave, one crest over a flat bed that runs to a side")
+  X(solitary, "the exact solitary wave, one crest over a flat bed that runs to a side")            \
+  X(stream, "exact steady waves of any height that run to the right, round the same")
 #define FLOWS_OF_BODIES(X)                                                                         \
   X(patch, "a square that turns like a rigid body: u = rate y, v = -rate x from its middle")       \
   X(drop,                                                                                          \
