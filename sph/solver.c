@@ -232,12 +232,13 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
   sph_forms_check(r, problems);
   sph_owners_check(r, problems);
   check_integrator(r, problems);
-  if (o->free_surface == SPH_FREE_SURFACE_fitted && !flow_is_wave(c->flow))
-    problems_add(
-        problems, case_run_line(r, "free_surface"),
-        "runs.%s.free_surface: found 'fitted' with regions of water, whose outline no row of "
-        "particles follows; allowed: with water.wave; write free_surface: natural",
-        r->name);
+  if (o->free_surface == SPH_FREE_SURFACE_fitted && !(flow_is_wave(c->flow) && c->rectangular))
+    problems_add(problems, case_run_line(r, "free_surface"),
+                 "runs.%s.free_surface: found 'fitted' with regions of water, or in a tank that is "
+                 "not rectangular, whose outline no row of "
+                 "particles follows; allowed: with water.wave in a rectangular tank; write "
+                 "free_surface: natural",
+                 r->name);
   check_walls(c, r, problems);
   if (c->gravity == 0 && !c->periodic[1] && sph_walls[o->walls] == &sph_wall_mirror_exponential)
     problems_add(
@@ -246,13 +247,13 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
         "on with below the bed; allowed: with gravity; write walls: mirror-plain",
         r->name);
   case_refuse_motions(c, r, problems);
-  if (!c->rectangular)
+  if (!c->rectangular && sph_walls[o->walls] != &sph_wall_ghost)
     problems_add(
-        problems, case_run_line(r, "solver"),
-        "runs.%s.solver: found 'sph' in a tank that is not rectangular; allowed: one wall, "
-        "open at the top, down the left side, along a flat bed, up the right side; change "
-        "tank.walls",
-        r->name);
+        problems, case_run_line(r, "walls"),
+        "runs.%s.walls: found '%s' in a tank that is not rectangular; allowed: ghost, or one wall, "
+        "open at the top, down the left side, along a flat bed, up the right side; write walls: "
+        "ghost",
+        r->name, sph_wall_names[o->walls]);
   if (width < 2 * support || height < 2 * support)
     problems_add(problems, case_run_line(r, "resolution"),
                  "runs.%s.resolution: found '%g', where two kernel supports (%g m) exceed the tank "

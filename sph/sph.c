@@ -58,7 +58,7 @@ static enum status list_walls(struct sph *s, double least) {
   const struct sph_sources walls = {1, {{&s->w.grid, s->w.x, s->w.y, 0, 0}}};
   TRY(sph_lists_build(&s->water_wall, f->n, f->w.x, f->w.y, &walls, s->support + s->wall_skin));
   s->wall_rebuilds++;
-  return OK;
+  return sph_wall_look(s);
 }
 
 /* With skins of at least so much, m. */
@@ -114,7 +114,7 @@ static enum status update(struct sph *s) {
   if (left < 0 || wide || sph_period_left(s) < 0) return sort_and_list(s, NULL, 0, 0);
   s->drift.walls = sph_drift_at_walls(s, s->drift.ahead);
   if (s->drift.walls > wall_reserve(s)) return list_walls(s, 0);
-  return OK;
+  return sph_wall_look(s);
 }
 
 enum status sph_neighbours_update(struct sph *s) {
@@ -136,7 +136,7 @@ static bool is_gone(const struct sph *s, size_t i) {
   const double far = s->support, x = s->f.w.x[i], y = s->f.w.y[i];
   const struct geo_box t = tank_walled(&s->tank);
   if (x < t.min[0] - far || x > t.max[0] + far || y < t.min[1] - far) return true;
-  return s->f.over[i] != 0 && y < s->tank.top[x > t.max[0]];
+  return sph_wall_has_lost(s, i);
 }
 
 static void book_removal(struct sph *s, size_t i) {

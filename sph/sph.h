@@ -13,6 +13,7 @@
 #include "common/flow/flow.h"
 #include "common/tank/tank.h"
 #include "sph/domain/period.h"
+#include "sph/domain/sight.h"
 #include "sph/fluid/drift.h"
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"
@@ -42,6 +43,7 @@ struct sph_vector {
 struct sph_wall_particles {
   size_t n;
   double *x, *y;         /* m, [n], sorted by grid cell, owned */
+  uint32_t *chain;       /* [n], of faces that each continues the water behind (sight.h), owned */
   struct sph_pack *pack; /* [n], owned */
   struct sph_pack *drag; /* [n], as viscosity has them at walls without slip, else NULL; owned */
   struct sph_vector *G;  /* [n], as the water's, owned */
@@ -120,6 +122,8 @@ struct sph {
   unsigned char
       *fitted; /* [f.n at t = 0], by id: whether in the first row (fitted.h), or NULL; owned */
 
+  struct sph_faces faces; /* of the walls */
+  struct sph_sight sight;
   const struct sph_wall *wall;
   struct sph_wall_particles w;
 

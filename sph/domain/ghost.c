@@ -59,6 +59,13 @@ static enum status ghosts_list(struct sph *s) {
                          s->support + s->wall_skin);
 }
 
+static enum status ghosts_look(struct sph *s) {
+  struct ghosts *g = s->w.data;
+  const struct sph_sources water = sph_sources_of_water(s);
+  return sph_sight_mark(&s->sight, &g->lists, s->w.n, g->layers.x, g->layers.y, &water, NULL,
+                        s->support);
+}
+
 static void fill_cluster(struct sph *s, size_t cluster) {
   const struct ghosts *g = s->w.data;
   const struct sph_layers *node = &g->layers;
@@ -73,15 +80,16 @@ static void fill_cluster(struct sph *s, size_t cluster) {
   struct sph_mls f;
   sph_mls_at(s, sph_loops_for(s, &i), farthest2 * s->scale.inside, &i, &near, &f);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
-    const double rx = node->rx[at + l], ry = node->ry[at + l];
+    const struct sph_motion *turn = &node->turn[node->motion[at + l]];
     const double gravity = -sph_weight(s, eos_stored(&s->eos, f.p[l], i.y[l]), i.y[l]);
     struct sph_pack *w = &s->w.pack[at + l];
-    w->u = rx * f.u[l];
-    w->v = ry * f.v[l];
+    sph_motion_turn(turn, f.u[l], f.v[l], &w->u, &w->v);
     w->p = f.p[l] + gravity * (w->y - i.y[l]);
     w->rho = eos_stored(&s->eos, w->p, w->y);
     sph_wall_hold(s, at + l, f.u[l], f.v[l]);
-    s->w.G[at + l] = (struct sph_vector){rx * f.px[l], gravity + ry * (f.py[l] - gravity)};
+    struct sph_vector *G = &s->w.G[at + l];
+    sph_motion_turn(turn, f.px[l], f.py[l] - gravity, &G->x, &G->y);
+    G->y += gravity;
   }
 }
 
@@ -102,6 +110,7 @@ static void ghosts_destroy(struct sph *s) {
 const struct sph_wall sph_wall_ghost = {
     .create = ghosts_create,
     .list = ghosts_list,
+    .look = ghosts_look,
     .fill = ghosts_fill,
     .layer = 2,
     .destroy = ghosts_destroy,

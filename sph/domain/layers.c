@@ -2,55 +2,295 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-/* Columns along one direction at `first + i step`, rows along the other. */
-struct strip {
-  double x, dx, y, dy; /* first position and step */
-  size_t nx, ny;
-  bool mirror_x, mirror_y;
-  double wall_x, wall_y;
+#include "common/base/array.h"
+
+static const double right_angle = 1e-6; /* rad, from a right one */
+static const double least_part = 1e-6;  /* of a cell that is worth a particle */
+
+/* ---- what is found ---- */
+
+struct site {
+  double x, y, V; /* m, m^2 */
+  double node[2]; /* the mirror point, m */
+  uint32_t motion, chain;
 };
 
-/* Left, right, bed, and the two corners under them. */
-static size_t tank_strips(const struct sph *s, struct strip strips[5]) {
-  const struct tank *t = &s->tank;
-  double dx = s->dx, x0 = t->box.min[0], x1 = t->box.max[0], y0 = t->box.min[1];
-  size_t layers = (size_t)ceil(s->support / dx - 1e-9);
-  size_t nl = geo_intervals(t->top[0] - y0, dx), nr = geo_intervals(t->top[1] - y0, dx);
-  size_t nb = geo_intervals(x1 - x0, dx);
-  double dl = (t->top[0] - y0) / (double)nl, dr = (t->top[1] - y0) / (double)nr;
-  double db = (x1 - x0) / (double)nb;
-  double out_left = x0 - dx / 2, out_right = x1 + dx / 2, under = y0 - dx / 2;
-  strips[0] = (struct strip){out_left, -dx, y0 + dl / 2, dl, layers, nl, true, false, x0, 0};
-  strips[1] = (struct strip){out_right, dx, y0 + dr / 2, dr, layers, nr, true, false, x1, 0};
-  strips[2] = (struct strip){x0 + db / 2, db, under, -dx, nb, layers, false, true, 0, y0};
-  strips[3] = (struct strip){out_left, -dx, under, -dx, layers, layers, true, true, x0, y0};
-  strips[4] = (struct strip){out_right, dx, under, -dx, layers, layers, true, true, x1, y0};
-  return 5;
+struct sites {
+  const struct sph *s;
+  const struct sph_faces *faces;
+  size_t n, room, layers;
+  struct site *site; /* [n], owned */
+};
+
+/* Half-way to the first wall between `from`, on the walls, and the mirror point. */
+static void pull(const struct sph_faces *faces, const double from[2], double node[2]) {
+  double first = INFINITY, part;
+  for (size_t k = 0; k < faces->n; k++)
+    if (sph_face_stops(&faces->face[k], from, node, 0, &part)) first = fmin(first, part);
+  if (first > 1) return;
+  for (int axis = 0; axis < 2; axis++)
+    node[axis] = from[axis] + first / 2 * (node[axis] - from[axis]);
 }
 
-/* The bed of a periodic tank, as far beyond its ends as water meets it (period.h). */
-static size_t bed_strip(const struct sph *s, struct strip *strip) {
-  const struct geo_box *box = &s->tank.box;
-  double width = tank_size(&s->tank, 0), dx = s->dx;
-  size_t layers = (size_t)ceil(s->support / dx - 1e-9), n = geo_intervals(width, dx);
-  double db = width / (double)n, more = ceil((s->support + sph_period_widest(s)) / db);
-  *strip = (struct strip){box->min[0] + (0.5 - more) * db,
-                          db,
-                          box->min[1] - dx / 2,
-                          -dx,
-                          n + 2 * (size_t)more,
-                          layers,
-                          false,
-                          true,
-                          0,
-                          box->min[1]};
-  return 1;
+/* The image of `node` by that motion, as seen from `from`. */
+static enum status add(struct sites *all, const struct site *site, const double from[2]) {
+  TRY(array_grow(&all->site, &all->room, all->n + 1, "wall particles"));
+  struct site *new = &all->site[all->n++];
+  *new = *site;
+  pull(all->faces, from, new->node);
+  return OK;
 }
 
-static size_t strips_of(const struct sph *s, struct strip strips[5]) {
-  if (s->tank.periodic[1]) return 0;
-  return s->tank.periodic[0] ? bed_strip(s, strips) : tank_strips(s, strips);
+/* ---- cells that are cut ---- */
+
+/* A half-plane: what is to the left of t, through p. */
+struct side {
+  double p[2], t[2];
+};
+
+struct cell {
+  size_t n;
+  double p[8][2]; /* m, convex */
+};
+
+static double left_of(const struct side *s, const double p[2]) {
+  return s->t[0] * (p[1] - s->p[1]) - s->t[1] * (p[0] - s->p[0]);
+}
+
+static void cut(struct cell *c, const struct side *side) {
+  struct cell out = {0};
+  for (size_t i = 0; i < c->n; i++) {
+    const double *p = c->p[i], *q = c->p[(i + 1) % c->n];
+    const double a = left_of(side, p), b = left_of(side, q);
+    if (a >= 0) memcpy(out.p[out.n++], p, sizeof *out.p);
+    if ((a < 0) == (b < 0)) continue;
+    for (int axis = 0; axis < 2; axis++)
+      out.p[out.n][axis] = p[axis] + a / (a - b) * (q[axis] - p[axis]);
+    out.n++;
+  }
+  *c = out;
+}
+
+/* Its area, and its centroid into x and y. */
+static double measure(const struct cell *c, double *x, double *y) {
+  double area = 0, mx = 0, my = 0;
+  for (size_t i = 1; i + 1 < c->n; i++) {
+    const double ux = c->p[i][0] - c->p[0][0], uy = c->p[i][1] - c->p[0][1];
+    const double vx = c->p[i + 1][0] - c->p[0][0], vy = c->p[i + 1][1] - c->p[0][1];
+    const double a = fabs(ux * vy - uy * vx) / 2;
+    area += a;
+    mx += a * (ux + vx) / 3;
+    my += a * (uy + vy) / 3;
+  }
+  *x = c->n && area > 0 ? c->p[0][0] + mx / area : 0;
+  *y = c->n && area > 0 ? c->p[0][1] + my / area : 0;
+  return area;
+}
+
+/* ---- strips ---- */
+
+/* Along the face from its lower or left end, and into the wall. */
+struct strip {
+  uint32_t face;
+  double base[2], t[2], into[2]; /* m, 1, 1 */
+  double ds, first;              /* m; where its first cell begins, in cells */
+  size_t cells;
+  bool upright;
+};
+
+/* Where a blunt corner of the solid is: what of the cells is on this side of its bisector. */
+static bool side_at(const struct sph_faces *faces, const struct sph_face *f, int end,
+                    struct side *side) {
+  if (f->end[end] != SPH_END_BLUNT) return false;
+  const struct sph_face *other = &faces->face[end ? f->next : f->before];
+  const double x = f->t[0] + other->t[0], y = f->t[1] + other->t[1];
+  memcpy(side->p, end ? f->b : f->a, sizeof side->p);
+  side->t[0] = end ? -y : y;
+  side->t[1] = end ? x : -x;
+  return true;
+}
+
+static struct strip strip_of(const struct sites *all, uint32_t face) {
+  const struct sph_face *f = &all->faces->face[face];
+  struct strip t = {.face = face, .cells = geo_intervals(f->length, all->s->dx)};
+  t.upright = fabs(f->t[1]) > fabs(f->t[0]);
+  const bool back = (t.upright ? f->t[1] : f->t[0]) < 0;
+  t.ds = f->length / (double)t.cells;
+  for (int axis = 0; axis < 2; axis++) {
+    t.base[axis] = back ? f->b[axis] : f->a[axis];
+    t.t[axis] = back ? -f->t[axis] : f->t[axis];
+  }
+  t.into[0] = f->t[1];
+  t.into[1] = -f->t[0];
+  return t;
+}
+
+/* The bed of a periodic tank goes on beyond its ends, as far as water meets it (period.h). */
+static struct strip strip_of_periods(const struct sites *all, uint32_t face) {
+  const struct geo_box *box = &all->s->tank.box;
+  struct strip t = strip_of(all, face);
+  const double width = tank_size(&all->s->tank, 0);
+  const size_t n = geo_intervals(width, all->s->dx);
+  t.ds = width / (double)n;
+  t.base[0] = box->min[0];
+  const double more = ceil((all->s->support + sph_period_widest(all->s)) / t.ds);
+  t.first = -more;
+  t.cells = n + 2 * (size_t)more;
+  return t;
+}
+
+static enum status add_to_strip(struct sites *all, const struct strip *t, struct site *site) {
+  const struct sph_face *f = &all->faces->face[t->face];
+  const struct sph_motion m = sph_motion_mirror(f->a, f->b);
+  sph_motion_turn(&m, site->x, site->y, &site->node[0], &site->node[1]);
+  for (int axis = 0; axis < 2; axis++) site->node[axis] += m.at[axis];
+  site->motion = 2 * t->face;
+  site->chain = f->chain;
+  const double s = sph_face_along(f, site->x, site->y);
+  return add(all, site, (double[]){f->a[0] + s * f->t[0], f->a[1] + s * f->t[1]});
+}
+
+/* The cell `i` along the strip and `j` into the wall: its middle and its area. */
+static struct site middle_of(const struct sites *all, const struct strip *t, size_t i, size_t j) {
+  const double dx = all->s->dx;
+  double at[2];
+  for (int axis = 0; axis < 2; axis++) {
+    at[axis] = t->base[axis] + t->into[axis] * (dx / 2) + t->t[axis] * ((0.5 + t->first) * t->ds);
+    at[axis] += (double)j * (t->into[axis] * dx) + (double)i * (t->t[axis] * t->ds);
+  }
+  return (struct site){.x = at[0], .y = at[1], .V = fabs(dx * t->ds)};
+}
+
+static struct cell cell_around(const struct sites *all, const struct strip *t,
+                               const struct site *site) {
+  const double s = t->ds / 2, d = all->s->dx / 2;
+  struct cell c = {.n = 4};
+  for (int k = 0; k < 4; k++) {
+    const double along = k == 0 || k == 3 ? -s : s, in = k < 2 ? -d : d;
+    c.p[k][0] = site->x + along * t->t[0] + in * t->into[0];
+    c.p[k][1] = site->y + along * t->t[1] + in * t->into[1];
+  }
+  return c;
+}
+
+static enum status add_cell(struct sites *all, const struct strip *t, size_t i, size_t j,
+                            const struct side *sides, int n_sides) {
+  struct site site = middle_of(all, t, i, j);
+  if (n_sides) {
+    struct cell c = cell_around(all, t, &site);
+    for (int k = 0; k < n_sides; k++) cut(&c, &sides[k]);
+    const double whole = site.V, area = measure(&c, &site.x, &site.y);
+    if (area < least_part * whole) return OK;
+    site.V = area;
+  }
+  return add_to_strip(all, t, &site);
+}
+
+/* Upright ones layer by layer, others column by column: from left to right. */
+static enum status add_cells(struct sites *all, const struct strip *t, const struct side *sides,
+                             int n_sides) {
+  const size_t outer = t->upright ? all->layers : t->cells;
+  const size_t inner = t->upright ? t->cells : all->layers;
+  for (size_t p = 0; p < outer; p++)
+    for (size_t q = 0; q < inner; q++)
+      TRY(add_cell(all, t, t->upright ? q : p, t->upright ? p : q, sides, n_sides));
+  return OK;
+}
+
+/* What is seen through a face may be beyond its edge, as far as the support. */
+static enum status add_beyond(struct sites *all, const struct strip *whole, int end) {
+  const struct sph_face *f = &all->faces->face[whole->face];
+  struct strip t = *whole;
+  if (f->end[end] != SPH_END_EDGE) return OK;
+  t.cells = (size_t)ceil(all->s->support / t.ds);
+  const bool first = t.t[0] * f->t[0] + t.t[1] * f->t[1] > 0 ? end == 0 : end == 1;
+  t.first = first ? -(double)t.cells : (double)whole->cells;
+  return add_cells(all, &t, NULL, 0);
+}
+
+static enum status add_strip(struct sites *all, uint32_t face) {
+  const struct sph_face *f = &all->faces->face[face];
+  if (all->s->tank.periodic[0]) {
+    const struct strip t = strip_of_periods(all, face);
+    return add_cells(all, &t, NULL, 0);
+  }
+  const struct strip t = strip_of(all, face);
+  struct side sides[2];
+  int n = 0;
+  for (int end = 0; end < 2; end++) n += side_at(all->faces, f, end, &sides[n]);
+  TRY(add_cells(all, &t, sides, n));
+  for (int end = 0; end < 2; end++) TRY(add_beyond(all, &t, end));
+  return OK;
+}
+
+/* ---- corners ---- */
+
+static enum status add_to_corner(struct sites *all, uint32_t face, struct site *site) {
+  const struct sph_face *f = &all->faces->face[face];
+  site->motion = 2 * f->next + 1;
+  site->chain = f->chain;
+  return add(all, site, f->b);
+}
+
+/* The square between the strips of two faces at a right angle, from left to right. */
+static enum status add_square(struct sites *all, uint32_t face) {
+  const struct sph_face *f = &all->faces->face[face], *g = &all->faces->face[f->next];
+  const double n[2][2] = {{f->t[1], -f->t[0]}, {g->t[1], -g->t[0]}}, dx = all->s->dx;
+  const bool first = fabs(n[0][0]) > fabs(n[1][0]);
+  const double *across = n[!first], *other = n[first];
+  for (size_t i = 0; i < all->layers; i++)
+    for (size_t j = 0; j < all->layers; j++) {
+      double at[2];
+      for (int axis = 0; axis < 2; axis++)
+        at[axis] = f->b[axis] + across[axis] * (dx / 2) + other[axis] * (dx / 2) +
+                   (double)i * (across[axis] * dx) + (double)j * (other[axis] * dx);
+      struct site site = {
+          .x = at[0], .y = at[1], .V = dx * dx, .node = {2 * f->b[0] - at[0], 2 * f->b[1] - at[1]}};
+      TRY(add_to_corner(all, face, &site));
+    }
+  return OK;
+}
+
+/* Rings about the vertex. In a corner sharper than a right angle the half turn of some particles
+ * would be in no water: all look along the bisector. */
+static enum status add_rings(struct sites *all, uint32_t face) {
+  const struct sph_face *f = &all->faces->face[face];
+  const double dx = all->s->dx, start = atan2(-f->t[0], f->t[1]);
+  for (size_t j = 0; j < all->layers; j++) {
+    const double r = ((double)j + 0.5) * dx, arc = r * f->turn;
+    const size_t m = geo_intervals(arc, dx);
+    for (size_t i = 0; i < m; i++) {
+      const double angle = start + ((double)i + 0.5) / (double)m * f->turn;
+      const double back = f->turn > M_PI / 2 ? start + f->turn / 2 : angle;
+      struct site site = {.x = f->b[0] + r * cos(angle),
+                          .y = f->b[1] + r * sin(angle),
+                          .V = arc * dx / (double)m,
+                          .node = {f->b[0] - r * cos(back), f->b[1] - r * sin(back)}};
+      TRY(add_to_corner(all, face, &site));
+    }
+  }
+  return OK;
+}
+
+static enum status add_corner(struct sites *all, uint32_t face) {
+  const struct sph_face *f = &all->faces->face[face];
+  if (f->end[1] != SPH_END_CORNER || f->turn < right_angle) return OK;
+  return fabs(f->turn - M_PI / 2) < right_angle ? add_square(all, face) : add_rings(all, face);
+}
+
+/* ---- all ---- */
+
+static enum status find(struct sites *all) {
+  if (all->s->tank.periodic[1]) return OK;
+  for (int upright = 1; upright >= 0; upright--)
+    for (uint32_t k = 0; k < all->faces->n; k++) {
+      const double *t = all->faces->face[k].t;
+      if ((fabs(t[1]) > fabs(t[0])) == upright) TRY(add_strip(all, k));
+    }
+  for (uint32_t k = 0; k < all->faces->n; k++) TRY(add_corner(all, k));
+  return OK;
 }
 
 static enum status make_room(struct sph *s, size_t n, struct sph_layers *g) {
@@ -58,82 +298,74 @@ static enum status make_room(struct sph *s, size_t n, struct sph_layers *g) {
   g->room = (n + SPH_LANES - 1) / SPH_LANES * SPH_LANES;
   TRY(sph_allocate(n, sizeof(double), &s->w.x));
   TRY(sph_allocate(n, sizeof(double), &s->w.y));
+  TRY(sph_allocate(n, sizeof *s->w.chain, &s->w.chain));
   TRY(sph_allocate(g->room, sizeof(double), &g->x));
   TRY(sph_allocate(g->room, sizeof(double), &g->y));
-  TRY(sph_allocate(g->room, sizeof(double), &g->rx));
-  TRY(sph_allocate(g->room, sizeof(double), &g->ry));
+  TRY(sph_allocate(g->room, sizeof *g->motion, &g->motion));
+  TRY(sph_allocate(2 * s->faces.n, sizeof *g->turn, &g->turn));
   return sph_allocate(g->room, sizeof(double), &g->V);
 }
 
-/* As the strips have them: places, and which strip each is of. */
-struct found {
+static void place(struct sph *s, size_t i, const struct site *site, struct sph_layers *g) {
+  g->x[i] = site->node[0];
+  g->y[i] = site->node[1];
+  g->motion[i] = site->motion;
+  g->V[i] = site->V;
+  if (i >= g->n) return;
+  s->w.x[i] = site->x;
+  s->w.y[i] = site->y;
+  s->w.chain[i] = site->chain;
+}
+
+/* Scratch of the sort. */
+struct sorted {
   double *x, *y;
-  size_t *strip;
-  uint32_t *key, *order; /* of the sort */
+  uint32_t *key, *order;
 };
 
-static enum status find(const struct strip *strips, size_t n_strips, size_t n, struct found *f) {
-  TRY(sph_allocate(n, sizeof *f->x, &f->x));
-  TRY(sph_allocate(n, sizeof *f->y, &f->y));
-  TRY(sph_allocate(n, sizeof *f->strip, &f->strip));
-  TRY(sph_allocate(n, sizeof *f->key, &f->key));
-  TRY(sph_allocate(n, sizeof *f->order, &f->order));
-  size_t at = 0;
-  for (size_t k = 0; k < n_strips; k++)
-    for (size_t i = 0; i < strips[k].nx; i++)
-      for (size_t j = 0; j < strips[k].ny; j++, at++) {
-        f->x[at] = strips[k].x + (double)i * strips[k].dx;
-        f->y[at] = strips[k].y + (double)j * strips[k].dy;
-        f->strip[at] = k;
-      }
+static enum status sort(struct sph *s, const struct sites *all, struct sorted *t) {
+  const struct geo_box box = tank_around(&s->tank, s->support + s->dx);
+  TRY(sph_allocate(all->n, sizeof *t->x, &t->x));
+  TRY(sph_allocate(all->n, sizeof *t->y, &t->y));
+  TRY(sph_allocate(all->n, sizeof *t->key, &t->key));
+  TRY(sph_allocate(all->n, sizeof *t->order, &t->order));
+  for (size_t i = 0; i < all->n; i++) {
+    t->x[i] = all->site[i].x;
+    t->y[i] = all->site[i].y;
+  }
+  TRY(sph_grid_create(&s->w.grid, &box, s->dx));
+  sph_grid_sort(&s->w.grid, all->n, t->x, t->y, NULL, t->key, t->order);
   return OK;
 }
 
-static void forget(struct found *f) {
-  free(f->x);
-  free(f->y);
-  free(f->strip);
-  free(f->key);
-  free(f->order);
-}
-
-static void place(struct sph *s, size_t i, double x, double y, const struct strip *t,
-                  struct sph_layers *g) {
-  g->x[i] = t->mirror_x ? 2 * t->wall_x - x : x;
-  g->y[i] = t->mirror_y ? 2 * t->wall_y - y : y;
-  g->rx[i] = t->mirror_x ? -1 : 1;
-  g->ry[i] = t->mirror_y ? -1 : 1;
-  g->V[i] = fabs(t->dx * t->dy);
-  if (i >= g->n) return;
-  s->w.x[i] = x;
-  s->w.y[i] = y;
-}
-
 enum status sph_layers_create(struct sph *s, struct sph_layers *g) {
-  struct strip strips[5];
-  struct found f = {0};
+  struct sites all = {.s = s, .faces = &s->faces};
+  struct sorted t = {0};
   enum status status = OK;
-  const size_t n_strips = strips_of(s, strips);
-  const struct geo_box box = tank_around(&s->tank, s->support + s->dx);
-  size_t n = 0;
-  for (size_t k = 0; k < n_strips; k++) n += strips[k].nx * strips[k].ny;
-  ATTEMPT(make_room(s, n, g));
-  ATTEMPT(find(strips, n_strips, n, &f));
-  ATTEMPT(sph_grid_create(&s->w.grid, &box, s->dx));
-  sph_grid_sort(&s->w.grid, n, f.x, f.y, NULL, f.key, f.order);
-  for (size_t i = 0; i < g->room; i++) {
-    const size_t o = f.order[i < n ? i : n - 1];
-    place(s, i, f.x[o], f.y[o], &strips[f.strip[o]], g);
+  all.layers = (size_t)ceil(s->support / s->dx - 1e-9);
+  ATTEMPT(find(&all));
+  ATTEMPT(make_room(s, all.n, g));
+  ATTEMPT(sort(s, &all, &t));
+  for (size_t i = 0; i < g->room; i++)
+    place(s, i, &all.site[t.order[i < all.n ? i : all.n - 1]], g);
+  for (size_t k = 0; k < s->faces.n; k++) {
+    const struct sph_face *f = &s->faces.face[k];
+    g->turn[2 * k] = sph_motion_mirror(f->a, f->b);
+    g->turn[2 * k + 1] = sph_motion_half_turn(f->a);
   }
 done:
-  forget(&f);
+  free(all.site);
+  free(t.x);
+  free(t.y);
+  free(t.key);
+  free(t.order);
   return status;
 }
 
 void sph_layers_destroy(struct sph_layers *g) {
   free(g->x);
   free(g->y);
-  free(g->rx);
-  free(g->ry);
+  free(g->motion);
+  free(g->turn);
   free(g->V);
 }

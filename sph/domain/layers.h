@@ -1,6 +1,16 @@
-/* Fixed wall particles: a lattice that fills the walls of a tank with upright sides and a flat bed
- * to the depth of the support, its first layer half a spacing behind them. Along a wall the spacing
- * is stretched so that it divides the wall evenly. */
+/* Fixed wall particles: a lattice that fills the walls to the depth of the support, its first layer
+ * half a spacing behind them.
+ *
+ * Behind each face (faces.h) lies a strip of it, stretched along the face so that it divides that
+ * evenly. Corners of the water have between the strips of their faces a square of the same lattice,
+ * where they are right angles, and rings about the vertex else. Blunt corners of the solid are
+ * divided between their faces along the bisector. At its edges, where each face has particles of
+ * its own (sight.h), the strip goes on beyond. The area
+ * of every particle is that of its cell, or of what is left of that.
+ *
+ * Each particle has a mirror point, that it is the image of by a rigid motion: a reflection in its
+ * face, or a half turn about a corner. Where another wall is in the way, such as in corners that
+ * are sharper than a right angle, the point lies half-way to it. */
 #pragma once
 #include <stddef.h>
 
@@ -11,11 +21,13 @@
  * last one. */
 struct sph_layers {
   size_t n, room;
-  double *x, *y;   /* mirror point in the wall, in a corner through it, m */
-  double *rx, *ry; /* sign of the velocity components after reflection */
-  double *V;       /* m^2 */
+  double *x, *y;           /* mirror point, m */
+  double *V;               /* m^2 */
+  uint32_t *motion;        /* which one turns what is at the mirror point */
+  struct sph_motion *turn; /* of face k the mirror, 2 k, and the half turn about its beginning,
+                              2 k + 1; owned */
 };
 
-/* Makes s->w.grid, .n, .x and .y, too. ERR_MEMORY; ERR_INPUT as sph_grid_create. */
+/* Makes s->w.grid, .n, .x, .y and .chain, too. ERR_MEMORY; ERR_INPUT as sph_grid_create. */
 enum status sph_layers_create(struct sph *s, struct sph_layers *g);
 void sph_layers_destroy(struct sph_layers *g);

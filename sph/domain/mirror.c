@@ -67,6 +67,9 @@ static enum status make_room(struct sph *s) {
   struct mirror *m = s->w.data;
   if (m->copies.n <= m->room) return OK;
   m->room = m->copies.n + m->copies.n / 2;
+  free(s->w.chain); /* a rectangular tank has one: 0 */
+  s->w.chain = NULL;
+  TRY(sph_allocate(m->room, sizeof *s->w.chain, &s->w.chain));
   return sph_wall_make_packs(s, m->room);
 }
 

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "sph/domain/images.h"
+
 #define X(variant, name, help) &sph_wall_##variant,
 const struct sph_wall *const sph_walls[] = {SPH_WALLS(X)};
 #undef X
@@ -19,11 +21,18 @@ static double beyond(const struct sph *s) {
   return 3 * s->support + 60 * s->dx;
 }
 
+/* So far behind a wall water may be by rounding, m. */
+static double rounding(const struct sph *s) {
+  return 1e-9 * s->dx;
+}
+
 enum status sph_wall_create(struct sph *s, const struct geo_lines *all) {
   struct geo_lines walls = {0};
   enum status status = OK;
   s->wall = sph_walls[s->scheme.walls];
   ATTEMPT(tank_walls(&s->tank, all, beyond(s), &walls));
+  ATTEMPT(sph_faces_set(&s->faces, &walls, 2 * s->support));
+  ATTEMPT(sph_sight_create(&s->sight, &s->faces, s->support));
   ATTEMPT(s->wall->create(s, &walls));
 done:
   geo_lines_destroy(&walls);
@@ -53,76 +62,137 @@ void sph_wall_advance(struct sph *s, const double *weights, int stages, double d
   if (s->wall && s->wall->advance) s->wall->advance(s, weights, stages, dt);
 }
 
-bool sph_lip_at(const struct sph *s, const double *x, const double *y, const double *over,
-                struct sph_lip *lip) {
-  const struct tank *t = &s->tank;
-  bool any = false;
-  for (size_t l = 0; l < SPH_LANES; l++) any |= over[l] != 0 || y[l] > t->lowest_top;
-  if (!any) return false;
-  for (size_t l = 0; l < SPH_LANES; l++) {
-    int side = tank_nearer(t, x[l]);
-    lip->wall[l] = tank_wall(t, side);
-    lip->top[l] = t->top[side];
-    lip->outwards[l] = side == TANK_RIGHT ? 1 : -1;
-    lip->rise[l] = fmax(y[l] - lip->top[l], 0);
-    double way = tank_inside(t, side, x[l]);
-    lip->inside[l] = over[l] != 0 ? -1 : lip->rise[l] > 0 ? way : fabs(way);
+/* ---- what is hidden ---- */
+
+enum status sph_wall_look(struct sph *s) {
+  const struct sph_sources water = sph_sources_of_water(s);
+  const struct sph_sources walls = {1, {{&s->w.grid, s->w.x, s->w.y, 0, 0}}};
+  TRY(sph_sight_mark(&s->sight, &s->water_water, s->f.n, s->f.w.x, s->f.w.y, &water, NULL,
+                     s->support));
+  TRY(sph_sight_mark(&s->sight, &s->water_wall, s->f.n, s->f.w.x, s->f.w.y, &walls, s->w.chain,
+                     s->support));
+  return s->wall->look ? s->wall->look(s) : OK;
+}
+
+/* ---- the tops ---- */
+
+/* The wall goes on straight beyond its end, or upwards if it ends downwards; on the one side of
+ * that is the tank. */
+struct top {
+  double at[2], r[2]; /* m, 1 */
+  double inwards;     /* 1: the tank is on the left of r; -1 */
+};
+
+static struct top top_of(const struct sph *s, size_t number) {
+  const struct sph_face *f = &s->faces.face[number / 2];
+  const int end = number % 2;
+  struct top t = {.inwards = end ? 1 : -1};
+  const double away = end ? 1 : -1;
+  for (int axis = 0; axis < 2; axis++) {
+    t.at[axis] = end ? f->b[axis] : f->a[axis];
+    t.r[axis] = away * f->t[axis];
   }
-  return true;
+  if (t.r[1] <= 0) {
+    t.r[0] = 0;
+    t.r[1] = 1;
+  }
+  return t;
 }
 
-/* Whether a particle that was inside the side wall at the start of the step, and is outside now,
- * went over the top, on the straight way. */
-static bool went_over(const struct sph *s, size_t i, double wall, double top) {
-  const struct sph_state *a = &s->f.w0, *b = &s->f.w;
-  double t = (wall - a->x[i]) / (b->x[i] - a->x[i]);
-  return a->y[i] + t * (b->y[i] - a->y[i]) >= top;
+static double inside_of(const struct top *t, const double p[2]) {
+  return t->inwards * (t->r[0] * (p[1] - t->at[1]) - t->r[1] * (p[0] - t->at[0]));
 }
 
-/* Whether the particle was brought back. */
-static bool confine_sides(const struct sph *s, size_t i) {
-  const struct sph_state *w = &s->f.w;
-  const struct geo_box walled = tank_walled(&s->tank);
-  bool beside = w->x[i] < walled.min[0] || w->x[i] > walled.max[0];
-  if (!beside) s->f.over[i] = 0;
-  if (!beside || s->f.over[i]) return false;
-  int side = tank_nearer(&s->tank, w->x[i]);
-  double wall = tank_wall(&s->tank, side);
-  if (went_over(s, i, wall, s->tank.top[side])) {
-    s->f.over[i] = 1;
+static bool passes_over(const struct top *t, const double p[2], const double q[2]) {
+  const double from = inside_of(t, p), to = inside_of(t, q);
+  if (!(from >= 0 && to < 0)) return false;
+  const double part = from / (from - to);
+  double along = 0;
+  for (int axis = 0; axis < 2; axis++)
+    along += t->r[axis] * (p[axis] + part * (q[axis] - p[axis]) - t->at[axis]);
+  return along >= 0;
+}
+
+/* f.over is the number of a top (faces.h) + 1. */
+static struct top top_over(const struct sph *s, size_t i) {
+  return top_of(s, (size_t)s->f.over[i] - 1);
+}
+
+/* The top that the way from p to q passes over, as f.over has it; or 0. */
+static size_t passed_over(const struct sph *s, const double p[2], const double q[2]) {
+  for (size_t k = 0; k < s->faces.n_tops; k++) {
+    const struct top t = top_of(s, s->faces.top[k]);
+    if (passes_over(&t, p, q)) return s->faces.top[k] + 1;
+  }
+  return 0;
+}
+
+bool sph_wall_has_lost(const struct sph *s, size_t i) {
+  return s->f.over[i] != 0 && s->f.w.y[i] < top_over(s, i).at[1];
+}
+
+/* ---- through walls ---- */
+
+bool sph_wall_stops(const struct sph *s, size_t i, double x, double y) {
+  const double p[2] = {s->f.w.x[i], s->f.w.y[i]}, q[2] = {x, y};
+  double part;
+  return sph_sight_first(&s->sight, p, q, rounding(s), &part) != SPH_NO_FACE ||
+         (s->f.over[i] == 0 && passed_over(s, p, q));
+}
+
+/* How many times a step may meet walls: in the corner of two it is two. */
+enum { MOST_WALLS = 4 };
+
+/* Back into the tank, by reflection in the faces that the step went through, one after the other.
+ * What is left of the way goes nowhere where that does not end. */
+static size_t bring_back(struct sph *s, size_t i) {
+  const struct sph_state *w0 = &s->f.w0, *w = &s->f.w;
+  double p[2] = {w0->x[i], w0->y[i]}, part;
+  for (size_t met = 0; met < MOST_WALLS; met++) {
+    const double q[2] = {w->x[i], w->y[i]};
+    const uint32_t k = sph_sight_first(&s->sight, p, q, rounding(s), &part);
+    if (k == SPH_NO_FACE) return met;
+    const struct sph_face *f = &s->faces.face[k];
+    const struct sph_motion m = sph_motion_mirror(f->a, f->b);
+    sph_motion_turn(&m, q[0], q[1], &w->x[i], &w->y[i]);
+    w->x[i] += m.at[0];
+    w->y[i] += m.at[1];
+    sph_motion_turn(&m, w->u[i], w->v[i], &w->u[i], &w->v[i]);
+    for (int axis = 0; axis < 2; axis++) p[axis] += part * (q[axis] - p[axis]);
+  }
+  w->x[i] = p[0];
+  w->y[i] = p[1];
+  return MOST_WALLS;
+}
+
+/* Whether a step has met a wall; and what passed over a top, or came back. */
+static bool has_met(struct sph *s, size_t i) {
+  const double p[2] = {s->f.w0.x[i], s->f.w0.y[i]}, q[2] = {s->f.w.x[i], s->f.w.y[i]};
+  if (s->f.over[i] != 0) {
+    const struct top t = top_over(s, i);
+    if (inside_of(&t, q) >= 0) s->f.over[i] = 0;
     return false;
   }
-  w->x[i] = 2 * wall - w->x[i];
-  w->u[i] = -w->u[i];
-  return true;
-}
-
-static bool is_under_bed(const struct sph *s, size_t i) {
-  const struct geo_box t = tank_walled(&s->tank);
-  return s->f.w.y[i] < t.min[1] && s->f.w.x[i] > t.min[0] && s->f.w.x[i] < t.max[0];
-}
-
-static void confine_bed(struct sph *s, size_t i) {
-  const struct sph_state *w = &s->f.w;
-  double lift = 2 * (s->tank.box.min[1] - w->y[i]);
-  w->y[i] += lift;
-  w->v[i] = -w->v[i];
-  s->budget.walls -= s->f.m[i] * s->g * lift;
+  s->f.over[i] = (double)passed_over(s, p, q);
+  double part;
+  return s->f.over[i] == 0 && sph_sight_first(&s->sight, p, q, rounding(s), &part) != SPH_NO_FACE;
 }
 
 void sph_wall_confine(struct sph *s) {
-  size_t beside = 0, under = 0;
-#pragma omp parallel for schedule(static) reduction(+ : beside, under)
+  double *const met = s->f.scratch;
+  size_t n = 0;
+#pragma omp parallel for schedule(static) reduction(+ : n)
   for (size_t i = 0; i < s->f.n; i++) {
-    beside += confine_sides(s, i);
-    under += is_under_bed(s, i);
+    met[i] = has_met(s, i);
+    n += met[i] != 0;
   }
-  s->reflections += beside + under;
   /* few, and one after the other: they share the budget */
-  for (size_t i = 0; under; i++) {
-    if (!is_under_bed(s, i)) continue;
-    confine_bed(s, i);
-    under--;
+  for (size_t i = 0; n; i++) {
+    if (met[i] == 0) continue;
+    const double from = s->f.w.y[i];
+    s->reflections += bring_back(s, i);
+    s->budget.walls -= s->f.m[i] * s->g * (s->f.w.y[i] - from);
+    n--;
   }
   sph_particles_pad(&s->f);
 }
@@ -131,9 +201,12 @@ void sph_wall_destroy(struct sph *s) {
   if (s->wall) s->wall->destroy(s);
   free(s->w.x);
   free(s->w.y);
+  free(s->w.chain);
   free(s->w.pack);
   free(s->w.drag);
   free(s->w.G);
   sph_grid_destroy(&s->w.grid);
+  sph_sight_destroy(&s->sight);
+  sph_faces_destroy(&s->faces);
   s->w = (struct sph_wall_particles){0};
 }

@@ -11,6 +11,8 @@ struct sph_wall {
   /* Lists what it needs of the water, for as long as none moves farther than s->wall_skin, or half
    * of that where wall particles move; makes what moves with the water. */
   enum status (*list)(struct sph *s);
+  /* What walls hide from it, of what it has listed (sight.h); or NULL. */
+  enum status (*look)(struct sph *s);
   void (*fill)(struct sph *s); /* what else is in s->w.pack */
   /* s->w.G, where the diffusion needs it: after that of the water, which needs s->w.pack; or NULL,
    * and then `fill` does it. */
@@ -26,22 +28,6 @@ struct sph_wall {
   bool moving;     /* the wall particles, no faster than the water */
   bool undiffused; /* they take no part in the diffusion of the density */
 };
-
-/* Water at the top of a wall sees the wall particles behind it only through the wall: those towards
- * which the line of sight meets it below its top (the visibility criterion of Belytschko, Lu & Gu,
- * Int. J. Numer. Meth. Engng 37, 1994, for cracks). So what a wall does fades as the water rises
- * above it and vanishes where the water passes over. Water that has passed over sees no wall. */
-struct sph_lip {
-  double wall[SPH_LANES], top[SPH_LANES]; /* of the nearer side, m */
-  double outwards[SPH_LANES];             /* 1 at the right wall, -1 at the left one */
-  double rise[SPH_LANES];                 /* above the top, or 0, m */
-  double inside[SPH_LANES]; /* way to the wall, m; without a rise its size, so that all is seen */
-};
-
-/* Whether any of the points is above the top of its wall, or has passed over it; if so, *lip is
- * filled. Arrays are [SPH_LANES]. */
-bool sph_lip_at(const struct sph *s, const double *x, const double *y, const double *over,
-                struct sph_lip *lip);
 
 /* X(variant, what a case calls it, help). */
 #define SPH_WALLS(X)                                                                               \
@@ -100,6 +86,16 @@ void sph_wall_begin(struct sph *s);
 void sph_wall_rates(struct sph *s, int stage);
 void sph_wall_advance(struct sph *s, const double *weights, int stages, double dt);
 
+/* At the start of a step, and when lists are new: what walls hide, of water and wall particles.
+ * ERR_MEMORY. */
+enum status sph_wall_look(struct sph *s);
+
 /* After a step, brings back water that crossed a wall, and marks that which went over the top. */
 void sph_wall_confine(struct sph *s);
+
+/* Whether particle i may not go straight to (x, y): through a wall, or over its top. */
+bool sph_wall_stops(const struct sph *s, size_t i, double x, double y);
+
+/* Water that has passed over a wall: whether it is below its top. */
+bool sph_wall_has_lost(const struct sph *s, size_t i);
 void sph_wall_destroy(struct sph *s);

@@ -15,7 +15,7 @@
 /* What else a particle carries from step to step. */
 #define SPH_KEPT(X)                                                                                \
   X(m, "kg/m", "mass")                                                                             \
-  X(over, "1", "1 for water that has passed over the top of a wall, else 0")
+  X(over, "1", "which top of a wall the water has passed over (wall.c), or 0")
 
 /* What is made anew, and forgotten when the particles are sorted. */
 #define SPH_MADE(X)                                                                                \

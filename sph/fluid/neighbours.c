@@ -212,6 +212,7 @@ static enum status build_chunk(struct sph_lists *l, size_t chunk, size_t n, cons
   for (size_t c = 0; c < SPH_CHUNK; c++) {
     size_t i = (chunk * SPH_CHUNK + c) * SPH_LANES;
     k->first[c] = (uint32_t)at;
+    k->hides[c] = false;
     if (i >= n) continue;
     const struct cluster t = cluster_of(x, y, i, n);
     for (size_t kind = 0; kind < s->n; kind++) TRY(build_cluster(k, &at, &t, &s->of[kind], reach));
@@ -240,7 +241,10 @@ enum status sph_lists_build(struct sph_lists *l, size_t n, const double *x, cons
 }
 
 void sph_lists_destroy(struct sph_lists *l) {
-  for (size_t c = 0; c < l->chunk_room; c++) free(l->chunks[c].j);
+  for (size_t c = 0; c < l->chunk_room; c++) {
+    free(l->chunks[c].j);
+    free(l->chunks[c].hidden);
+  }
   free(l->chunks);
   *l = (struct sph_lists){0};
 }

@@ -3,6 +3,7 @@
  * together. A list holds, for each cluster of targets, every source within reach of at least one of
  * them: the pair loops take one source against a whole cluster, without gathering. */
 #pragma once
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -22,6 +23,11 @@ struct sph_chunk {
   uint32_t *j; /* sources, [room], owned */
   size_t room;
   uint32_t first[SPH_CHUNK + 1]; /* cluster c of the chunk: j[first[c]] .. j[first[c+1]-1] */
+  /* Where walls hide sources (domain/sight.h): a bit for each lane of the cluster that does not see
+   * j, [hidden_room], owned. */
+  unsigned char *hidden;
+  size_t hidden_room;
+  bool hides[SPH_CHUNK]; /* cluster c has such sources */
 };
 
 struct sph_lists {
@@ -65,4 +71,11 @@ static inline const uint32_t *sph_lists_of(const struct sph_lists *l, size_t clu
   size_t c = cluster % SPH_CHUNK;
   *n = k->first[c + 1] - k->first[c];
   return k->j + k->first[c];
+}
+
+/* What hides them, as many; or NULL. */
+static inline const unsigned char *sph_lists_hidden(const struct sph_lists *l, size_t cluster) {
+  const struct sph_chunk *k = &l->chunks[cluster / SPH_CHUNK];
+  const size_t c = cluster % SPH_CHUNK;
+  return k->hides[c] ? k->hidden + k->first[c] : NULL;
 }

@@ -13,8 +13,7 @@ static void cluster_gradient(struct sph *s, size_t cluster, const void *wanted) 
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
   struct sph_gradient_sums a, b = {0};
   loops->gradient(s, &i, &water, &a);
-  struct sph_lip lip;
-  const struct sph_near walls = sph_near_walls(s, cluster, &lip);
+  const struct sph_near walls = sph_near_walls(s, cluster);
   if (walls.n) loops->gradient(s, &i, &walls, &b);
 
   const double F = kernel_slope_scale((enum sph_kernel)s->scheme.kernel);

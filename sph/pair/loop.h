@@ -8,7 +8,8 @@
 /* As many sources as the loops take at a time, side by side. */
 struct turn {
   real x[SPH_SOURCES], y[SPH_SOURCES], u[SPH_SOURCES], v[SPH_SOURCES];
-  real p[SPH_SOURCES], V[SPH_SOURCES], rho[SPH_SOURCES], spare[SPH_SOURCES];
+  real p[SPH_SOURCES], V[SPH_SOURCES], rho[SPH_SOURCES];
+  real hidden[SPH_SOURCES]; /* the lanes that do not see it, as bits: the pack's `spare` */
 } __attribute__((aligned(32)));
 
 /* Their gradients, and one of them. */
@@ -50,6 +51,14 @@ SPECIALISE void convert(const struct frame *f, const struct sph_near *near, size
     ((real_piece *)out)[q] = __builtin_convertvector((a[q] - origin[q]) * unit[q], real_piece);
 }
 
+/* Who does not see them, where the list says so. */
+SPECIALISE void gather_hidden(const struct sph_near *near, size_t from,
+                              struct turn block[BLOCK / SPH_SOURCES]) {
+  const size_t n = near->n - from < BLOCK ? near->n - from : BLOCK;
+  for (size_t k = 0; near->hidden && k < n; k++)
+    block[k / SPH_SOURCES].hidden[k % SPH_SOURCES] = (real)near->hidden[from + k];
+}
+
 /* The sources from `from` on, as many as there is room for; returns the turns. A source that misses
  * in the last has no volume. */
 SPECIALISE size_t gather(const struct frame *of, const struct sph_near *near, size_t from,
@@ -58,6 +67,7 @@ SPECIALISE size_t gather(const struct frame *of, const struct sph_near *near, si
   const size_t n = near->n - from < BLOCK ? near->n - from : BLOCK;
   if (SPH_SOURCES == 1) {
     for (size_t k = 0; k < n; k++) convert(&f, near, from + k, block[k].x);
+    gather_hidden(near, from, block);
     return n;
   }
   for (size_t k = 0; k < n; k += SPH_SOURCES) {
@@ -67,6 +77,7 @@ SPECIALISE size_t gather(const struct frame *of, const struct sph_near *near, si
     vec_interleave(source[0], source[1], block[k / SPH_SOURCES].x);
   }
   if (n % SPH_SOURCES) block[n / SPH_SOURCES].V[SPH_SOURCES - 1] = 0;
+  gather_hidden(near, from, block);
   return (n + SPH_SOURCES - 1) / SPH_SOURCES;
 }
 
@@ -109,23 +120,19 @@ SPECIALISE void collect_most(double *a, int part, vec v) {
   }
 }
 
-/* The targets of a part, and the lip between them and the wall particles. */
+/* The targets of a part, and what walls hide from them. */
 struct targets {
   vec x, y, u, v, p, rho, Gx, Gy;
   vec own_u, own_v; /* the velocity from rest, where u and v are the cluster's */
-  bool lip;
-  vec wall, top, outwards, rise, inside;
+  bool blind;       /* to some source */
+  vec_bits lane;    /* the bit of each */
 };
 
-SPECIALISE void set_lip(struct targets *i, const struct sph_lip *lip, const struct frame *f,
-                        int part) {
-  if (!lip) return;
-  i->lip = true;
-  i->wall = spread(lip->wall, part, f->origin[X], f->unit[X]);
-  i->top = spread(lip->top, part, f->origin[Y], f->unit[Y]);
-  i->outwards = spread(lip->outwards, part, 0, 1);
-  i->rise = spread(lip->rise, part, 0, f->unit[X]);
-  i->inside = spread(lip->inside, part, 0, f->unit[X]);
+SPECIALISE void set_blind(struct targets *i, const struct sph_near *near, int part) {
+  if (!near->hidden) return;
+  i->blind = true;
+  for (int k = 0; k < SPH_REALS; k++)
+    i->lane[k] = (real_bits)1 << (part * SPH_TARGETS + k / SPH_SOURCES);
 }
 
 SPECIALISE void set_places(struct targets *i, const struct sph_targets *of, const struct frame *f,
@@ -135,13 +142,10 @@ SPECIALISE void set_places(struct targets *i, const struct sph_targets *of, cons
 }
 
 /* What tells whether a pair is in reach (kernel.h), or beyond the support where a target does not
- * see the wall particle. */
-SPECIALISE vec hide(const struct targets *i, vec x, vec y, vec reach2, vec cutoff2) {
-  const vec zero = {0};
-  vec behind = vec_max(i->outwards * (x - i->wall), zero);
-  vec below = vec_max(i->top - y, zero);
-  vec seen = below * i->inside - i->rise * behind;
-  return reach2 + vec_where_less(cutoff2, seen, zero);
+ * see the source. */
+SPECIALISE vec hide(const struct targets *i, const struct turn *j, vec reach2, vec cutoff2) {
+  const vec_bits bits = __builtin_convertvector(vec_sources(j->hidden), vec_bits) & i->lane;
+  return reach2 + (vec)((vec_bits)cutoff2 & (bits != 0));
 }
 
 struct pair {
@@ -155,7 +159,7 @@ SPECIALISE struct pair pair_with(enum sph_kernel kernel, const struct turn *j,
   struct pair p = {.x = xj - i->x, .y = yj - i->y};
   p.q2 = p.x * p.x + p.y * p.y;
   p.reach2 = kernel_reach2(kernel, p.x, p.y, p.q2);
-  if (i->lip) p.reach2 = hide(i, xj, yj, p.reach2, cutoff2);
+  if (i->blind) p.reach2 = hide(i, j, p.reach2, cutoff2);
   return p;
 }
 

@@ -126,7 +126,7 @@ SPECIALISE void sum_rates(enum sph_kernel kernel, const struct sph *s,
   struct rates a[SPH_PARTS] = {0};
   for (int part = 0; part < SPH_PARTS; part++) {
     set_places(&i[part], of, &f, part);
-    set_lip(&i[part], near->lip, &f, part);
+    set_blind(&i[part], near, part);
     i[part].u = spread(of->u, part, f.origin[U], f.unit[U]);
     i[part].v = spread(of->v, part, f.origin[V], f.unit[V]);
     i[part].own_u = spread(of->u, part, 0, f.unit[U]);
@@ -185,7 +185,7 @@ SPECIALISE void sum_gradient(enum sph_kernel kernel, const struct sph *s,
   struct gradient a[SPH_PARTS] = {0};
   for (int part = 0; part < SPH_PARTS; part++) {
     set_places(&i[part], of, &f, part);
-    set_lip(&i[part], near->lip, &f, part);
+    set_blind(&i[part], near, part);
     i[part].p = spread(of->p, part, f.origin[P], f.unit[P]);
   }
   struct turn block[BLOCK / SPH_SOURCES];
@@ -241,6 +241,7 @@ SPECIALISE void sum_diffusion(enum sph_kernel kernel, const struct sph *s,
   struct diffusion a[SPH_PARTS] = {0};
   for (int part = 0; part < SPH_PARTS; part++) {
     set_places(&i[part], of, &f, part);
+    set_blind(&i[part], near, part);
     i[part].p = spread(of->p, part, f.origin[P], f.unit[P]);
   }
   struct turn block[BLOCK / SPH_SOURCES];
@@ -278,7 +279,7 @@ SPECIALISE vec weight_in_fit(enum weight weight, enum sph_kernel kernel, const s
     break;
   }
   vec far2 = q.q2;
-  if (i->lip) far2 = hide(i, vec_sources(j->x), vec_sources(j->y), q.q2, radius2);
+  if (i->blind) far2 = hide(i, j, q.q2, radius2);
   return vec_where_less(vec_where_less(one, far2, radius2), zero, vec_sources(j->V));
 }
 
@@ -322,7 +323,7 @@ SPECIALISE void sum_fit(enum weight weight, enum sph_kernel kernel, const struct
   struct fit a[SPH_PARTS] = {0};
   for (int part = 0; part < SPH_PARTS; part++) {
     set_places(&i[part], of, &f, part);
-    set_lip(&i[part], near->lip, &f, part);
+    set_blind(&i[part], near, part);
   }
   struct turn block[BLOCK / SPH_SOURCES];
   for (size_t from = 0; from < near->n; from += BLOCK) {

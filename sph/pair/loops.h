@@ -33,8 +33,8 @@ struct sph_near {
   const uint32_t *list;
   const uint32_t *ahead; /* the next cluster's: asked of the memory while this one's are summed */
   const struct sph_pack *pack;
-  const struct sph_vector *G; /* their gradients, for a loop that needs them */
-  const struct sph_lip *lip;  /* what hides some of them, or NULL */
+  const struct sph_vector *G;  /* their gradients, for a loop that needs them */
+  const unsigned char *hidden; /* of each a bit for every target that does not see it, or NULL */
 };
 
 /* What the loop of the rates is asked for. */
@@ -115,9 +115,10 @@ static inline struct sph_near sph_near_of(const struct sph_lists *lists, size_t 
   a.list = sph_lists_of(lists, cluster, &a.n);
   if (lists->n_clusters > SPH_CACHED_CLUSTERS && cluster + 1 < lists->n_clusters)
     a.ahead = sph_lists_of(lists, cluster + 1, &a.n_ahead);
+  a.hidden = sph_lists_hidden(lists, cluster);
   return a;
 }
 
-/* The water of one cluster, and the wall particles near it; *lip is room for what hides them. */
+/* The water of one cluster, and the wall particles near it. */
 struct sph_targets sph_targets_of(const struct sph *s, size_t cluster);
-struct sph_near sph_near_walls(const struct sph *s, size_t cluster, struct sph_lip *lip);
+struct sph_near sph_near_walls(const struct sph *s, size_t cluster);

@@ -80,11 +80,9 @@ struct sph_targets sph_targets_of(const struct sph *s, size_t cluster) {
   return i;
 }
 
-struct sph_near sph_near_walls(const struct sph *s, size_t cluster, struct sph_lip *lip) {
-  const size_t at = cluster * SPH_LANES;
+struct sph_near sph_near_walls(const struct sph *s, size_t cluster) {
   struct sph_near walls = sph_near_of(&s->water_wall, cluster, s->w.pack);
   walls.G = s->w.G;
-  if (walls.n && sph_lip_at(s, s->f.w.x + at, s->f.w.y + at, s->f.over + at, lip)) walls.lip = lip;
   return walls;
 }
 
@@ -241,8 +239,7 @@ static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
   water.G = s->G;
   struct sph_rates_sums a, b = {0};
   loops->rates(s, &(struct sph_rates_how){d, how->bounds, 1e-24}, &i, &water, &a);
-  struct sph_lip lip;
-  const struct sph_near walls = sph_near_walls(s, cluster, &lip);
+  const struct sph_near walls = sph_near_walls(s, cluster);
   if (walls.n) sum_walls(s, how, d, &i, &walls, &b);
 
   struct effects e;

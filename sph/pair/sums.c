@@ -35,8 +35,7 @@ struct sph_fit_sums sph_sums_around(const struct sph *s, size_t cluster, unsigne
   const struct sph_targets i = sph_targets_of(s, cluster);
   sph_fit_loop *fit = sph_loops_for(s, &i)->fit;
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
-  struct sph_lip lip;
-  const struct sph_near walls = sph_near_walls(s, cluster, &lip);
+  const struct sph_near walls = sph_near_walls(s, cluster);
   struct sph_fit_sums sums = {0};
   if (of & SPH_OF_WATER) sph_sums_add(s, fit, false, &i, &water, &sums);
   if (of & SPH_OF_WALLS) sph_sums_add(s, fit, false, &i, &walls, &sums);

@@ -76,7 +76,7 @@ SPECIALISE void sum_vectors(struct choice o, const struct sph *s, const struct s
   struct vectors a[SPH_PARTS] = {0};
   for (int part = 0; part < SPH_PARTS; part++) {
     set_places(&i[part], of, &f, part);
-    set_lip(&i[part], near->lip, &f, part);
+    set_blind(&i[part], near, part);
     i[part].u = spread(of->u, part, f.origin[U], f.unit[U]);
     i[part].v = spread(of->v, part, f.origin[V], f.unit[V]);
     i[part].p = spread(of->p, part, f.origin[P], f.unit[P]);

@@ -13,6 +13,7 @@
  * as full as the water, and left out of the normal, which needs no full support. */
 #include <math.h>
 
+#include "sph/domain/wall.h"
 #include "sph/fluid/clusters.h"
 #include "sph/pair/kernel.h"
 #include "sph/pair/moments.h"
@@ -29,8 +30,7 @@ static struct sph_gradient_sums moments_of(const struct sph *s, const struct sph
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
   struct sph_gradient_sums a, b;
   loops->gradient(s, i, &water, &a);
-  struct sph_lip lip;
-  const struct sph_near walls = sph_near_walls(s, cluster, &lip);
+  const struct sph_near walls = sph_near_walls(s, cluster);
   if (!walls_too || !walls.n) return a;
   loops->gradient(s, i, &walls, &b);
   for (int l = 0; l < SPH_LANES; l++) {
@@ -78,21 +78,19 @@ static void shift_cluster(struct sph *s, size_t cluster, const void *wanted) {
   const struct sph_targets i = sph_targets_of(s, cluster);
   const struct sph_treat_loops *loops = sph_treat_loops_for(s, &i);
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
-  struct sph_lip lip;
-  const struct sph_near walls = sph_near_walls(s, cluster, &lip);
+  const struct sph_near walls = sph_near_walls(s, cluster);
   struct sph_vector_sums a, b = {0};
   loops->crowd(s, crowding, &i, &water, &a);
   if (walls.n) loops->crowd(s, crowding, &i, &walls, &b);
   double nx[SPH_LANES], ny[SPH_LANES];
   normals_of(s, cluster, nx, ny);
 
-  const struct geo_box t = tank_walled(&s->tank);
   for (size_t l = 0, at = cluster * SPH_LANES; l < SPH_LANES; l++, at++) {
     double x = -factor * (a.x[l] + b.x[l]), y = -factor * (a.y[l] + b.y[l]);
     if (s->f.p[at] < spray) continue;
     if (s->f.p[at] <= inside) keep_along(nx[l], ny[l], &x, &y);
     const double X = i.x[l] + x, Y = i.y[l] + y;
-    if (X < t.min[0] || X > t.max[0] || Y < t.min[1]) continue; /* never through a wall */
+    if (sph_wall_stops(s, at, X, Y)) continue;
     s->f.w.x[at] = X;
     s->f.w.y[at] = Y;
   }

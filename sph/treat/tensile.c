@@ -13,8 +13,7 @@ static void relax(struct sph *s, int stage, size_t cluster, struct sph_totals *t
   const struct sph_targets i = sph_targets_of(s, cluster);
   const struct sph_treat_loops *loops = sph_treat_loops_for(s, &i);
   const struct sph_near water = sph_near_of(&s->water_water, cluster, s->pack);
-  struct sph_lip lip;
-  const struct sph_near walls = sph_near_walls(s, cluster, &lip);
+  const struct sph_near walls = sph_near_walls(s, cluster);
   struct sph_vector_sums a, b = {0};
   loops->tension(s, &i, &water, &a);
   if (walls.n) loops->tension(s, &i, &walls, &b);

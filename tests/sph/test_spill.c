@@ -46,7 +46,7 @@ static void test_only_water_below_the_top_is_reflected(void) {
   sph_wall_confine(s);
   for (int i = 0; i < 3; i++) {
     EXPECT_NEAR(s->f.w.x[i], reflected[i] ? 1.9 : 2.1, 1e-12);
-    EXPECT(s->f.over[i] == !reflected[i]);
+    EXPECT((s->f.over[i] == 0) == reflected[i]);
   }
   EXPECT(s->reflections == 2);
   sph_destroy(s);
@@ -64,7 +64,7 @@ static void test_water_over_the_top_leaves_when_it_has_fallen(void) {
   for (int i = 5; i < 7; i++) {
     s->f.w.x[i] = 2.02;
     s->f.w.y[i] = 1.01;
-    s->f.over[i] = 1;
+    s->f.over[i] = s->faces.top[1] + 1;
   }
   EXPECT_OK(sph_remove_outside(s));
   EXPECT(s->f.n == n);
@@ -72,7 +72,7 @@ static void test_water_over_the_top_leaves_when_it_has_fallen(void) {
   lift -= s->g * s->f.m[5] * 0.02;
   s->f.w.x[6] = 1.99;
   sph_wall_confine(s);
-  EXPECT(s->f.over[5] == 1 && s->f.over[6] == 0);
+  EXPECT(s->f.over[5] != 0 && s->f.over[6] == 0);
   EXPECT_OK(sph_remove_outside(s));
   EXPECT(s->f.n == n - 1);
   for (size_t i = 0; i < s->f.n; i++) EXPECT(s->f.id[i] != gone);
@@ -92,7 +92,7 @@ static void test_water_over_the_top_sees_no_wall(void) {
     const uint32_t id = s->f.id[7];
     s->f.w.x[7] = 2 + 0.4 * s->dx;
     s->f.w.y[7] = 1 + 0.3 * s->dx;
-    s->f.over[7] = 1;
+    s->f.over[7] = s->faces.top[1] + 1;
     EXPECT_OK(sph_neighbours_update(s));
     sph_particles_pad(&s->f);
     EXPECT_OK(sph_rates(s, 0, true, true));
@@ -111,23 +111,21 @@ static void test_water_over_the_top_sees_no_wall(void) {
 /* Sum of F x V over the ghosts that a particle at (x, y) sees, x their way from it: what the wall
  * pulls with, up to a factor. It is what a gradient sums when all ghosts have the same pressure. */
 static double pull_at(struct sph *s, double x, double y) {
-  uint32_t *all = malloc(s->w.n * sizeof *all);
-  for (size_t k = 0; k < s->w.n; k++) {
-    all[k] = (uint32_t)k;
-    s->w.pack[k].p = s->rho0 * s->c0 * s->c0;
-  }
-  struct sph_near walls = {.n = s->w.n, .list = all, .pack = s->w.pack};
+  struct sph_lists lists = {0};
+  const struct sph_sources walls = {1, {{&s->w.grid, s->w.x, s->w.y, 0, 0}}};
   struct sph_targets at = {0};
+  struct sph_gradient_sums sums = {0};
+  for (size_t k = 0; k < s->w.n; k++) s->w.pack[k].p = s->rho0 * s->c0 * s->c0;
   for (size_t l = 0; l < SPH_LANES; l++) {
     at.x[l] = x;
     at.y[l] = y;
   }
-  const double over[SPH_LANES] = {0};
-  struct sph_lip lip;
-  struct sph_gradient_sums sums;
-  if (sph_lip_at(s, at.x, at.y, over, &lip)) walls.lip = &lip;
-  sph_loops_for(s, &at)->gradient(s, &at, &walls, &sums);
-  free(all);
+  EXPECT_OK(sph_lists_build(&lists, SPH_LANES, at.x, at.y, &walls, s->support));
+  EXPECT_OK(
+      sph_sight_mark(&s->sight, &lists, SPH_LANES, at.x, at.y, &walls, s->w.chain, s->support));
+  const struct sph_near near = sph_near_of(&lists, 0, s->w.pack);
+  if (near.n) sph_loops_for(s, &at)->gradient(s, &at, &near, &sums);
+  sph_lists_destroy(&lists);
   return sums.x[0];
 }
 
@@ -230,6 +228,8 @@ static void test_a_reflected_last_particle_does_not_cut_the_step(void) {
   struct sph *s = pool_with(BRIM, "ghost", &c);
   EXPECT(s->f.n % SPH_LANES != 0);
   size_t last = s->f.n - 1;
+  s->f.w0.x[last] = s->f.w.x[last];
+  s->f.w0.y[last] = s->f.w.y[last];
   s->f.w.x[last] = s->f.w.x[last] > 1 ? 2.0005 : -0.0005;
   s->f.w.u[last] = s->f.w.x[last] > 1 ? 1 : -1;
   sph_particles_pad(&s->f);

@@ -1,0 +1,190 @@
+#include "sph/domain/faces.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "common/base/array.h"
+#include "common/base/geometry_check.h"
+
+static const double same_angle = 1e-6;   /* rad; walls are known no better (case_near) */
+static const double same_place = 1e-6;   /* of the size of the walls */
+static const double edge = 2 * M_PI / 3; /* turns by so much, or more, away from the water */
+
+void sph_faces_destroy(struct sph_faces *f) {
+  free(f->face);
+  free(f->top);
+  *f = (struct sph_faces){0};
+}
+
+static double turn_from(const double t[2], const double to[2]) {
+  return atan2(t[0] * to[1] - t[1] * to[0], t[0] * to[0] + t[1] * to[1]);
+}
+
+/* ---- pieces ---- */
+
+static enum status add(struct sph_faces *f, const double a[2], const double b[2]) {
+  const double x = b[0] - a[0], y = b[1] - a[1], length = hypot(x, y);
+  if (!(length > 0)) return OK;
+  TRY(array_grow(&f->face, &f->room, f->n + 1, "faces of walls"));
+  f->face[f->n++] = (struct sph_face){
+      .a = {a[0], a[1]},
+      .b = {b[0], b[1]},
+      .t = {x / length, y / length},
+      .length = length,
+      .before = SPH_NO_FACE,
+      .next = SPH_NO_FACE,
+  };
+  return OK;
+}
+
+/* The vertex after i at which a piece turns, or its last. */
+static size_t next_corner(const struct geo_lines *walls, size_t piece, size_t i) {
+  const size_t first = walls->first[piece], n = walls->first[piece + 1] - first;
+  const size_t last = walls->closed[piece] ? n : n - 1;
+  for (size_t j = i + 1; j < last; j++) {
+    const double *p = walls->p[first + i], *q = walls->p[first + j];
+    const double *r = walls->p[first + (j + 1) % n];
+    const double in[2] = {q[0] - p[0], q[1] - p[1]}, out[2] = {r[0] - q[0], r[1] - q[1]};
+    if (fabs(turn_from(in, out)) > same_angle) return j;
+  }
+  return last;
+}
+
+static enum status add_piece(struct sph_faces *f, const struct geo_lines *walls, size_t piece) {
+  const size_t first = walls->first[piece], n = walls->first[piece + 1] - first;
+  const size_t last = walls->closed[piece] ? n : n - 1;
+  for (size_t i = 0, j; n > 1 && i < last; i = j) {
+    j = next_corner(walls, piece, i);
+    TRY(add(f, walls->p[first + i], walls->p[first + j % n]));
+  }
+  return OK;
+}
+
+/* Faces from `from` on, the other way round, too. */
+static enum status add_backs(struct sph_faces *f, size_t from) {
+  for (size_t k = f->n; k > from; k--) {
+    const struct sph_face front = f->face[k - 1];
+    TRY(add(f, front.b, front.a));
+  }
+  return OK;
+}
+
+/* ---- what follows what ---- */
+
+static bool is_at(const double p[2], const double q[2], double near) {
+  return fabs(p[0] - q[0]) <= near && fabs(p[1] - q[1]) <= near;
+}
+
+/* Divides the faces that another one begins or ends on. */
+static enum status divide(struct sph_faces *f, double near) {
+  for (size_t k = 0; k < f->n; k++)
+    for (size_t j = 0; j < f->n; j++)
+      for (int end = 0; end < 2; end++) {
+        const double at[2] = {(end ? f->face[j].b : f->face[j].a)[0],
+                              (end ? f->face[j].b : f->face[j].a)[1]};
+        const struct sph_face whole = f->face[k];
+        const double s = sph_face_along(&whole, at[0], at[1]);
+        if (s <= near || s >= whole.length - near) continue;
+        if (fabs(sph_face_distance(&whole, at[0], at[1])) > near) continue;
+        const size_t n = f->n;
+        TRY(add(f, whole.a, at));
+        f->face[k] = f->face[n];
+        f->n = n;
+        TRY(add(f, at, whole.b));
+      }
+  return OK;
+}
+
+/* Of the faces that begin where this one ends, the first that water on its left meets; the way back
+ * comes last. */
+static void link(struct sph_faces *f, uint32_t k, double near) {
+  struct sph_face *face = &f->face[k];
+  face->turn = -INFINITY;
+  for (uint32_t j = 0; j < f->n; j++) {
+    if (j == k || !is_at(face->b, f->face[j].a, near)) continue;
+    double turn = turn_from(face->t, f->face[j].t);
+    if (fabs(turn) > M_PI - same_angle) turn = -M_PI;
+    if (turn <= face->turn) continue;
+    face->turn = turn;
+    face->next = j;
+  }
+}
+
+static enum sph_end end_of(const struct sph_face *f) {
+  if (f->next == SPH_NO_FACE) return SPH_END_TOP;
+  if (f->turn > -same_angle) return SPH_END_CORNER;
+  return f->turn > -edge + same_angle ? SPH_END_BLUNT : SPH_END_EDGE;
+}
+
+/* Of a thin wall, whose faces two blunt corners near each other part, both are edges. */
+static void part_thin(struct sph_faces *f, double thin) {
+  for (uint32_t k = 0; k < f->n; k++) {
+    const struct sph_face *top = &f->face[k];
+    if (top->length > thin || top->end[0] != SPH_END_BLUNT || top->end[1] != SPH_END_BLUNT)
+      continue;
+    if (f->face[top->before].turn + top->turn > -edge + same_angle) continue;
+    f->face[top->before].end[1] = f->face[k].end[0] = SPH_END_EDGE;
+    f->face[k].end[1] = f->face[top->next].end[0] = SPH_END_EDGE;
+  }
+}
+
+static void number_chain(struct sph_faces *f, uint32_t first, uint32_t chain) {
+  for (uint32_t k = first; k != SPH_NO_FACE && f->face[k].chain == SPH_NO_FACE;) {
+    struct sph_face *face = &f->face[k];
+    face->chain = chain;
+    k = face->end[1] == SPH_END_TOP || face->end[1] == SPH_END_EDGE ? SPH_NO_FACE : face->next;
+  }
+}
+
+static void join(struct sph_faces *f, double near, double thin) {
+  for (uint32_t k = 0; k < f->n; k++) link(f, k, near);
+  for (uint32_t k = 0; k < f->n; k++) {
+    f->face[k].end[1] = end_of(&f->face[k]);
+    f->face[k].chain = SPH_NO_FACE;
+    if (f->face[k].next == SPH_NO_FACE) continue;
+    f->face[f->face[k].next].before = k;
+    f->face[f->face[k].next].end[0] = f->face[k].end[1];
+  }
+  part_thin(f, thin);
+  uint32_t chain = 0;
+  for (uint32_t k = 0; k < f->n; k++)
+    if (f->face[k].end[0] == SPH_END_TOP || f->face[k].end[0] == SPH_END_EDGE)
+      number_chain(f, k, chain++);
+  for (uint32_t k = 0; k < f->n; k++) /* those without an end */
+    if (f->face[k].chain == SPH_NO_FACE) number_chain(f, k, chain++);
+}
+
+static enum status list_tops(struct sph_faces *f) {
+  f->n_tops = 0;
+  for (size_t k = 0; k < 2 * f->n; k++) {
+    if (f->face[k / 2].end[k % 2] != SPH_END_TOP) continue;
+    TRY(array_grow(&f->top, &f->top_room, f->n_tops + 1, "faces of walls"));
+    f->top[f->n_tops++] = (uint32_t)k;
+  }
+  return OK;
+}
+
+enum status sph_faces_set(struct sph_faces *f, const struct geo_lines *walls, double thin) {
+  const struct geo_box box = geo_lines_box(walls);
+  const double near = same_place * hypot(box.max[0] - box.min[0], box.max[1] - box.min[1]);
+  const size_t vessel = walls->pieces == 1 ? 0 : geo_lines_vessel(walls);
+  f->n = 0;
+  for (size_t piece = 0; piece < walls->pieces; piece++) {
+    const size_t from = f->n;
+    TRY(add_piece(f, walls, piece));
+    if (piece != vessel && !walls->closed[piece]) TRY(add_backs(f, from));
+  }
+  TRY(divide(f, near));
+  join(f, near, thin);
+  return list_tops(f);
+}
+
+bool sph_face_stops(const struct sph_face *f, const double p[2], const double q[2], double slack,
+                    double *part) {
+  const double from = sph_face_distance(f, p[0], p[1]), to = sph_face_distance(f, q[0], q[1]);
+  if (!(from >= -slack && to < 0 && to < from)) return false;
+  *part = from > 0 ? from / (from - to) : 0;
+  const double s = sph_face_along(f, p[0] + *part * (q[0] - p[0]), p[1] + *part * (q[1] - p[1]));
+  const double more = 1e-9 * f->length; /* no way leads between two faces */
+  return s >= -more && s <= f->length + more;
+}

@@ -1,0 +1,63 @@
+/* The walls as faces: straight pieces with the water on their left, as long as they are straight,
+ * each of which knows what follows it. A wall that neither makes the tank nor is closed has water
+ * on both sides and is two faces, to and fro.
+ *
+ * Faces form chains. A chain ends where a wall does, and at edges: corners of the solid of 60
+ * degrees or less, and those at the end of a wall that is thin. Within a chain there are corners of
+ * the water, of less than 180 degrees, and blunt corners of the solid. The water on both sides of a
+ * blunt corner is one water, as it is around the corner of a step. What is on the other side of an
+ * edge is hidden: there each side has a solid of its own, without an end behind it. That shakes
+ * the water next to the edge, at a tenth of sqrt(gH) where it should rest; around a step of 90
+ * degrees, as one water, it rests to 1 %. */
+#pragma once
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "common/base/geometry.h"
+
+enum sph_end {
+  SPH_END_TOP,    /* nothing follows: water may pass over it */
+  SPH_END_CORNER, /* of the water; or a straight one, where another wall meets this one */
+  SPH_END_BLUNT,  /* of the solid */
+  SPH_END_EDGE    /* of the solid, where a chain ends */
+};
+
+#define SPH_NO_FACE UINT32_MAX
+
+struct sph_face {
+  double a[2], b[2]; /* m */
+  double t[2];       /* unit vector from a to b */
+  double length;     /* m */
+  enum sph_end end[2];
+  double turn;           /* of the next face against this one, anticlockwise, rad */
+  uint32_t before, next; /* or SPH_NO_FACE */
+  uint32_t chain;
+};
+
+struct sph_faces {
+  size_t n, room;
+  struct sph_face *face; /* [n], owned */
+  size_t n_tops, top_room;
+  uint32_t *top; /* ends over which water may pass: 2 k of face k's beginning, 2 k + 1; owned */
+};
+
+/* Replaces what is in *f. Walls are thin up to `thin` (m). ERR_MEMORY. */
+enum status sph_faces_set(struct sph_faces *f, const struct geo_lines *walls, double thin);
+void sph_faces_destroy(struct sph_faces *f);
+
+/* How far a point is to the left of the line of a face, where the water is, m. */
+static inline double sph_face_distance(const struct sph_face *f, double x, double y) {
+  return f->t[0] * (y - f->a[1]) - f->t[1] * (x - f->a[0]);
+}
+
+/* How far along a face a point's foot is, m. */
+static inline double sph_face_along(const struct sph_face *f, double x, double y) {
+  return f->t[0] * (x - f->a[0]) + f->t[1] * (y - f->a[1]);
+}
+
+/* Whether the straight way from p to q goes through a face from the water into the solid; *part is
+ * how much of the way is before it. Water counts to the water as far as `slack` (m) behind the
+ * face. */
+bool sph_face_stops(const struct sph_face *f, const double p[2], const double q[2], double slack,
+                    double *part);

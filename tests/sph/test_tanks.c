@@ -1,0 +1,98 @@
+/* Walls along any straight lines: what continues the water behind them, and who sees what. */
+#include "tests/test.h"
+
+#include "sph/domain/wall.h"
+#include "sph/fluid/energy.h"
+#include "sph/pair/sums.h"
+#include "tests/sph/tanks.h"
+
+/* Everywhere in the tank water and ghosts fill the supports: the sum of W V is that of a lattice,
+ * 1, but for what cells of different shapes next to each other make of it: as much as the clipped
+ * cells of the water do. The Gaussian's value is pi W h^2. */
+static void test_ghosts_fill_the_supports(void) {
+  for (size_t k = 0; k < STILL_TANKS; k++) {
+    struct case_file *c = still_tank_case(&still_tanks[k], "resolution: 20, precision: double");
+    struct sph *s = pool_create(c);
+    EXPECT_OK(sph_rates(s, 0, true, true));
+    double least = INFINITY, most = 0;
+    for (size_t i = 0; i < s->f.n; i++) {
+      if (s->f.w.y[i] > still_tanks[k].level - s->support) continue;
+      const struct sph_fit_sums a = sph_sums_around(s, i / SPH_LANES, SPH_OF_WATER | SPH_OF_WALLS);
+      least = fmin(least, a.w[i % SPH_LANES] / M_PI);
+      most = fmax(most, a.w[i % SPH_LANES] / M_PI);
+    }
+    printf("     %s: sum of W V from %.4f to %.4f\n", still_tanks[k].name, least, most);
+    EXPECT(least > 0.98 && most < 1.025);
+    sph_destroy(s);
+    case_destroy(c);
+  }
+}
+
+/* verify_tanks.c has the times and bounds that are asked for. */
+static void test_still_water_stays_in_tanks(void) {
+  for (size_t k = 0; k < STILL_TANKS; k++) {
+    struct case_file *c = still_tank_case(&still_tanks[k], "resolution: 13");
+    struct sph *s = pool_create(c);
+    const double before = sph_energy(s).potential;
+    EXPECT_OK(pool_march(s, 2 / sqrt(s->g)));
+    const double speed = still_tank_speed(s) / sqrt(s->g);
+    const double change = sph_energy(s).potential / before - 1;
+    printf("     %s: speed %.4f sqrt(gH), potential energy %+.4f %%\n", still_tanks[k].name, speed,
+           100 * change);
+    EXPECT(speed < 0.08);
+    EXPECT_NEAR(change, 0, 4e-3);
+    EXPECT(still_tank_outside(s, &still_tanks[k]) == 0);
+    sph_destroy(s);
+    case_destroy(c);
+  }
+}
+
+/* Between a thin plate's sides there is nothing: where one side has water at rest and the other has
+ * none, the plate holds it, and no particle sees one that is not there. */
+static void test_a_thin_plate_holds_water(void) {
+  struct case_file *c = pool_case(
+      "title: plate\nscales: {H: 1}\n"
+      "tank: {walls: [[[0, 2], [0, 0], [1, 0], [1, 1.5], [1.1, 1.5], [1.1, 0], [2, 0], [2, 2]]]}\n"
+      "water: {regions: [[[0, 0], [1, 0], [1, 1], [0, 1]], [[1.1, 0], [2, 0], [2, 0.5], [1.1, "
+      "0.5]]], pressure: hydrostatic}\n" POOL_TIMES,
+      "resolution: 16");
+  struct sph *s = pool_create(c);
+  EXPECT_OK(pool_march(s, 2 / sqrt(s->g)));
+  EXPECT(still_tank_speed(s) < 0.08 * sqrt(s->g));
+  size_t inside = 0;
+  for (size_t i = 0; i < s->f.n; i++) inside += s->f.w.x[i] > 1 && s->f.w.x[i] < 1.1;
+  EXPECT(inside == 0);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* A step ends where the mirror image of what is left of it is, at the first face that it meets and
+ * then the next one. */
+static void test_water_is_reflected_at_the_face_it_meets(void) {
+  struct case_file *c = still_tank_case(&still_tanks[4], "resolution: 16");
+  struct sph *s = pool_create(c);
+  const double down = sqrt(5);
+  s->f.w0.x[0] = 2.5; /* above the beach, whose slope is 1:2 and which is at 0.5 there */
+  s->f.w0.y[0] = 0.55;
+  s->f.w.x[0] = 2.5 + 0.1 / down;
+  s->f.w.y[0] = 0.55 - 0.2 / down;
+  s->f.w.u[0] = 1 / down;
+  s->f.w.v[0] = -2 / down;
+  sph_wall_confine(s);
+  EXPECT(s->reflections == 1);
+  const double through = 0.1 - 0.05 * 2 / down; /* beyond the face, along its normal */
+  EXPECT_NEAR(s->f.w.x[0], 2.5 + 0.1 / down - 2 * through / down, 1e-12);
+  EXPECT_NEAR(s->f.w.y[0], 0.55 - 0.2 / down + 4 * through / down, 1e-12);
+  EXPECT_NEAR(s->f.w.u[0], -1 / down, 1e-12);
+  EXPECT_NEAR(s->f.w.v[0], 2 / down, 1e-12);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+int main(void) {
+  RUN(test_ghosts_fill_the_supports);
+  RUN(test_still_water_stays_in_tanks);
+  RUN(test_a_thin_plate_holds_water);
+  RUN(test_water_is_reflected_at_the_face_it_meets);
+  return TEST_RESULT;
+}
