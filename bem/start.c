@@ -83,6 +83,11 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "runs.%s.solver: found 'bem' with regions of water in a tank with periodic sides; "
                  "allowed: a wave there; change tank.sides or take another solver",
                  r->name);
+  if (case_is_turned(c))
+    problems_add(problems, case_run_line(r, "solver"),
+                 "runs.%s.solver: found 'bem' with gravity along (%g, %g); allowed: gravity "
+                 "downwards; write fluid.gravity as one number or take another solver",
+                 r->name, c->down[0], c->down[1]);
   if (!c->rectangular) {
     bem_basin_check(c, r, problems, &width);
     width /= c->H;

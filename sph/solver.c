@@ -216,6 +216,50 @@ static void check_walls(const struct case_file *c, const struct case_run *r,
                    r->name, keys[k]);
 }
 
+/* What counts heights along y. */
+static void check_gravity(const struct case_file *c, const struct case_run *r,
+                          struct problems *problems) {
+  const struct sph_scheme *o = r->options;
+  if (c->gravity == 0 && !c->periodic[1] && sph_walls[o->walls] == &sph_wall_mirror_exponential)
+    problems_add(
+        problems, case_run_line(r, "walls"),
+        "runs.%s.walls: found 'mirror-exponential' without gravity, whose pressure it goes "
+        "on with below the bed; allowed: with gravity; write walls: mirror-plain",
+        r->name);
+  if (!case_is_turned(c)) return;
+  if (sph_walls[o->walls] == &sph_wall_mirror_exponential)
+    problems_add(problems, case_run_line(r, "walls"),
+                 "runs.%s.walls: found 'mirror-exponential' under gravity along (%g, %g), where it "
+                 "knows no pressure below; allowed: with gravity downwards; write walls: mirror",
+                 r->name, c->down[0], c->down[1]);
+  if (!eos_is_plain((enum sph_eos)o->eos))
+    problems_add(problems, case_run_line(r, "eos"),
+                 "runs.%s.eos: found '%s' under gravity along (%g, %g), which it takes to be "
+                 "downwards; allowed: linear, tait; take one of them",
+                 r->name, sph_scheme_name(o, "eos"), c->down[0], c->down[1]);
+}
+
+/* The whole tank may move, its sides stand. */
+static void check_motions(const struct case_file *c, const struct case_run *r,
+                          struct problems *problems) {
+  const struct sph_scheme *o = r->options;
+  bool shakes = false;
+  for (size_t k = 0; k < c->n_motions; k++) {
+    const struct tank_motion *m = &c->motions[k];
+    shakes |= !tank_motion_is_of_side(m);
+    if (tank_motion_is_of_side(m))
+      problems_add(problems, case_run_line(r, "solver"),
+                   "runs.%s.solver: found 'sph' with a %s; allowed: motions of the whole tank; "
+                   "change tank.motions or take another solver",
+                   r->name, tank_motion_name(m));
+  }
+  if (shakes && sph_walls[o->walls] == &sph_wall_mirror_exponential)
+    problems_add(problems, case_run_line(r, "walls"),
+                 "runs.%s.walls: found 'mirror-exponential' in a tank that moves, beside whose "
+                 "walls it knows no pressure; allowed: in a tank at rest; write walls: mirror",
+                 r->name);
+}
+
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
   const struct sph_scheme *o = r->options;
   const bool diffuses = o->diffusion != SPH_DIFFUSION_none && o->delta != 0;
@@ -240,13 +284,8 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
                  "free_surface: natural",
                  r->name);
   check_walls(c, r, problems);
-  if (c->gravity == 0 && !c->periodic[1] && sph_walls[o->walls] == &sph_wall_mirror_exponential)
-    problems_add(
-        problems, case_run_line(r, "walls"),
-        "runs.%s.walls: found 'mirror-exponential' without gravity, whose pressure it goes "
-        "on with below the bed; allowed: with gravity; write walls: mirror-plain",
-        r->name);
-  case_refuse_motions(c, r, problems);
+  check_gravity(c, r, problems);
+  check_motions(c, r, problems);
   if (!c->rectangular && sph_walls[o->walls] != &sph_wall_ghost)
     problems_add(
         problems, case_run_line(r, "walls"),

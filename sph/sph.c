@@ -186,6 +186,7 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   s->g = c->gravity;
   if (c->flow->pull) s->pull = c->flow->pull(c);
   s->eos = (struct eos){(enum sph_eos)o->eos, s->rho0, s->c0, s->g, level_at_rest(c)};
+  sph_force_create(s, c);
   s->adjoint = sph_forms_adjoint(o);
   s->dx = c->H / resolution;
   s->h = o->h_over_dx * s->dx;
@@ -211,6 +212,10 @@ done:
   }
   *out = s;
   return status;
+}
+
+void sph_tank_set(struct sph *s, double t) {
+  if (s->force.n) sph_force_set(s, t);
 }
 
 void sph_destroy(struct sph *s) {

@@ -2,7 +2,7 @@
  * Colagrossi & Marrone, "On the use of numerical diffusive terms in weakly-compressible SPH
  * schemes"). SI units; energies per metre of width.
  *
- *   V = m / rho,  r_ji = r_j - r_i,  body force f = (0, -g), and what pulls the flow together */
+ *   V = m / rho,  r_ji = r_j - r_i,  body force f (force.h), and what pulls the flow together */
 #pragma once
 #include <stdbool.h>
 #include <stddef.h>
@@ -15,6 +15,7 @@
 #include "sph/domain/period.h"
 #include "sph/domain/sight.h"
 #include "sph/fluid/drift.h"
+#include "sph/fluid/force.h"
 #include "sph/fluid/neighbours.h"
 #include "sph/fluid/particles.h"
 #include "sph/fluid/terms.h"
@@ -92,6 +93,7 @@ struct sph {
   struct sph_scheme scheme;
   struct sph_scale scale;    /* of its kernel */
   double rho0, c0, g, dx, h; /* kg m^-3, m/s, m s^-2, m, m */
+  struct sph_force force;
   struct flow_pull pull;
   struct eos eos;
   bool adjoint;   /* momentum and continuity exchange energy exactly (forms.h) */
@@ -140,6 +142,10 @@ struct sph {
 enum status sph_create(const struct case_file *c, double resolution, const struct sph_scheme *o,
                        struct sph **out);
 void sph_destroy(struct sph *s); /* NULL is fine */
+
+/* The tank and the force on its water are those of time t (s), which is that of the state that is
+ * asked about next. */
+void sph_tank_set(struct sph *s, double t);
 
 /* Between steps: builds the neighbour lists anew that may not hold for another step like the last.
  * When those of the water are, the particles are sorted, so that their places change. */

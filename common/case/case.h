@@ -117,7 +117,8 @@ struct case_file {
   char *text; /* the case as run: the file with the overrides applied, still valid YAML */
   char *title;
   double density; /* rho_0, kg m^-3 */
-  double gravity; /* m s^-2, downwards (0, -gravity) */
+  double gravity; /* m s^-2, along `down` */
+  double down[2]; /* of length 1; (0, -1) unless the case says otherwise */
   double g;       /* of the scales, m s^-2: gravity, or where there is none what the case says */
   double H; /* scale of length, m; times are reported as t sqrt(g/H), pressures as p/(rho g H) */
 
@@ -244,6 +245,15 @@ void case_fingerprint(const struct case_file *c, const struct case_run *r, char 
 void case_water_fingerprint(const struct case_file *c, char out[33]);
 
 double case_water_area(const struct case_file *c); /* m^2, at t = 0 */
+
+/* Gravity has a direction of its own, which few can deal with. */
+static inline bool case_is_turned(const struct case_file *c) {
+  return c->down[0] != 0 || c->down[1] != -1;
+}
+
+/* Lines of the case, turned about the origin until gravity is downwards. ERR_MEMORY. */
+enum status case_turn_lines(const struct case_file *c, const struct geo_lines *from,
+                            struct geo_lines *to);
 
 /* Where that water stands at rest, m. */
 double case_rest_level(const struct case_file *c);

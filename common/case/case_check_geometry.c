@@ -202,6 +202,10 @@ static void check_tank_of_wave(struct case_draft *d) {
   if (!(c->gravity > 0))
     case_flow_problem(d, "kind", "a wave without gravity", "a wave that gravity brings back",
                       "set fluid.gravity or give water.regions");
+  if (case_is_turned(c))
+    case_flow_problem(d, "kind", "a wave under gravity that is not downwards",
+                      "gravity downwards, as waves have it",
+                      "write fluid.gravity as one number or give water.regions");
   if (c->flow->round && !c->periodic[0]) {
     snprintf(found, sizeof found, "'%s' between walls", flow_name(c->flow));
     case_flow_problem(d, "kind", found, "a wave that walls keep, standing",

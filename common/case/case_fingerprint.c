@@ -30,6 +30,7 @@ static void write_motion(FILE *out, const struct tank_motion *m) {
 static void write_inputs(FILE *out, const struct case_file *c, const struct case_run *r) {
   fprintf(out, "plunge %s %s\n", PLUNGE_VERSION, PLUNGE_REVISION);
   fprintf(out, "fluid %.17g %.17g\nH %.17g\ng %.17g\n", c->density, c->gravity, c->H, c->g);
+  fprintf(out, "down %.17g %.17g\n", c->down[0], c->down[1]);
   write_lines(out, "wall", &c->walls);
   fprintf(out, "periodic %d %d\n", c->periodic[0], c->periodic[1]);
   for (size_t i = 0; i < c->n_motions; i++) write_motion(out, &c->motions[i]);
@@ -92,6 +93,7 @@ static void write_water(FILE *out, const struct case_file *c) {
   if (c->periodic[0]) fputs("periodic sides\n", out);
   if (c->periodic[1]) fputs("periodic bed\n", out);
   if (c->gravity == 0) fprintf(out, "g %.12g\n", c->g);
+  if (case_is_turned(c)) write_rounded(out, "down", 2, c->down);
   for (size_t i = 0; i < c->n_motions; i++) write_motion(out, &c->motions[i]);
   if (c->flow->scale) {
     fprintf(out, "%s %zu\n", flow_is_wave(c->flow) ? "wave" : "body", 1 + flow_place(c->flow));

@@ -74,11 +74,17 @@ static enum status read_lines(struct case_doc *doc, int node, const char *path, 
 
 /* ---- the sections ---- */
 
+struct fluid_section {
+  double density;
+  int gravity;
+};
 static const struct param fluid_rows[] = {
-    REAL(struct case_file, density, QTY_DENSITY, PARAM_ABOVE_0, 1e6, "1000",
+    REAL(struct fluid_section, density, QTY_DENSITY, PARAM_ABOVE_0, 1e6, "1000",
          "density of the fluid"),
-    REAL(struct case_file, gravity, QTY_ACCELERATION, 0, 1e6, "9.81",
-         "acceleration of gravity, downwards; 0: none, in SPH alone"),
+    NODE(
+        struct fluid_section, gravity, "",
+        "acceleration of gravity, downwards (9.81); 0: none, in SPH alone; [gx, gy]: along another "
+        "direction, in SPH alone"),
 };
 
 static const struct param scales_rows[] = {
@@ -396,6 +402,37 @@ const struct case_table case_section_tables[] = {
     {0},
 };
 
+/* One number is gravity downwards, two are gravity along both axes. */
+static bool read_gravity(struct case_draft *d, int node) {
+  static const struct param downwards = {
+      .type = PARAM_REAL, .quantity = QTY_ACCELERATION, .min = 0, .max = 1e6};
+  static const struct param along = {
+      .type = PARAM_REAL, .quantity = QTY_ACCELERATION, .min = -1e6, .max = 1e6};
+  struct case_file *c = d->c;
+  double g[2];
+  c->gravity = 9.81;
+  if (!node) return true;
+  if (!case_doc_is_list(&d->doc, node))
+    return case_doc_value(&d->doc, node, "fluid.gravity", &downwards, &c->gravity);
+  if (!case_read_pair(&d->doc, node, "fluid.gravity", &along, "accelerations [gx, gy]", g))
+    return false;
+  c->gravity = hypot(g[0], g[1]);
+  for (int k = 0; k < 2 && c->gravity > 0; k++) c->down[k] = g[k] / c->gravity;
+  return true;
+}
+
+static void read_fluid(struct case_draft *d) {
+  struct fluid_section s = {0};
+  struct case_file *c = d->c;
+  c->down[0] = 0;
+  c->down[1] = -1;
+  bool good = case_read_section(d, d->at.fluid, "fluid", fluid_rows, ROWS(fluid_rows), &s);
+  good &= read_gravity(d, s.gravity);
+  c->density = s.density;
+  if (!good && !(c->gravity > 0))
+    c->gravity = 9.81; /* the fault is noted; this one keeps units meaningful for what follows */
+}
+
 /* That of the scales is gravity, where there is any. */
 static void choose_g(struct case_draft *d) {
   const struct case_file *c = d->c;
@@ -438,9 +475,7 @@ enum status case_read_sections(struct case_draft *d) {
   case_doc_read(doc, root, "", case_doc_line(doc, root), 2, top);
   if (!case_doc_is_mapping(doc, root)) return OK; /* said just now; the rest would only repeat it */
 
-  if (!case_read_section(d, d->at.fluid, "fluid", fluid_rows, ROWS(fluid_rows), c) &&
-      !(c->gravity > 0))
-    c->gravity = 9.81; /* the fault is noted; this one keeps units meaningful for what follows */
+  read_fluid(d);
   doc->scales.g = c->gravity > 0 ? c->gravity : NAN;
   d->good.scales = case_read_section(d, d->at.scales, "scales", scales_rows, ROWS(scales_rows), c);
   if (d->good.scales) choose_g(d);

@@ -41,6 +41,31 @@ static bool find_level(const struct case_file *c, double wanted, double *level, 
   return true;
 }
 
+enum status case_turn_lines(const struct case_file *c, const struct geo_lines *from,
+                            struct geo_lines *to) {
+  TRY(geo_lines_copy(to, from));
+  for (size_t i = 0; i < to->points; i++) {
+    const double x = to->p[i][0], y = to->p[i][1];
+    to->p[i][0] = c->down[0] * y - c->down[1] * x;
+    to->p[i][1] = -c->down[0] * x - c->down[1] * y;
+  }
+  return OK;
+}
+
+/* Of water that comes to rest in the tank as gravity has it; NaN without memory. */
+static double turned_potential(const struct case_file *c, double wanted) {
+  struct case_file level = {.density = c->density, .gravity = c->gravity, .down = {0, -1}};
+  double at, area, centre[2], potential = NAN;
+  if (case_turn_lines(c, &c->walls, &level.walls) == OK) {
+    level.tank = geo_lines_box(&level.walls);
+    potential = find_level(&level, wanted, &at, &area, centre)
+                    ? c->density * c->gravity * wanted * centre[1]
+                    : box_potential(&level, wanted);
+  }
+  geo_lines_destroy(&level.walls);
+  return potential;
+}
+
 double case_rest_level(const struct case_file *c) {
   const double wanted = case_water_area(c);
   double level, area = 0, centre[2] = {0, 0};
@@ -52,6 +77,7 @@ double case_rest_potential(const struct case_file *c) {
   const double wanted = case_water_area(c);
   double level, area = 0, centre[2] = {0, 0};
   if (c->flow->pull) return c->density * flow_pull_rest(c->flow->pull(c), wanted);
+  if (case_is_turned(c)) return turned_potential(c, wanted);
   if (c->rectangular || !find_level(c, wanted, &level, &area, centre))
     return box_potential(c, wanted);
   return c->density * c->gravity * wanted * centre[1];

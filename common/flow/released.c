@@ -21,6 +21,9 @@ static void check(const struct case_file *c, struct case_draft *d) {
   else if (c->periodic[0])
     case_flow_problem(d, "pressure", "'released' with periodic sides",
                       "released for regions of water between walls", "write hydrostatic");
+  else if (case_is_turned(c))
+    case_flow_problem(d, "pressure", "'released' under gravity that is not downwards",
+                      "released for regions of water under gravity downwards", "write hydrostatic");
 }
 
 static enum status create(struct flow_water *w) {

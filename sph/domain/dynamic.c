@@ -71,9 +71,11 @@ static void start_cluster(struct sph *s, struct dynamic *d, size_t cluster) {
     if (a.w[l] > 0) {
       const double scale = s->rho0 * s->c0 * s->c0;
       const double p = near.pack[near.list[0]].p + scale * a.p[l] / a.w[l];
-      const double above = s->h * a.y[l] / a.w[l];
-      const double weight = sph_weight(s, eos_stored(&s->eos, p, y + above), y + above);
-      d->rho[at + l] = larger(eos_stored(&s->eos, p + weight * above, y), lowest);
+      const double aside = s->h * a.x[l] / a.w[l], above = s->h * a.y[l] / a.w[l];
+      const struct sph_vector weight =
+          sph_weight(s, eos_stored(&s->eos, p, y + above), i.x[l] + aside, y + above, 0, 0);
+      const double here = p - (weight.x * aside + weight.y * above);
+      d->rho[at + l] = larger(eos_stored(&s->eos, here, y), lowest);
     }
     d->m[at + l] = d->layers.V[at + l] * d->rho[at + l];
   }

@@ -81,15 +81,17 @@ static void fill_cluster(struct sph *s, size_t cluster) {
   sph_mls_at(s, sph_loops_for(s, &i), farthest2 * s->scale.inside, &i, &near, &f);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
     const struct sph_motion *turn = &node->turn[node->motion[at + l]];
-    const double gravity = -sph_weight(s, eos_stored(&s->eos, f.p[l], i.y[l]), i.y[l]);
+    const struct sph_vector weight =
+        sph_weight(s, eos_stored(&s->eos, f.p[l], i.y[l]), i.x[l], i.y[l], f.u[l], f.v[l]);
     struct sph_pack *w = &s->w.pack[at + l];
     sph_motion_turn(turn, f.u[l], f.v[l], &w->u, &w->v);
-    w->p = f.p[l] + gravity * (w->y - i.y[l]);
+    w->p = f.p[l] + weight.x * (w->x - i.x[l]) + weight.y * (w->y - i.y[l]);
     w->rho = eos_stored(&s->eos, w->p, w->y);
     sph_wall_hold(s, at + l, f.u[l], f.v[l]);
     struct sph_vector *G = &s->w.G[at + l];
-    sph_motion_turn(turn, f.px[l], f.py[l] - gravity, &G->x, &G->y);
-    G->y += gravity;
+    sph_motion_turn(turn, f.px[l] - weight.x, f.py[l] - weight.y, &G->x, &G->y);
+    G->x += weight.x;
+    G->y += weight.y;
   }
 }
 

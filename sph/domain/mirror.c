@@ -100,14 +100,20 @@ static bool has_image(const struct sph *s, const struct sph_images *t, const str
 /* How the pressure goes on below the bed. */
 enum continuation { PLAIN, LINEAR, EXPONENTIAL };
 
-/* Of the image at height y. */
+static struct sph_vector weight_of(const struct sph *s, const struct sph_pack *j) {
+  return sph_weight(s, j->rho, j->x, j->y, j->u, j->v);
+}
+
+/* Of the image at (x, y). */
 SPECIALISE double pressure_at(const struct sph *s, enum continuation c, const struct sph_pack *j,
-                              double y) {
+                              double x, double y) {
   switch (c) {
   case PLAIN:
     return j->p;
-  case LINEAR:
-    return j->p + sph_weight(s, j->rho, j->y) * (j->y - y);
+  case LINEAR: {
+    const struct sph_vector weight = weight_of(s, j);
+    return j->p + weight.x * (x - j->x) + weight.y * (y - j->y);
+  }
   case EXPONENTIAL:
     return eos_driving_below(&s->eos, j->p, j->y - y);
   }
@@ -126,7 +132,7 @@ SPECIALISE void fill(struct sph *s, enum continuation c) {
     sph_motion_turn(motion, j->u, j->v, &u, &v);
     x += motion->at[0];
     y += motion->at[1];
-    const double p = pressure_at(s, c, j, y);
+    const double p = pressure_at(s, c, j, x, y);
     s->w.pack[k] = (struct sph_pack){.x = x,
                                      .y = y,
                                      .u = u,
@@ -139,9 +145,9 @@ SPECIALISE void fill(struct sph *s, enum continuation c) {
 }
 
 /* The gradient at rest of what is reflected, and of its image, Pa/m; their excess is alike. */
-SPECIALISE double gradient_at_rest(const struct sph *s, enum continuation c,
-                                   const struct sph_pack *a) {
-  return c == PLAIN ? 0 : -sph_weight(s, a->rho, a->y);
+SPECIALISE struct sph_vector gradient_at_rest(const struct sph *s, enum continuation c,
+                                              const struct sph_pack *a) {
+  return c == PLAIN ? (struct sph_vector){0, 0} : weight_of(s, a);
 }
 
 SPECIALISE void fill_gradients(struct sph *s, enum continuation c) {
@@ -152,9 +158,12 @@ SPECIALISE void fill_gradients(struct sph *s, enum continuation c) {
     const struct sph_vector *G = &s->G[a->of];
     struct sph_vector *w = &s->w.G[k];
     const struct sph_pack *j = &s->pack[a->of];
-    const double rest = gradient_at_rest(s, c, j);
-    sph_motion_turn(sph_images_motion(&m->images, a->motion), G->x, G->y - rest, &w->x, &w->y);
-    w->y += c == EXPONENTIAL ? gradient_at_rest(s, c, &s->w.pack[k]) : rest;
+    const struct sph_vector rest = gradient_at_rest(s, c, j);
+    const struct sph_vector there = c == EXPONENTIAL ? gradient_at_rest(s, c, &s->w.pack[k]) : rest;
+    sph_motion_turn(sph_images_motion(&m->images, a->motion), G->x - rest.x, G->y - rest.y, &w->x,
+                    &w->y);
+    w->x += there.x;
+    w->y += there.y;
   }
 }
 

@@ -20,7 +20,7 @@ static void add(const struct sph *s, size_t i, struct result_energy *e) {
   const struct sph_state *w = &s->f.w;
   double m = s->f.m[i];
   e->kinetic += 0.5 * m * (w->u[i] * w->u[i] + w->v[i] * w->v[i]);
-  e->potential += m * s->g * w->y[i];
+  e->potential += m * s->g * sph_height(&s->force, w->x[i], w->y[i]);
   if (s->pull.rate > 0) e->potential += m * flow_pull_energy(&s->pull, w->x[i], w->y[i]);
   e->internal += m * eos_energy(&s->eos, w->rho[i], w->y[i]);
 }

@@ -10,7 +10,8 @@
   X(viscosity, "energy taken out so far by viscosity")                                             \
   X(diffusion, "energy taken out so far by density diffusion")                                     \
   X(walls, "energy given to walls so far (zero for fixed walls in exact arithmetic)")              \
-  X(pairs, "energy taken out so far by forms of momentum and continuity that are not adjoint")
+  X(pairs, "energy taken out so far by forms of momentum and continuity that are not adjoint") \
+  X(frame, "energy given so far to a tank that moves, by the force on water in its frame")
 
 /* All that an evaluation of the rates finds as powers, W/m, and the integrator adds up. */
 #define SPH_POWERS(X) SPH_PAIR_POWERS(X) SPH_CORRECTIONS(X)

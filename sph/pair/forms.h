@@ -21,10 +21,13 @@ const char *sph_forms_warning(const struct sph_scheme *o, double g /* m s^-2 */)
 enum { SPH_ADVICE = 400 };
 void sph_forms_advise(const struct sph *s, char advice[SPH_ADVICE]);
 
-/* Minus the gradient of the driving pressure in water at rest, Pa/m, by the momentum equation: from
- * the density that evolves. */
-static inline double sph_weight(const struct sph *s, double stored, double y) {
-  const double rho = eos_density(&s->eos, stored, y);
-  return momentum_density((enum sph_momentum)s->scheme.momentum, s->rho0, rho) *
-         eos_gravity(&s->eos);
+/* The gradient of the driving pressure in water at (x, y) whose velocity (u, v) in the frame of the
+ * tank does not change, Pa/m, by the momentum equation: from the density that evolves. */
+static inline struct sph_vector sph_weight(const struct sph *s, double stored, double x, double y,
+                                           double u, double v) {
+  const double rho = momentum_density((enum sph_momentum)s->scheme.momentum, s->rho0,
+                                      eos_density(&s->eos, stored, y));
+  double f[2];
+  sph_force_at(&s->force, x, y, u, v, f);
+  return (struct sph_vector){rho * f[0], rho * f[1]};
 }

@@ -137,10 +137,10 @@ static void fit_effects(const struct sph *s, const struct sph_targets *i,
 }
 
 static void add_effects(const struct sph *s, struct effects *e) {
-  const double gravity = eos_gravity(&s->eos);
+  const double *f = s->force.drive;
   for (int l = 0; l < SPH_LANES; l++) {
-    e->ax[l] = e->wall_x[l] + e->water_x[l] + e->drag_x[l];
-    e->ay[l] = e->wall_y[l] + e->water_y[l] + e->drag_y[l] - gravity;
+    e->ax[l] = e->wall_x[l] + e->water_x[l] + e->drag_x[l] + f[0];
+    e->ay[l] = e->wall_y[l] + e->water_y[l] + e->drag_y[l] + f[1];
     e->div[l] = e->water_div[l] + e->wall_div[l];
   }
 }
@@ -149,6 +149,20 @@ static void add_pull(const struct flow_pull *p, const struct sph_targets *i, str
   for (int l = 0; l < SPH_LANES; l++) {
     e->ax[l] -= p->rate * p->rate * (i->x[l] - p->x);
     e->ay[l] -= p->rate * p->rate * (i->y[l] - p->y);
+  }
+}
+
+/* What a tank that turns adds; and the power, W/m, that its motion takes. */
+static void add_frame(const struct sph *s, size_t at, const struct sph_targets *i,
+                      struct effects *e, double *power) {
+  *power = 0;
+  for (size_t l = 0; l < SPH_LANES; l++) {
+    double turn[2], f[2];
+    sph_force_turn(&s->force, i->x[l], i->y[l], i->u[l], i->v[l], turn);
+    sph_force_excess(&s->force, i->x[l], i->y[l], i->u[l], i->v[l], f);
+    e->ax[l] += turn[0];
+    e->ay[l] += turn[1];
+    *power -= s->f.m[at + l] * (i->u[l] * f[0] + i->v[l] * f[1]);
   }
 }
 
@@ -248,6 +262,8 @@ static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
     fit_effects(s, &i, &water, &walls, &e);
   add_effects(s, &e);
   if (s->pull.rate > 0) add_pull(&s->pull, &i, &e);
+  double frame = 0;
+  if (s->force.shakes) add_frame(s, at, &i, &e, &frame);
   struct stiffness stiff;
   find_stiffness(s, at, &stiff);
   const struct sph_state *k = &s->f.k[how->stage];
@@ -262,6 +278,7 @@ static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
   }
   sph_fitted_rates(s, how->stage, cluster);
   s->cluster_totals[cluster] = totals_of(s, at, &stiff, &e, &a, &b);
+  s->cluster_totals[cluster].frame = frame;
   sph_treat_rates(s, how->stage, cluster, &s->cluster_totals[cluster]);
 }
 
@@ -297,7 +314,10 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
     return OK;
   }
   const enum sph_phase was = sph_enter(s, SPH_PHASE_rates);
-  if (stage == 0) TRY(sph_neighbours_update(s));
+  if (stage == 0) {
+    sph_tank_set(s, s->t);
+    TRY(sph_neighbours_update(s));
+  }
   sph_pack_water(s);
   s->wall->fill(s);
   if (continuity_sums((enum sph_continuity)s->scheme.continuity)) sum_densities(s, stage);

@@ -95,6 +95,7 @@ enum status sph_step(struct sph *s, double dt) {
 #define X(name, ...) s->budget.name += spent.name;
   SPH_SPENT(X)
 #undef X
+  sph_tank_set(s, s->t + dt);
   sph_wall_confine(s);
   s->t += dt;
   s->dt = dt;

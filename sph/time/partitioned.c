@@ -101,8 +101,10 @@ static enum status step(struct sph *s, const struct sph_integrator *method, doub
   spend(spent, end, 0, dt, &s->totals);
   for (int r = 1; r < stages.n; r++) {
     set_state(s, &stages.row[r], r, dt);
-    *held = sph_lists_hold(s, elapsed(&stages.row[r], r) * dt);
+    const double later = elapsed(&stages.row[r], r) * dt;
+    *held = sph_lists_hold(s, later);
     if (!*held) return OK;
+    sph_tank_set(s, s->t + later);
     TRY(sph_rates(s, r, true, false));
     spend(spent, end, r, dt, &s->totals);
   }

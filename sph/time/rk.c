@@ -74,6 +74,7 @@ enum status sph_rk_step(struct sph *s, const struct sph_integrator *method, doub
     for (int l = 0; l < r; l++) elapsed += table->a[r][l];
     *held = sph_lists_hold(s, elapsed * dt);
     if (!*held) return OK;
+    sph_tank_set(s, s->t + elapsed * dt);
     TRY(sph_rates(s, r, !method->frozen, false));
     spend(spent, table->b[r] * dt, &s->totals);
   }

@@ -49,6 +49,12 @@ void sph_treat_check(const struct case_file *c, const struct case_run *r,
                    "runs.%s.%s: found in a tank whose sides are walls; allowed: with tank.sides: "
                    "periodic, where waves are harmonics of its length; write %s: 0",
                    r->name, names[k], names[k]);
+    if (treatments[k]->weighs && case_is_turned(c))
+      problems_add(
+          problems, case_run_line(r, names[k]),
+          "runs.%s.%s: found under gravity along (%g, %g), where no wave has the pressures "
+          "that it gives; allowed: with gravity downwards; write %s: 0",
+          r->name, names[k], c->down[0], c->down[1], names[k]);
     if (treatments[k]->weighs && c->gravity == 0)
       problems_add(
           problems, case_run_line(r, names[k]),

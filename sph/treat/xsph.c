@@ -34,7 +34,7 @@ static void mix(struct sph *s, int stage, size_t cluster, struct sph_totals *tot
     k->x[at] += u;
     k->y[at] += v;
     const double lift = eos_lift(&s->eos, s->f.p[at], s->f.w.rho[at], s->f.w.y[at]);
-    totals->xsph -= s->f.m[at] * (s->g + lift) * v;
+    totals->xsph -= s->f.m[at] * ((lift - s->force.g[1]) * v - s->force.g[0] * u);
     if (s->pull.rate > 0) totals->xsph -= s->f.m[at] * work_of_pull(&s->pull, i.x[l], i.y[l], u, v);
   }
 }
