@@ -248,7 +248,7 @@ double case_water_area(const struct case_file *c); /* m^2, at t = 0 */
 
 /* Gravity has a direction of its own, which few can deal with. */
 static inline bool case_is_turned(const struct case_file *c) {
-  return c->down[0] != 0 || c->down[1] != -1;
+  return c->down[0] != 0 || c->down[1] > 0;
 }
 
 /* Lines of the case, turned about the origin until gravity is downwards. ERR_MEMORY. */

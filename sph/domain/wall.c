@@ -189,9 +189,9 @@ void sph_wall_confine(struct sph *s) {
   /* few, and one after the other: they share the budget */
   for (size_t i = 0; n; i++) {
     if (met[i] == 0) continue;
-    const double from = s->f.w.y[i];
+    const double from = sph_height(&s->force, s->f.w.x[i], s->f.w.y[i]);
     s->reflections += bring_back(s, i);
-    s->budget.walls -= s->f.m[i] * s->g * (s->f.w.y[i] - from);
+    s->budget.walls -= s->f.m[i] * s->g * (sph_height(&s->force, s->f.w.x[i], s->f.w.y[i]) - from);
     n--;
   }
   sph_particles_pad(&s->f);

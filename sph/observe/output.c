@@ -63,7 +63,8 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
     o->dry[side] = !s->tank.periodic[0] && gap(s, side) > 1.5 * s->dx;
   struct result_energy e = sph_energy(s);
   o->budget = o->budget0 = result_energy_budget(&e);
-  double rest = c->rectangular ? sph_rest_potential(s) : case_rest_potential(c);
+  double rest =
+      c->rectangular && !case_is_turned(c) ? sph_rest_potential(s) : case_rest_potential(c);
   o->available = e.kinetic + e.potential - rest;
   ATTEMPT(result_rest(result, rest));
   ATTEMPT(tank_outline(&s->tank, &c->walls, &o->outline));

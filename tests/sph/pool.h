@@ -38,6 +38,13 @@ static inline struct sph *pool_create(const struct case_file *c) {
   return s;
 }
 
+/* Downwards, m s^-2. */
+static inline void pool_set_gravity(struct sph *s, double g) {
+  s->g = s->eos.g = g;
+  s->force.g[1] = -g;
+  sph_force_set(s, 0);
+}
+
 /* The next step on the way to t (s), without treatments. */
 static inline enum status pool_step(struct sph *s, double t) {
   TRY(sph_remove_outside(s));

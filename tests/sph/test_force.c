@@ -68,7 +68,144 @@ static void test_potential_at_rest_under_gravity_that_is_turned(void) {
   case_destroy(c);
 }
 
+#define SHAKEN                                                                                     \
+  "motions: [{kind: sway, amplitude: 0.3, period: 1.3, ramp: 0.7}, {kind: heave, amplitude: 0.2, " \
+  "period: 0.9, phase: 1, ramp: 0.5}, {kind: roll, amplitude: 0.4, period: 1.7, about: [1.1, "     \
+  "0.4], ramp: 0.6}]"
+
+/* Against the tank's own account of its frame. */
+static void test_force_is_the_frames(void) {
+  struct case_file *c =
+      pool_case("title: shaken\nscales: {H: 1}\n"
+                "tank: {walls: [[[0, 2], [0, 0], [2, 0], [2, 2]]], " SHAKEN "}\n"
+                "water: {regions: [[[0, 0], [2, 0], [2, 1], [0, 1]]]}\n" POOL_TIMES,
+                "resolution: 8");
+  struct sph *s = pool_create(c);
+  for (int k = 0; k < 20; k++) {
+    const double t = 0.1 * k, p[2] = {pool_random(), pool_random()};
+    const double u[2] = {pool_random(), pool_random()};
+    double f[2], expected[2];
+    struct tank_frame frame;
+    tank_frame_at(c->motions, c->n_motions, t, &frame);
+    tank_frame_force(&frame, c->gravity, p, u, expected);
+    sph_force_set(s, t);
+    sph_force_at(&s->force, p[0], p[1], u[0], u[1], f);
+    for (int d = 0; d < 2; d++) EXPECT_NEAR(f[d], expected[d], 1e-12 * s->g);
+    sph_force_excess(&s->force, p[0], p[1], u[0], u[1], f);
+    EXPECT_NEAR(f[0], expected[0], 1e-12 * s->g);
+    EXPECT_NEAR(f[1], expected[1] + s->g, 1e-12 * s->g);
+  }
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* Water that touches no wall stays where it is while the tank sways, heaves and rolls about it: so
+ * far as the time steps go, which are of fourth order. Its energy in the frame of the tank is what
+ * the frame's force has given it. */
+static double drift_of_drop(double dt) {
+  char run[100];
+  snprintf(run, sizeof run, "resolution: 8, precision: double, integrator: rk4, dt: %g", dt);
+  struct case_file *c =
+      pool_case("title: drop\nfluid: {gravity: 0}\nscales: {H: 1, g: 9.81}\n"
+                "tank: {walls: [[[0, 3], [0, 0], [3, 0], [3, 3]]], " SHAKEN "}\n"
+                "water: {regions: [[[1, 1], [2, 1], [2, 2], [1, 2]]]}\n" POOL_TIMES,
+                run);
+  struct sph *s = pool_create(c);
+  double *x = calloc(2 * s->f.n, sizeof *x), worst = 0;
+  for (size_t i = 0; i < s->f.n; i++) {
+    x[2 * s->f.id[i]] = s->f.w.x[i];
+    x[2 * s->f.id[i] + 1] = s->f.w.y[i];
+  }
+  const struct result_energy a = sph_energy(s);
+  EXPECT_OK(pool_march(s, 0.6));
+  const struct result_energy b = sph_energy(s);
+  struct tank_frame f;
+  tank_frame_at(c->motions, c->n_motions, s->t, &f);
+  for (size_t i = 0; i < s->f.n; i++) {
+    const double X = s->f.w.x[i], Y = s->f.w.y[i], co = cos(f.angle), si = sin(f.angle);
+    worst = fmax(worst, hypot(f.at[0] + co * X - si * Y - x[2 * s->f.id[i]],
+                              f.at[1] + si * X + co * Y - x[2 * s->f.id[i] + 1]));
+  }
+  EXPECT(b.kinetic > 100);
+  EXPECT_NEAR((result_energy_budget(&b) - a.total) / b.kinetic, 0, 1e-6);
+  free(x);
+  sph_destroy(s);
+  case_destroy(c);
+  return worst;
+}
+
+static void test_floating_water_stays_while_the_tank_moves(void) {
+  const double coarse = drift_of_drop(4e-3), fine = drift_of_drop(2e-3);
+  printf("     moves by %.1e and %.1e m in steps of 4 and 2 ms\n", coarse, fine);
+  EXPECT(coarse < 1e-6);
+  EXPECT(fine < coarse / 8); /* ramps have a third derivative that jumps */
+}
+
+/* Moment of the elevation about the middle, over length and depth, by linear theory: x - L/2 = sum
+ * c_n cos k_n x, eta_n'' + w_n^2 eta_n = -k_n tanh(k_n h) c_n X'', each by small steps. */
+static double linear_shift(const struct case_file *c, double L, double h, double end) {
+  const int steps = 20000;
+  double sum = 0;
+  for (int n = 1; n < 40; n += 2) {
+    const double k = n * M_PI / L, lift = k * tanh(k * h), cn = -4 * L / pow(n * M_PI, 2);
+    double eta = 0, rate = 0, q[3];
+    for (int i = 0; i < steps; i++) { /* leapfrog */
+      tank_motion_at(&c->motions[0], end * i / steps, q);
+      rate += end / steps * (i ? 1 : 0.5) * -(c->gravity * lift * eta + lift * cn * q[2]);
+      eta += end / steps * rate;
+    }
+    sum += eta * cn / (2 * h);
+  }
+  return sum;
+}
+
+/* A tank shaken at its first natural period: how far the centre of the water is from linear theory
+ * in three periods of growth, over the farthest that it goes. */
+static double error_of_sloshing(double resolution) {
+  const double L = 1, h = 0.5, g = 9.81, k = M_PI / L;
+  const double period = 2 * M_PI / sqrt(g * k * tanh(k * h));
+  char head[500], run[60];
+  snprintf(head, sizeof head,
+           "title: sloshing\nscales: {H: 0.5}\ntank: {walls: [[[0, 1], [0, 0], [1, 0], [1, 1]]], "
+           "motions: [{kind: sway, amplitude: 0.002, period: %.15g}]}\n"
+           "water: {regions: [[[0, 0], [1, 0], [1, 0.5], [0, 0.5]]]}\n" POOL_TIMES,
+           period);
+  snprintf(run, sizeof run, "resolution: %g, alpha: 0.005", resolution);
+  struct case_file *c = pool_case(head, run);
+  struct sph *s = pool_create(c);
+  const struct result_energy a = sph_energy(s);
+  double worst = 0, most = 0;
+  for (int i = 1; i <= 24; i++) {
+    double x = 0, mass = 0;
+    EXPECT_OK(pool_march(s, i * period / 8));
+    for (size_t j = 0; j < s->f.n; j++) {
+      x += s->f.m[j] * s->f.w.x[j];
+      mass += s->f.m[j];
+    }
+    const double expected = linear_shift(c, L, h, s->t);
+    worst = fmax(worst, fabs(x / mass - L / 2 - expected));
+    most = fmax(most, fabs(expected));
+  }
+  const struct result_energy b = sph_energy(s);
+  printf("     H/dx = %g: centre of the water off by %.2g of %.3g m\n", resolution, worst, most);
+  EXPECT(b.term[SPH_TERM_frame] < 0);
+  EXPECT_NEAR((result_energy_budget(&b) - a.total) / b.term[SPH_TERM_frame], 0, 1e-3);
+  sph_destroy(s);
+  case_destroy(c);
+  return worst / most;
+}
+
+/* The lattice and the viscosity, both of which fall with the spacing. */
+static void test_sloshing_grows_as_linear_theory_has_it(void) {
+  const double coarse = error_of_sloshing(16), fine = error_of_sloshing(32);
+  EXPECT(coarse < 0.1);
+  EXPECT(fine < 0.75 * coarse);
+}
+
 int main(void) {
+  RUN(test_force_is_the_frames);
+  RUN(test_floating_water_stays_while_the_tank_moves);
+  RUN(test_sloshing_grows_as_linear_theory_has_it);
   RUN(test_water_rests_under_gravity_that_is_turned);
   RUN(test_mirrored_gravity_has_mirrored_water);
   RUN(test_potential_at_rest_under_gravity_that_is_turned);

@@ -184,6 +184,7 @@ static void test_budget_closes_for_every_form(void) {
       s->scheme.viscosity = k % SPH_VISCOSITY_COUNT;
       if (is_allowed(&s->scheme)) {
         s->eos.law = (enum sph_eos)s->scheme.eos;
+        sph_force_set(s, 0);
         s->adjoint = sph_forms_adjoint(&s->scheme);
         pool_shake(s, 0.3, 2, 3e3);
         EXPECT_OK(sph_rates(s, 0, true, false));

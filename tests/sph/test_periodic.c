@@ -151,7 +151,7 @@ static void test_uniform_water_stays_so(void) {
   struct sph *s = pool_create(c);
   const double U = 8, end = 0.55;
   double *x = calloc(s->f.n, sizeof *x), off = 0;
-  s->g = s->eos.g = 0;
+  pool_set_gravity(s, 0);
   for (size_t i = 0; i < s->f.n; i++) {
     x[s->f.id[i]] = s->f.w.x[i];
     s->f.w.u[i] = U;

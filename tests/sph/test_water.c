@@ -122,7 +122,7 @@ static double power_of_noise(const char *walls, const char *precision, double g,
            water[0], water[1], water[1], water[2], water[0], water[2]);
   struct case_file *c = pool_case(head, run);
   struct sph *s = pool_create(c);
-  s->g = s->eos.g = g;
+  pool_set_gravity(s, g);
   pool_shake(s, 0.2, 1, s->rho0 * s->c0); /* the pressure of sound at this speed */
   EXPECT_OK(sph_rates(s, 0, true, true));
   double size = 0;
@@ -316,7 +316,7 @@ static void test_mirrored_case_gives_the_mirrored_result(void) {
 static void test_elastic_energy_is_the_work_of_the_pressure(void) {
   struct case_file *c = pool_case(POOL_DROP, "resolution: 20");
   struct sph *s = pool_create(c);
-  s->g = s->eos.g = 0;
+  pool_set_gravity(s, 0);
   const double m = s->f.m[0], d = 1e-5 * s->rho0;
   s->f.w.rho[0] = s->rho0;
   EXPECT(sph_energy_of(s, 0) == 0);
