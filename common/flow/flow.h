@@ -130,7 +130,10 @@ struct flow {
   X(pressed, "water at rest under a pressure that varies along the surface, round the same")       \
   X(still, "water at rest, in a tank of any one wall")                                             \
   X(solitary, "the exact solitary wave, one crest over a flat bed that runs to a side")            \
-  X(stream, "exact steady waves of any height that run to the right, round the same")
+  X(stream, "exact steady waves of any height that run to the right, round the same")              \
+  X(stokes, "a wave of second order that runs to the right, round the same")                       \
+  X(hump, "a hump or a hollow of Gaussian shape, at rest")                                         \
+  X(bore, "a smooth step between two levels that runs to a side of a flat tank")
 #define FLOWS_OF_BODIES(X)                                                                         \
   X(patch, "a square that turns like a rigid body: u = rate y, v = -rate x from its middle")       \
   X(drop,                                                                                          \

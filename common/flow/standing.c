@@ -9,6 +9,7 @@
 
 struct form {
   double amplitude, wavelength, depth; /* m */
+  int order;
 };
 
 #define LENGTH(member, text)                                                                       \
@@ -17,14 +18,34 @@ struct form {
     .offset = offsetof(struct form, member), .min = PARAM_ABOVE_0, .max = 1e6, .help = text        \
   }
 static const struct param rows[] = {
-    LENGTH(amplitude, "height of the crest above the water at rest"),
+    LENGTH(amplitude, "of the cosine: height of the crest above the water at rest, at order 1"),
     LENGTH(wavelength, "wavelength"),
     LENGTH(depth, "depth of the water at rest"),
+    {.key = "order",
+     .type = PARAM_INT,
+     .offset = offsetof(struct form, order),
+     .min = 1,
+     .max = 2,
+     .value = "1",
+     .help = "of its shape: 1 a cosine, which sets free waves of half its length going; 2 with the "
+             "second harmonic of a wave that repeats itself"},
 };
 
+/* As a run of `exact` asks, or of its own shape's. */
+static struct wave_standing theory_of(const struct case_file *c, int order) {
+  const struct form *f = c->form;
+  struct wave_standing w =
+      wave_standing_create(f->amplitude, f->wavelength, f->depth, c->gravity > 0 ? c->gravity : 1,
+                           c->tank.min[0], c->tank.min[1], f->order > order ? f->order : order);
+  if (f->order > 1) wave_standing_bind(&w);
+  return w;
+}
+
 static struct flow_scale scale(const struct case_file *c) {
-  const struct form *w = c->form;
-  return (struct flow_scale){w->depth, w->depth, w->amplitude, w->wavelength};
+  const struct form *f = c->form;
+  const struct wave_standing w = theory_of(c, 0);
+  return (struct flow_scale){f->depth, f->depth, f->amplitude + w.bound_mean + w.bound,
+                             f->wavelength};
 }
 
 /* Mercer & Roberts (Phys. Fluids A 4, 1992): the steepest standing wave in deep water is 0.2
@@ -58,12 +79,10 @@ struct wave {
 };
 
 static enum status create(struct flow_water *w) {
-  const struct form *f = w->c->form;
   const struct geo_box *tank = &w->c->tank;
   struct wave *wave = w->own = malloc(sizeof *wave);
   CHECK(wave, ERR_MEMORY, "no memory for a standing wave");
-  wave->theory = wave_standing_create(f->amplitude, f->wavelength, f->depth, w->c->gravity,
-                                      tank->min[0], tank->min[1], w->use.order);
+  wave->theory = theory_of(w->c, w->use.order);
   wave->width = tank->max[0] - tank->min[0];
   return OK;
 }
@@ -93,14 +112,22 @@ static double pressure(const struct flow_water *w, double x, double y, double t)
   return wave_standing_pressure(theory(w), x, y, t);
 }
 
-/* That of the linear wave, stretched with the column so that it vanishes on the surface:
+/* cosh kY/cosh kd. */
+static double decay(double k, double d, double Y) {
+  return exp(k * (Y - d)) * (1 + exp(-2 * k * Y)) / (1 + exp(-2 * k * d));
+}
+
+/* That of linear waves, stretched with the column so that it vanishes on the surface:
  * depth - eta (1 - cosh(k Y)/cosh(k d)), Y the height above the bed in still water. */
 static enum status head(const struct flow_water *w, const struct flow_point *p, double *out) {
   const struct wave_standing *s = theory(w);
   double k = s->k, d = s->depth, Y = p->rest - s->bed;
   double eta = s->amplitude * cos(k * (p->x - s->left));
-  double decay = exp(k * (Y - d)) * (1 + exp(-2 * k * Y)) / (1 + exp(-2 * k * d));
-  *out = d + eta - (p->y - s->bed) - eta * (1 - decay);
+  *out = d + eta - (p->y - s->bed) - eta * (1 - decay(k, d, Y));
+  if (s->bound_alone) {
+    double second = (s->bound_mean + s->bound) * cos(2 * k * (p->x - s->left));
+    *out += second * decay(2 * k, d, Y);
+  }
   return OK;
 }
 

@@ -49,6 +49,10 @@ struct wave_standing wave_standing_create(double amplitude, double wavelength, d
   return w;
 }
 
+void wave_standing_bind(struct wave_standing *w) {
+  w->bound_alone = true;
+}
+
 /* A mode cos(m k x) of the surface and of phi at still water, and their rates in time. */
 struct mode {
   double eta, eta_t, phi, phi_t;
@@ -60,7 +64,7 @@ static void modes(const struct wave_standing *w, double t, struct mode m[2]) {
   m[1] = (struct mode){0, 0, 0, 0};
   if (w->order < 2) return;
   double c2 = cos(2 * o * t), s2 = sin(2 * o * t), f = w->free_omega;
-  double free = -(w->bound_mean + w->bound), cf = cos(f * t), sf = sin(f * t);
+  double free = w->bound_alone ? 0 : -(w->bound_mean + w->bound), cf = cos(f * t), sf = sin(f * t);
   m[1].eta = w->bound_mean + w->bound * c2 + free * cf;
   m[1].eta_t = -2 * o * w->bound * s2 - f * free * sf;
   m[1].phi = w->bound_potential * s2 - free * g / f * sf;

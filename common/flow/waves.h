@@ -11,6 +11,7 @@
  * (Tadjbakhsh & Keller, J. Fluid Mech. 8, 1960), so that the error does not grow before 1/(omega
  * (ka)^4): it stays of order (ka)^3 relative to the wavelength. */
 #pragma once
+#include <stdbool.h>
 #include <stddef.h>
 
 struct wave_standing {
@@ -22,6 +23,7 @@ struct wave_standing {
   double bound_mean, bound;            /* m: 2k mode of the surface, constant and cos(2 omega t) */
   double bound_potential; /* m^2/s: 2k mode of phi at y = bed + depth, sin(2 omega t) */
   double free_omega;      /* rad/s, of the free wave of wavenumber 2k */
+  bool bound_alone;       /* no free wave: see wave_standing_bind */
 };
 
 /* omega of linear theory, rad/s: omega^2 = g k tanh(k d). */
@@ -33,6 +35,10 @@ double wave_frequency_shift(double k, double depth);
 
 struct wave_standing wave_standing_create(double amplitude, double wavelength, double depth,
                                           double gravity, double left, double bed, int order);
+
+/* Takes the free wave away from one of order 2: it then starts, at rest, with the crest of a
+ * standing wave that repeats itself, amplitude cos kx + (bound_mean + bound) cos 2kx. */
+void wave_standing_bind(struct wave_standing *w);
 
 double wave_standing_elevation(const struct wave_standing *w, double x, double t); /* y, m */
 /* Slope in x, and velocity in t, of the elevation. */

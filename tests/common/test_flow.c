@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "common/case/case.h"
+#include "common/flow/waves.h"
 #include "tests/common/case_registry.h"
 #include "tests/test.h"
 
@@ -205,18 +206,23 @@ static void test_theory_starts_from_the_flow_and_knows_its_error(void) {
 
 /* ---- over beds that are not flat ---- */
 
-static struct case_file *parsed(const char *walls, const char *water) {
+static struct case_file *parsed_in(const char *walls, const char *sides, const char *water) {
   struct problems problems = {0};
   struct case_file *c = NULL;
   char text[1000];
   snprintf(text, sizeof text,
-           "tank: {walls: [%s]}\nwater: {%s}\ntime: {end: 1}\nruns: [{solver: sph, resolution: "
+           "tank: {walls: [%s], sides: %s}\nwater: {%s}\ntime: {end: 1}\nruns: [{solver: sph, "
+           "resolution: "
            "20}]\n",
-           walls, water);
+           walls, sides, water);
   if (case_parse("parsed", text, &fake_registry, &problems, &c) != OK)
     TEST_FAIL("%s", problems.n ? problems.text[0] : status_message());
   problems_destroy(&problems);
   return c;
+}
+
+static struct case_file *parsed(const char *walls, const char *water) {
+  return parsed_in(walls, "walls", water);
 }
 
 /* Over a shelf between a trench and a beach the wave is that of a flat tank of the shelf's level,
@@ -250,6 +256,106 @@ static void test_solitary_wave_starts_over_a_flat_piece_of_bed(void) {
   flow_close(&b);
   case_destroy(shelf);
   case_destroy(flat);
+}
+
+/* ---- what single waves promise ---- */
+
+static const char *const four_by_two = "[[0, 2], [0, 0], [4, 0], [4, 2]]";
+
+/* Rankine-Hugoniot's jump of shallow water: mass and momentum in the frame of the bore; at rest
+ * ahead, and no flux through the bed. */
+static void test_bore_has_the_velocity_of_a_hydraulic_jump(void) {
+  struct case_file *c = parsed(four_by_two, "wave: {kind: bore, height: 0.1, depth: 0.2, width: "
+                                            "0.46, x: 2}");
+  if (!c) return;
+  struct flow_water w = opened(c, 0);
+  const double h0 = 0.2, h1 = 0.3, g = c->gravity, speed = sqrt(g * h1 * (h0 + h1) / (2 * h0));
+  double behind[2], ahead[2], bed[2];
+  flow_velocity(&w, -20, 0.1, 0, behind);
+  flow_velocity(&w, 20, 0.1, 0, ahead);
+  flow_velocity(&w, 2.1, 0, 0, bed);
+  EXPECT_NEAR((speed - behind[0]) * h1, speed * h0, 1e-13);
+  EXPECT_NEAR(h1 * pow(speed - behind[0], 2) + g * h1 * h1 / 2,
+              h0 * speed * speed + g * h0 * h0 / 2, 1e-13);
+  EXPECT_NEAR(ahead[0], 0, 1e-13);
+  EXPECT_NEAR(bed[1], 0, 1e-15);
+  EXPECT(bed[0] > 0.1 * behind[0]);
+  flow_close(&w);
+  case_destroy(c);
+}
+
+/* Of a low hump, by linear theory: p/(rho g) + y - h on the bed below it is its Fourier integral
+ * over cosh kh; what is left is of the order of the height. */
+static void test_hump_starts_with_the_pressure_of_water_let_go(void) {
+  struct case_file *c = parsed("[[0, 2], [0, 0], [12, 0], [12, 2]]",
+                               "wave: {kind: hump, height: 1e-4, width: 0.6, depth: 0.5, x: 6}");
+  if (!c) return;
+  struct flow_water w = opened(c, 0);
+  double sum = 0, head;
+  for (double k = 0.005; k < 30; k += 0.01)
+    sum += 0.01 * exp(-pow(0.6 * k, 2) / 4) / cosh(0.5 * k) * 0.6 / sqrt(M_PI);
+  EXPECT_OK(flow_head(&w, &(struct flow_point){6, 0, 0}, &head));
+  EXPECT_NEAR((head - 0.5) / 1e-4, sum, 1e-3 * sum);
+  flow_close(&w);
+  case_destroy(c);
+}
+
+/* A standing wave of second order is at rest at t = 0 and, as theory has it, after each period;
+ * one that starts as a cosine is not. */
+static void test_standing_wave_of_second_order_repeats_itself(void) {
+  for (int order = 1; order <= 2; order++) {
+    char water[100];
+    snprintf(water, sizeof water,
+             "wave: {kind: standing, amplitude: 0.1, wavelength: 4, depth: 0.6, order: %d}", order);
+    struct case_file *c = parsed(four_by_two, water);
+    if (!c) return;
+    struct flow_water w = opened(c, 2);
+    const double k = M_PI / 2;
+    const double omega = wave_frequency_linear(k, 0.6, c->gravity) *
+                         (1 + pow(0.1 * k, 2) * wave_frequency_shift(k, 0.6));
+    double worst = 0, moves = 0;
+    for (double x = 0.1; x < 4; x += 0.3) {
+      double u[2];
+      worst = fmax(worst, fabs(flow_elevation(&w, x, 2 * M_PI / omega) - flow_elevation(&w, x, 0)));
+      c->flow->velocity(&w, x, 0.3, 0, u);
+      moves = fmax(moves, hypot(u[0], u[1]));
+    }
+    EXPECT_NEAR(moves, 0, 1e-15);
+    EXPECT(order == 2 ? worst < 1e-14 : worst > 1e-3);
+    EXPECT_NEAR(flow_elevation(&w, 0, 0) - 0.6, c->flow->scale(c).amplitude, 1e-15);
+    flow_close(&w);
+    case_destroy(c);
+  }
+}
+
+/* Stokes' wave is the exact one but for the third order of its steepness. */
+static void test_stokes_wave_is_the_steady_one_to_second_order(void) {
+  double off[2];
+  for (int i = 0; i < 2; i++) {
+    const double height = i ? 0.04 : 0.08;
+    char water[2][100];
+    snprintf(water[0], sizeof *water,
+             "wave: {kind: stokes, amplitude: %g, wavelength: 4, depth: 0.8}", height / 2);
+    snprintf(water[1], sizeof *water, "wave: {kind: stream, height: %g, wavelength: 4, depth: 0.8}",
+             height);
+    struct case_file *c[2];
+    for (int k = 0; k < 2; k++) c[k] = parsed_in(four_by_two, "periodic", water[k]);
+    if (!c[0] || !c[1]) return;
+    struct flow_water a = opened(c[0], 0), b = opened(c[1], 0);
+    off[i] = 0;
+    for (double x = 0.05; x < 4; x += 0.1) {
+      double u[2], v[2];
+      flow_velocity(&a, x, 0.4, 0, u);
+      flow_velocity(&b, x, 0.4, 0, v);
+      off[i] = fmax(off[i], fabs(flow_elevation(&a, x, 0) - flow_elevation(&b, x, 0)));
+      off[i] = fmax(off[i], hypot(u[0] - v[0], u[1] - v[1]) / sqrt(c[0]->gravity));
+    }
+    flow_close(&a);
+    flow_close(&b);
+    for (int k = 0; k < 2; k++) case_destroy(c[k]);
+  }
+  printf("     off by %.2e, %.2e m: order %.2f\n", off[0], off[1], log2(off[0] / off[1]));
+  EXPECT(log2(off[0] / off[1]) > 2.7 && off[1] < 1e-4);
 }
 
 /* ---- bodies ---- */
@@ -326,6 +432,10 @@ int main(void) {
   RUN(test_particles_start_where_the_wave_has_moved_them);
   RUN(test_theory_starts_from_the_flow_and_knows_its_error);
   RUN(test_solitary_wave_starts_over_a_flat_piece_of_bed);
+  RUN(test_bore_has_the_velocity_of_a_hydraulic_jump);
+  RUN(test_hump_starts_with_the_pressure_of_water_let_go);
+  RUN(test_standing_wave_of_second_order_repeats_itself);
+  RUN(test_stokes_wave_is_the_steady_one_to_second_order);
   RUN(test_outline_of_a_body_is_its_rim);
   RUN(test_theory_of_a_body_obeys_euler);
   RUN(test_theory_of_a_body_keeps_its_energy);
