@@ -1,16 +1,14 @@
 #include "bem/contact.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "bem/curve.h"
+#include "bem/replace.h"
 
-static const double WORTH = 0.1; /* H: the length of thin film that is cut */
+static const double WORTH = 20;  /* of its thickness: the length of thin film that is cut */
 static const double TIP = 0.06;  /* of the film, see struct bem_surface: a fifth of its thickness */
 static const double BELOW = 0.1; /* H: of the top of the wall, where the cap of a film ends */
 enum {
-  CAP = 8,     /* points of the cap, and its length in film thicknesses */
-  CARRIERS = 4 /* nodes whose polynomial gives the potential on it */
+  CAP = 8 /* points of the cap, and its length in film thicknesses */
 };
 
 /* The first node beyond the wall, else the last node. */
@@ -26,20 +24,6 @@ double bem_contact_height(const struct bem_surface *s, const double *state) {
   if (x[k] <= s->tank) return 0;
   double a = (s->tank - x[k - 1]) / (x[k] - x[k - 1]);
   return y[k - 1] + a * (y[k] - y[k - 1]);
-}
-
-/* Replaces the surface from node `keep` on by m points (x, y, phi) and regrids. */
-static enum status replace_end(struct bem_flow *f, size_t keep, size_t m,
-                               double point[][BEM_FIELDS]) {
-  struct bem_surface *s = &f->surface, fresh = {0};
-  TRY(bem_surface_follow(&fresh, s, keep + m));
-  for (size_t field = 0; field < BEM_FIELDS; field++) {
-    double *to = fresh.state + field * fresh.n;
-    memcpy(to, s->state + field * s->n, keep * sizeof *to);
-    for (size_t i = 0; i < m; i++) to[keep + i] = point[i][field];
-  }
-  bem_surface_replace(s, &fresh);
-  return bem_mesh_regrid(&f->mesh, s);
 }
 
 /* Where between two lengths the curve passes x. */
@@ -78,7 +62,7 @@ enum status bem_contact_meet_wall(struct bem_flow *f) {
   if (s->right == BEM_END_BED) s->tip = TIP;
   s->right = BEM_END_WALL;
   s->length = s->tank;
-  return replace_end(f, keep, 1, end);
+  return bem_replace(f, keep, s->n, 1, end);
 }
 
 bool bem_contact_crosses_wall(const struct bem_surface *s) {
@@ -98,41 +82,25 @@ bool bem_contact_film_is_thin(const struct bem_surface *s, double film) {
   double length = 0;
   for (size_t k = film_begin(s, film); k + 1 < s->n; k++)
     if (s->tank - x[k + 1] < film) length += hypot(x[k + 1] - x[k], y[k + 1] - y[k]);
-  return length > WORTH;
+  return length > WORTH * film;
 }
 
 /* The nodes whose polynomial gives the potential on a cap at node c: one before it, and three
  * spread over the length of the cap. */
 static enum status choose_carriers(const struct bem_surface *s, size_t c, double length,
-                                   size_t node[CARRIERS]) {
+                                   size_t node[BEM_CARRIERS]) {
   const size_t n = s->n;
   const double *y = s->state + n;
   CHECK(c >= 4 && c + 1 < n, ERR_SOLVER, "the film at the wall begins at node %zu of %zu", c, n);
   node[0] = c - 1;
   node[1] = c;
-  for (size_t i = 2; i < CARRIERS; i++) {
+  for (size_t i = 2; i < BEM_CARRIERS; i++) {
     double above = y[c] + 0.5 * (double)(i - 1) * length;
     node[i] = node[i - 1] + 1;
-    while (node[i] + CARRIERS - i < n && y[node[i]] < above) node[i]++;
+    while (node[i] + BEM_CARRIERS - i < n && y[node[i]] < above) node[i]++;
   }
-  CHECK(node[CARRIERS - 1] < n, ERR_SOLVER, "the film at the wall has too few nodes to be cut");
+  CHECK(node[BEM_CARRIERS - 1] < n, ERR_SOLVER, "the film at the wall has too few nodes to be cut");
   return OK;
-}
-
-/* phi at z by the complex polynomial of these nodes. */
-static double continue_phi(const struct bem_flow *f, const size_t node[CARRIERS],
-                           double complex z) {
-  const double *x = f->surface.state, *y = x + f->surface.n, *phi = y + f->surface.n;
-  double complex beta = 0;
-  for (int a = 0; a < CARRIERS; a++) {
-    double complex term = CMPLX(phi[node[a]], f->psi[node[a]]);
-    for (int b = 0; b < CARRIERS; b++)
-      if (b != a)
-        term *= (z - CMPLX(x[node[b]], y[node[b]])) /
-                CMPLX(x[node[a]] - x[node[b]], y[node[a]] - y[node[b]]);
-    beta += term;
-  }
-  return creal(beta);
 }
 
 /* Cuts the film behind node c and caps it by a parabola that ends on the wall. */
@@ -140,15 +108,15 @@ static enum status cut_behind(struct bem_flow *f, size_t c) {
   const struct bem_surface *s = &f->surface;
   double thickness = s->tank - s->state[c], length = CAP * thickness;
   double point[CAP][BEM_FIELDS];
-  size_t node[CARRIERS] = {0};
+  size_t node[BEM_CARRIERS] = {0};
   TRY(choose_carriers(s, c, length, node));
   for (int i = 0; i < CAP; i++) {
     double at = (double)(i + 1) / CAP;
     point[i][0] = s->tank - thickness * (1 - at * at);
     point[i][1] = s->state[s->n + c] + length * at;
-    point[i][2] = continue_phi(f, node, CMPLX(point[i][0], point[i][1]));
+    point[i][2] = bem_replace_potential(f, node, CMPLX(point[i][0], point[i][1]));
   }
-  return replace_end(f, c + 1, CAP, point);
+  return bem_replace(f, c + 1, s->n, CAP, point);
 }
 
 enum status bem_contact_cut_film(struct bem_flow *f, double film) {

@@ -226,7 +226,7 @@ static enum status over_right_act(struct bem_run *r, const struct bem_event *e, 
   TRY(record_first(r, e, x, y));
   if (s->tip > 0 && bem_contact_thickness(s, r->top[1]) < SPILL &&
       r->output.spilled_volume < SPILLABLE * r->flow.level * s->tank)
-    return bem_run_cut(r, BEM_CUT_TOP);
+    return bem_run_cut(r, &(struct bem_cut){.kind = BEM_CUT_TOP});
   return bem_run_end(r, x, y, "water passed the top of the right wall", RAISE);
 }
 
@@ -237,7 +237,7 @@ static double cut_value(const struct bem_run *r, const double *state) {
 
 static enum status cut_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
   (void)e, (void)x, (void)y;
-  return bem_run_cut(r, BEM_CUT_AT_WALL);
+  return bem_run_cut(r, &(struct bem_cut){.kind = BEM_CUT_AT_WALL});
 }
 
 static const struct bem_event all[] = {

@@ -6,10 +6,10 @@
 #include "common/base/array.h"
 
 static const double SHORTEST = 1e-9; /* sqrt(H/g), steps that lead nowhere */
-static const double CRAWL = 0.01;    /* sqrt(H/g) in a stretch: a hundredth of the usual pace */
+static const double CRAWL = 0.002;   /* sqrt(H/g) in a stretch: a hundredth of the usual pace */
 enum {
   PATIENCE = 50, /* steps */
-  STRETCH = 1000,
+  STRETCH = 200,
   SETTLE = 60 /* steps that CVODE's order and step need to grow after a start */
 };
 

@@ -1,8 +1,16 @@
 #include "bem/run.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "bem/contact.h"
+#include "bem/ending.h"
+
+static const double FREE = 0.05; /* sqrt(H/g): a run that went on so long got on */
+enum {
+  MOST_CUTS = 20, /* at once */
+  MOST_RESCUES = 12
+};
 
 enum status bem_run_restart(struct bem_run *r) {
   bem_pace_restarted(&r->pace);
@@ -10,19 +18,34 @@ enum status bem_run_restart(struct bem_run *r) {
   return bem_stepper_restart(r->stepper, r->time);
 }
 
-static enum status change_shape(struct bem_run *r, enum bem_cut cut) {
-  switch (cut) {
+static enum status change_shape(struct bem_run *r, const struct bem_cut *cut) {
+  switch (cut->kind) {
   case BEM_CUT_AT_WALL:
     return bem_contact_meet_wall(&r->flow);
   case BEM_CUT_THIN_FILM:
     return bem_contact_cut_film(&r->flow, r->flow.surface.film);
   case BEM_CUT_TOP:
     return bem_contact_cut_top(&r->flow, r->top[1]);
+  case BEM_CUT_SHEET:
+    return bem_cuts_sheet(&r->flow, &cut->piece);
+  case BEM_CUT_LOOP:
+    return bem_cuts_loop(&r->flow, &cut->piece);
+  case BEM_CUT_WRINKLE:
+    return bem_cuts_wrinkle(&r->flow, &cut->piece);
   }
   return OK;
 }
 
-enum status bem_run_cut(struct bem_run *r, enum bem_cut cut) {
+/* Where it is: of a film, where its new end meets the wall. */
+static enum status record_cut(struct bem_run *r, const struct bem_cut *cut) {
+  const struct bem_surface *s = &r->flow.surface;
+  const bool film = cut->kind <= BEM_CUT_TOP;
+  return bem_output_event(&r->output, cut->kind == BEM_CUT_WRINKLE ? "smoothed" : "cut", r->time,
+                          film ? s->state[s->n - 1] : cut->piece.x,
+                          film ? s->state[2 * s->n - 1] : cut->piece.y);
+}
+
+enum status bem_run_cut(struct bem_run *r, const struct bem_cut *cut) {
   struct bem_flow *f = &r->flow;
   TRY(bem_flow_solve(f, f->surface.state, 0));
   struct bem_totals before = bem_surface_totals(&f->surface, f->psi);
@@ -32,15 +55,54 @@ enum status bem_run_cut(struct bem_run *r, enum bem_cut cut) {
   struct bem_totals after = bem_surface_totals(&f->surface, f->psi);
   r->output.removed_volume += before.volume - after.volume;
   r->output.removed_energy += before.kinetic + before.potential - after.kinetic - after.potential;
-  if (cut == BEM_CUT_TOP) r->output.spilled_volume += before.volume - after.volume;
+  if (cut->kind == BEM_CUT_TOP) r->output.spilled_volume += before.volume - after.volume;
+  return record_cut(r, cut);
+}
+
+static bool film_on_wall(const struct bem_surface *s) {
+  return s->tip > 0 && s->right == BEM_END_WALL;
+}
+
+/* coarse: see bem_cuts_find_sheet. */
+static bool find_cut(const struct bem_run *r, double coarse, struct bem_cut *cut) {
+  const struct bem_surface *s = &r->flow.surface;
+  if (film_on_wall(s) && bem_contact_crosses_wall(s)) {
+    cut->kind = BEM_CUT_AT_WALL;
+    return true;
+  }
+  if (film_on_wall(s) && bem_contact_film_is_thin(s, s->film)) {
+    cut->kind = BEM_CUT_THIN_FILM;
+    return true;
+  }
+  bem_sides_set(&r->sides, s, s->state);
+  cut->kind = BEM_CUT_LOOP;
+  if (bem_cuts_find_loop(&r->sides, s, &cut->piece)) return true;
+  cut->kind = BEM_CUT_SHEET;
+  return bem_cuts_find_sheet(&r->sides, s, coarse, &cut->piece);
+}
+
+static enum status trim(struct bem_run *r, double coarse, int *cuts) {
+  struct bem_cut cut;
+  for (*cuts = 0; *cuts < MOST_CUTS && find_cut(r, coarse, &cut); ++*cuts)
+    TRY(bem_run_cut(r, &cut));
   return OK;
 }
 
-enum status bem_run_trim_film(struct bem_run *r) {
-  const struct bem_surface *s = &r->flow.surface;
-  if (s->tip == 0 || s->right == BEM_END_BED) return OK;
-  if (bem_contact_crosses_wall(s)) return bem_run_cut(r, BEM_CUT_AT_WALL);
-  return bem_contact_film_is_thin(s, r->flow.surface.film) ? bem_run_cut(r, BEM_CUT_THIN_FILM) : OK;
+enum status bem_run_trim(struct bem_run *r) {
+  int cuts;
+  return trim(r, 1, &cuts);
+}
+
+enum status bem_run_rescue(struct bem_run *r) {
+  int cuts;
+  if (r->time > r->rescued + FREE) r->rescues = 0;
+  r->rescued = r->time;
+  if (r->rescues++ == MOST_RESCUES) return bem_ending_write(r);
+  TRY(trim(r, pow(2, r->rescues), &cuts));
+  if (cuts) return OK;
+  TRY(bem_flow_solve(&r->flow, r->flow.surface.state, 0));
+  const struct bem_cut wrinkle = {BEM_CUT_WRINKLE, bem_cuts_find_wrinkle(&r->flow)};
+  return bem_run_cut(r, &wrinkle);
 }
 
 enum status bem_run_end(struct bem_run *r, double x, double y, const char *what, const char *then) {

@@ -2,6 +2,7 @@
  * sqrt(H/g), rho = 1. */
 #pragma once
 #include "bem/breaker.h"
+#include "bem/cuts.h"
 #include "bem/flow.h"
 #include "bem/output.h"
 #include "bem/pace.h"
@@ -22,19 +23,37 @@ struct bem_run {
     bool leaned, overturned; /* has not been upright all the time; its tangent became vertical */
     double time, x, y;       /* when and where that was for the last time */
   } breaker[BEM_FACES];
+  int rescues;    /* since the run last got on */
+  double rescued; /* when the last one was */
   bool overflowed, ended;
 };
 
-enum bem_cut { BEM_CUT_AT_WALL, BEM_CUT_THIN_FILM, BEM_CUT_TOP };
+enum bem_cut_kind {
+  BEM_CUT_AT_WALL,
+  BEM_CUT_THIN_FILM,
+  BEM_CUT_TOP,
+  BEM_CUT_SHEET,
+  BEM_CUT_LOOP,
+  BEM_CUT_WRINKLE
+};
+
+struct bem_cut {
+  enum bem_cut_kind kind;
+  struct bem_piece piece; /* of the last three */
+};
 
 /* Starts the integrator afresh from the flow's surface. */
 enum status bem_run_restart(struct bem_run *r);
 
 /* Takes water away, books it, and starts afresh. */
-enum status bem_run_cut(struct bem_run *r, enum bem_cut cut);
+enum status bem_run_cut(struct bem_run *r, const struct bem_cut *cut);
 
-/* Cuts the film on the right wall where it has gone through it or has become too thin. */
-enum status bem_run_trim_film(struct bem_run *r);
+/* Cuts what has become too thin: the film on the right wall, sheets, drops and bubbles. */
+enum status bem_run_trim(struct bem_run *r);
+
+/* Where a run does not get on: cuts what is not quite as thin, or smooths the wrinkle that stops
+ * it. After some trials it ends the run in a sentence that says what cannot be followed. */
+enum status bem_run_rescue(struct bem_run *r);
 
 /* The run goes no further than an event at (x, y). */
 enum status bem_run_end(struct bem_run *r, double x, double y, const char *what, const char *then);

@@ -89,21 +89,31 @@ static const double GENTLE = 1. / 30; /* of the filter's rate is enough where no
 static const double SHOWN = 1e-6;     /* residual that is enough for outputs */
 enum { MOST_STEPS = 1000000 };
 
-/* After a step: events, then the film, then the spacing of the nodes. */
+/* After a step: events, then what is too thin, then the spacing of the nodes. */
 static enum status act(struct bem_run *r, const int *found) {
   TRY(bem_events_act(r, found));
   if (r->ended) return OK;
-  TRY(bem_run_trim_film(r));
+  TRY(bem_run_trim(r));
   if (!bem_mesh_is_poor(&r->flow.mesh, &r->flow.surface)) return OK;
   TRY(bem_mesh_regrid(&r->flow.mesh, &r->flow.surface));
   return bem_run_restart(r);
+}
+
+/* After a step that failed or led nowhere. Only trouble of the flow can be helped. */
+static enum status rescue(struct bem_run *r, enum status status) {
+  if (status != OK && status != ERR_SOLVER && status != ERR_DIVERGED) return status;
+  return bem_run_rescue(r);
 }
 
 static enum status advance(struct bem_run *r, struct progress *progress) {
   double end = r->c->end / r->output.time_scale, work = 0;
   const int *found;
   for (size_t step = 1; r->time < end && !r->ended; step++) {
-    TRY(bem_stepper_step(r->stepper, &r->time, &r->dt, &found));
+    enum status status = bem_stepper_step(r->stepper, &r->time, &r->dt, &found);
+    if (status != OK) {
+      TRY(rescue(r, status));
+      continue;
+    }
     TRY(bem_pace_add(&r->pace, r->time, r->dt));
     bem_output_damped(&r->output, &r->flow, r->time, r->dt);
     TRY(bem_output_due(&r->output, &r->flow, r->stepper, r->time, r->dt));
@@ -113,10 +123,8 @@ static enum status advance(struct bem_run *r, struct progress *progress) {
     if (progress_stop_requested()) return status_raise(INTERRUPTED, "stopped");
     if (r->time > end) break; /* what the last step found lies beyond the case */
     TRY(act(r, found));
-    CHECK(!bem_pace_is_lost(&r->pace, r->time) && step < MOST_STEPS, ERR_SOLVER,
-          "the surface has become too rough to be followed (the time step has fallen to %.2g s); "
-          "what was written before is valid: end the case there, or try another resolution or film",
-          r->dt * r->output.time_scale);
+    if (!r->ended && bem_pace_is_lost(&r->pace, r->time)) TRY(bem_run_rescue(r));
+    CHECK(step < MOST_STEPS, ERR_SOLVER, "%d time steps have not led to the end", MOST_STEPS);
   }
   return OK;
 }
@@ -178,6 +186,7 @@ static enum status begin(struct bem_run *r, const struct case_run *cr) {
   r->flow.smoothing = o->smoothing;
   TRY(bem_stepper_create(&r->flow, tolerance, &bem_events_roots, r, &r->stepper));
   TRY(bem_run_restart(r));
+  r->flow.surface.volume = bem_surface_totals(&r->flow.surface, r->flow.psi).volume;
   return bem_output_due(&r->output, &r->flow, NULL, 0, 0);
 }
 

@@ -15,10 +15,10 @@ struct bem_surface {
   double *state; /* x[n], y[n], phi[n]: H, H, H sqrt(gH); owned */
   size_t corner; /* node where the outline has a kink; 0: none */
   enum bem_end right;
-  double tip;   /* the last node is the thin tip of a sheet: spacing there over that of the smooth
-                   surface; 0: it is not */
-  double film;  /* thickness below which sheets are cut, H */
-  double depth; /* mean, of the water at rest, H */
+  double tip;  /* the last node is the thin tip of a sheet: spacing there over that of the smooth
+                  surface; 0: it is not */
+  double film; /* thickness below which sheets are cut, H */
+  double depth, volume; /* mean depth of the water, H, and how much of it there is, H^2 */
   const struct bem_conformal *walls; /* NULL: those of a rectangular tank */
   size_t side[2];                    /* of the walls, which the first and the last node are on */
   double tank;                       /* length of a rectangular tank, H */
@@ -34,8 +34,9 @@ struct bem_totals {
   double volume, kinetic, potential; /* H^2, rho g H^3, rho g H^3 (y from 0) */
 };
 
-/* Water on the right wall above this is film: thin spikes come loose there. */
-static const double BEM_FILM_HIGH = 1.3; /* H, above the bed */
+/* In mean depths: water on the right wall above this is film, half of it where it is so near the
+ * wall; thin spikes come loose there. */
+static const double BEM_FILM_HIGH = 3.5, BEM_FILM_THIN = 0.32;
 
 enum status bem_surface_reserve(struct bem_surface *s, size_t n); /* keeps nothing */
 void bem_surface_destroy(struct bem_surface *s);

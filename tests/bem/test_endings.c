@@ -73,10 +73,30 @@ static void test_a_film_as_thick_as_at_the_impact_is_refused(void) {
   case_destroy(c);
 }
 
+/* Its film throws spikes, which are cut, each with its place and its share of the volume. */
+static void test_a_narrow_tank_comes_to_touchdown_through_many_cuts(void) {
+  struct result_file *f = released(4, 2.2, 1.25);
+  int cuts = 0, inside = 0;
+  if (!f) return;
+  for (size_t i = 0; i < f->n_events; i++) {
+    const struct result_event_read *e = &f->events[i];
+    if (strcmp(e->name, "cut")) continue;
+    cuts++;
+    inside += e->x > 1.5 && e->x <= 2.2 + 1e-9 && e->y > 0;
+  }
+  EXPECT(cuts > 3 && inside == cuts);
+  EXPECT(strstr(f->ended, "the jet touched down at t = 4."));
+  const struct result_step *last = f->steps + f->n_steps - 1;
+  printf("  %d cuts, %.2g of the volume\n", cuts, last->removed_volume / f->steps[0].volume);
+  EXPECT_NEAR((last->volume + last->removed_volume) / f->steps[0].volume, 1, 2e-3);
+  result_file_destroy(f);
+}
+
 int main(void) {
   RUN(test_thick_water_above_the_top_of_a_wall_ends_the_run);
   RUN(test_thin_film_above_the_top_is_counted_as_spilled_until_touchdown);
   RUN(test_a_run_that_reaches_the_end_of_its_case_ends_without_a_reason);
+  RUN(test_a_narrow_tank_comes_to_touchdown_through_many_cuts);
   RUN(test_a_film_as_thick_as_at_the_impact_is_refused);
   return TEST_RESULT;
 }

@@ -1,0 +1,70 @@
+#include "bem/ending.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const double PANELS = 4; /* what is wider than so many panels is no trouble */
+
+static const char *wall_name(const struct bem_surface *s, size_t wall) {
+  double complex a, b;
+  bem_sides_wall(s, wall, &a, &b);
+  if (fabs(creal(b - a)) > fabs(cimag(b - a))) return "the bed";
+  return wall == 0 ? "the left wall" : wall + 1 == bem_sides_walls(s) ? "the right wall" : "a wall";
+}
+
+/* The narrowest place in panels, across water or air. */
+static bool narrowest(const struct bem_run *r, enum bem_between between, struct bem_near *least,
+                      double *panels) {
+  const struct bem_surface *s = &r->flow.surface;
+  struct bem_near near;
+  bool found = false;
+  for (size_t k = 1; k + 1 < s->n; k++) {
+    const double panel = 0.5 * (r->sides.arc[k + 1] - r->sides.arc[k - 1]);
+    near.distance = HUGE_VAL;
+    const double reach = *panels * panel;
+    if (!(bem_sides_across(&r->sides, s, s->state, k, between, reach, &near) |
+          bem_sides_wall_across(&r->sides, s, s->state, k, between, fmin(near.distance, reach),
+                                &near)))
+      continue;
+    *panels = near.distance / panel;
+    *least = near;
+    found = true;
+  }
+  return found;
+}
+
+/* H at the place, m or mm as it suits. */
+static void describe(const struct bem_run *r, char what[200], double *x, double *y) {
+  const struct bem_surface *s = &r->flow.surface;
+  const double millimetre = 1000 * r->c->H;
+  struct bem_near near;
+  double panels = PANELS;
+  bem_sides_set(&r->sides, s, s->state);
+  bool water = narrowest(r, BEM_WATER, &near, &panels), air = narrowest(r, BEM_AIR, &near, &panels);
+  if (!water && !air) {
+    const struct bem_piece p = bem_cuts_find_wrinkle(&r->flow);
+    snprintf(what, 200, "the surface has become rough and can no longer be followed");
+    *x = p.x;
+    *y = p.y;
+    return;
+  }
+  *x = near.x;
+  *y = near.y;
+  snprintf(what, 200, "%s%s is %.2g mm %s and can no longer be followed",
+           air         ? "the air between the surface and "
+           : near.wall ? "the film on "
+                       : "a sheet of water",
+           near.wall ? wall_name(s, near.panel)
+           : air     ? "itself"
+                     : "",
+           millimetre * near.distance, air ? "wide" : "thin");
+}
+
+enum status bem_ending_write(struct bem_run *r) {
+  char what[200];
+  double x, y;
+  describe(r, what, &x, &y);
+  return bem_run_end(r, x, y, what,
+                     "what was written before is valid: end the case there, or try another "
+                     "resolution or film");
+}
