@@ -6,6 +6,7 @@
 
 #include "bem/damping.h"
 #include "common/base/array.h"
+#include "common/tank/tank.h"
 
 enum status bem_flow_reserve(struct bem_flow *f, size_t n) {
   TRY(bem_panels_reserve(&f->panels, n));
@@ -20,8 +21,8 @@ enum status bem_flow_reserve(struct bem_flow *f, size_t n) {
     TRY(array_create(&f->w, n, "velocities of a flow"));
     f->u = f->psi + n, f->v = f->u + n, f->tx = f->v + n, f->ty = f->tx + n, f->q = f->ty + n;
     f->damping = f->q + n;
-    f->phi_round = f->damping + 3 * n;
-    f->psi_round = f->phi_round + n;
+    f->phi_own = f->damping + 3 * n;
+    f->psi_own = f->phi_own + n;
     f->room = n;
   }
   memset(f->psi, 0, n * sizeof *f->psi); /* the guess of another mesh is worth nothing */
@@ -43,55 +44,101 @@ enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f) {
   const size_t n = f->surface.n;
   TRY(bem_surface_follow(&view->surface, &f->surface, n));
   view->level = f->level;
+  view->motion = f->motion;
+  view->time = f->time;
   TRY(bem_flow_reserve(view, n));
   memcpy(view->psi, f->psi, n * sizeof *f->psi);
   return OK;
 }
 
-/* One period of a closed chain: a current along the bed is no part of what Cauchy's integral holds
- * for, and is taken away before and added again. */
-static enum status solve_round(struct bem_flow *f, const double *state, int keep) {
+struct bem_part bem_flow_part(const struct bem_flow *f, const double *state, double complex z) {
+  if (bem_surface_is_closed(&f->surface)) {
+    const double current = bem_period_current(&f->surface, state);
+    return (struct bem_part){.beta = current * z, .w = current};
+  }
+  return f->motion.sides ? bem_motion_part(&f->motion, z) : (struct bem_part){0};
+}
+
+/* The walls as they are at the time of the flow. */
+static void move_walls(struct bem_flow *f) {
+  struct bem_surface *s = &f->surface;
+  bem_motion_at(&f->motion, f->time);
+  if (!f->motion.sides) return;
+  s->left = f->motion.side[TANK_LEFT][0];
+  s->tank = f->motion.side[TANK_RIGHT][0];
+  s->length = s->tank - s->left;
+}
+
+/* Takes over the nodes; *n: how many differ. */
+static enum status set_panels(struct bem_flow *f, const double *state, size_t *n) {
   const struct bem_surface *s = &f->surface;
-  const size_t last = s->n - 1;
-  const double *x = state, *y = x + s->n, *phi = y + s->n;
-  const double current = bem_period_current(s, state);
-  for (size_t k = 0; k < last; k++) {
-    f->phi_round[k] = phi[k] - current * x[k];
-    f->psi_round[k] = f->psi[k] - current * y[k];
-  }
-  bem_panels_set_round(&f->panels, last, x, y, &s->period);
-  TRY(bem_solve_first(f->solve, &f->panels, f->phi_round, f->psi_round, keep));
-  bem_panels_velocity(&f->panels, f->phi_round, f->psi_round, f->w);
-  for (size_t k = 0; k < last; k++) {
-    f->psi[k] = f->psi_round[k] + current * y[k];
-    f->w[k] += current;
-  }
-  f->psi[last] = f->psi[0];
-  f->w[last] = f->w[0];
+  const double *x = state, *y = x + s->n;
+  *n = s->n;
+  if (s->walls) return bem_panels_set_walls(&f->panels, *n, x, y, s->walls, s->side);
+  if (bem_surface_is_closed(s))
+    bem_panels_set_round(&f->panels, --*n, x, y, &s->period);
+  else
+    bem_panels_set(&f->panels, *n, x, y, s->left, s->length);
   return OK;
 }
 
-static enum status solve_between_walls(struct bem_flow *f, const double *state, int keep) {
-  const struct bem_surface *s = &f->surface;
-  const size_t n = s->n;
-  if (s->walls)
-    TRY(bem_panels_set_walls(&f->panels, n, state, state + n, s->walls, s->side));
-  else
-    bem_panels_set(&f->panels, n, state, state + n, s->length);
-  TRY(bem_solve_first(f->solve, &f->panels, state + 2 * n, f->psi, keep));
-  bem_panels_velocity(&f->panels, state + 2 * n, f->psi, f->w);
+/* What is known of beta is taken away before and added again. */
+static enum status solve_rest(struct bem_flow *f, const double *state, size_t n, int keep) {
+  const double *x = state, *y = x + f->surface.n, *phi = y + f->surface.n;
+  for (size_t k = 0; k < n; k++) {
+    const struct bem_part part = bem_flow_part(f, state, CMPLX(x[k], y[k]));
+    f->phi_own[k] = phi[k] - creal(part.beta);
+    f->psi_own[k] = f->psi[k] - cimag(part.beta);
+  }
+  TRY(bem_solve_first(f->solve, &f->panels, f->phi_own, f->psi_own, keep));
+  bem_panels_velocity(&f->panels, f->phi_own, f->psi_own, f->w);
+  for (size_t k = 0; k < n; k++) {
+    const struct bem_part part = bem_flow_part(f, state, CMPLX(x[k], y[k]));
+    f->psi[k] = f->psi_own[k] + cimag(part.beta);
+    f->w[k] += part.w;
+  }
   return OK;
+}
+
+static enum status solve(struct bem_flow *f, const double *state, int keep) {
+  const struct bem_surface *s = &f->surface;
+  size_t n;
+  TRY(set_panels(f, state, &n));
+  if (bem_flow_has_part(f)) {
+    TRY(solve_rest(f, state, n, keep));
+  } else {
+    TRY(bem_solve_first(f->solve, &f->panels, state + 2 * n, f->psi, keep));
+    bem_panels_velocity(&f->panels, state + 2 * n, f->psi, f->w);
+  }
+  if (n < s->n) { /* the first node is the last one, too */
+    f->psi[n] = f->psi[0];
+    f->w[n] = f->w[0];
+  }
+  return OK;
+}
+
+/* Keeps the edges of the water on the walls, which may move. */
+static void hold_ends(const struct bem_flow *f, double *x, double *y) {
+  bem_surface_hold_ends(&f->surface, x, y);
+  if (!f->motion.sides) return;
+  x[0] = f->motion.side[TANK_LEFT][1];
+  x[f->surface.n - 1] = f->motion.side[TANK_RIGHT][1];
+}
+
+double bem_flow_head(const struct bem_flow *f, double x, double y) {
+  return y - f->level - f->motion.push[0] * x - f->motion.push[1] * y;
 }
 
 enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
   const struct bem_surface *s = &f->surface;
   const size_t n = s->n;
-  TRY((bem_surface_is_closed(s) ? solve_round : solve_between_walls)(f, state, keep));
+  move_walls(f);
+  TRY(solve(f, state, keep));
   for (size_t k = 0; k < n; k++) {
     f->u[k] = creal(f->w[k]);
     f->v[k] = -cimag(f->w[k]);
   }
-  bem_surface_hold_ends(s, f->u, f->v);
+  hold_ends(f, f->u, f->v);
   f->w[0] = CMPLX(f->u[0], -f->v[0]);
   f->w[n - 1] = CMPLX(f->u[n - 1], -f->v[n - 1]);
   return OK;
@@ -101,6 +148,7 @@ enum status bem_flow_rates(struct bem_flow *f, double time, const double *state,
   const struct bem_surface *s = &f->surface;
   const size_t n = s->n;
   double *dx = rate, *dy = rate + n, *dphi = rate + 2 * n;
+  f->time = time;
   bem_guess_make(&f->guess, time, f->psi);
   TRY(bem_flow_solve(f, state, 0));
   bem_guess_keep(&f->guess, time, f->psi);
@@ -109,11 +157,11 @@ enum status bem_flow_rates(struct bem_flow *f, double time, const double *state,
     double u = f->u[k], v = f->v[k];
     dx[k] = u + f->q[k] * f->tx[k];
     dy[k] = v + f->q[k] * f->ty[k];
-    dphi[k] =
-        0.5 * (u * u + v * v) - (state[n + k] - f->level) + f->q[k] * (f->tx[k] * u + f->ty[k] * v);
+    dphi[k] = 0.5 * (u * u + v * v) - bem_flow_head(f, state[k], state[n + k]) +
+              f->q[k] * (f->tx[k] * u + f->ty[k] * v);
   }
   bem_damping_add(f, state, rate);
-  bem_surface_hold_ends(s, dx, dy);
+  hold_ends(f, dx, dy);
   if (bem_surface_is_closed(s)) dphi[n - 1] = dphi[0];
   double sum = 0; /* one test for the whole rate: a value that is not finite spoils the sum */
   for (size_t k = 0; k < 3 * n; k++) sum += rate[k];

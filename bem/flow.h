@@ -5,6 +5,7 @@
 
 #include "bem/guess.h"
 #include "bem/mesh.h"
+#include "bem/motion.h"
 #include "bem/panels.h"
 #include "bem/solve.h"
 #include "bem/surface.h"
@@ -15,12 +16,14 @@ struct bem_flow {
   struct bem_solve *solve;
   struct bem_mesh mesh;
   struct bem_surface surface; /* at the start of the step; its shape's facts hold during the step */
+  struct bem_motion motion;   /* of the tank and its sides */
+  double time;                /* of the next evaluation, if anything moves, sqrt(H/g) */
   double level;               /* y where the Bernoulli constant makes p = 0 in water at rest, H */
   double smoothing;           /* rate of the five-point formula at the thin tip, sqrt(g/H) */
   double filter;              /* rate of the sixth-difference filter everywhere, sqrt(g/H) */
   size_t room;
   double *psi, *u, *v, *tx, *ty, *q; /* nodal values of the last evaluation, [n], owned */
-  double *phi_round, *psi_round;     /* periodic parts of phi and psi of a closed chain, in psi's */
+  double *phi_own, *psi_own;         /* phi and psi less what is known, where a part is, in psi's */
   double *damping;                   /* part of the last rates that removes noise, [3n], in psi's */
   double complex *w;                 /* u - i v, [n], owned */
   enum status status;                /* why an evaluation failed */
@@ -32,6 +35,15 @@ void bem_flow_destroy(struct bem_flow *f);
 /* Gives `view`, which shares no memory with f, the shape of f's surface (not its state) and f's psi
  * as the first guess: whoever looks at the flow solves there and cannot touch the run. */
 enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f);
+
+/* Whether a part of beta is known, and what it is at z in this state. */
+static inline bool bem_flow_has_part(const struct bem_flow *f) {
+  return bem_surface_is_closed(&f->surface) || f->motion.sides;
+}
+struct bem_part bem_flow_part(const struct bem_flow *f, const double *state, double complex z);
+
+/* What pressure is without motion in the frame of the tank, less its sign, H. */
+double bem_flow_head(const struct bem_flow *f, double x, double y);
 
 /* psi, w, u, v of the surface `state` (x[n], y[n], phi[n]). keep: see bem_solve_first. */
 enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep);

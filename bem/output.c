@@ -5,9 +5,11 @@
 #include <string.h>
 
 #include "bem/breaker.h"
+#include "bem/forces.h"
 #include "common/base/array.h"
 #include "common/base/gauge.h"
 #include "common/result/record.h"
+#include "common/tank/tank.h"
 
 /* H: with a gap no wider than the panels' own curvature psi is wrong; 0.002 sqrt(H/g) remain then
  */
@@ -124,11 +126,65 @@ void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double ti
   o->damped.start = start;
 }
 
+/* The state at a time within the last step, and its psi and velocities, in o->view. */
+static enum status look(struct bem_output *o, const struct bem_flow *f, struct bem_stepper *stepper,
+                        double time, int keep) {
+  TRY(bem_flow_follow(&o->view, f));
+  o->view.time = time;
+  double *state = o->view.surface.state;
+  if (stepper)
+    TRY(bem_stepper_interpolate(stepper, time, state));
+  else
+    memcpy(state, f->surface.state, 3 * f->surface.n * sizeof *state);
+  return bem_flow_solve(&o->view, state, keep);
+}
+
+/* Powers at the state that is looked at. */
+static enum status find_powers(struct bem_output *o, double power[2]) {
+  struct bem_flow *f = &o->view;
+  const double *state = f->surface.state;
+  double momentum[2], force[2];
+  bem_forces_momentum(f, state, momentum);
+  power[0] = -(f->motion.push[0] * momentum[0] + f->motion.push[1] * momentum[1]);
+  power[1] = 0;
+  if (!f->motion.sides) return OK;
+  TRY(bem_pressure_solve(&o->pressure, f, state));
+  TRY(bem_forces_on_sides(&o->pressure, f, state, force));
+  for (int side = 0; side < 2; side++) power[1] += force[side] * f->motion.side[side][1];
+  return OK;
+}
+
+static const double GAUSS[2] = {0.21132486540518713, 0.78867513459481287};
+
+/* Until a part of the last step: the integral of the line through the powers at its two points. */
+static double given_until(const struct bem_output *o, int by, double time) {
+  const double dt = o->given.dt, part = dt > 0 ? (time - o->given.start) / dt : 0;
+  const double *power = o->given.power[by], slope = (power[1] - power[0]) / (GAUSS[1] - GAUSS[0]);
+  return o->given.until[by] + dt * part * (power[0] + slope * (part / 2 - GAUSS[0]));
+}
+
+enum status bem_output_given(struct bem_output *o, const struct bem_flow *f,
+                             struct bem_stepper *stepper, double time, double dt) {
+  if (!f->motion.frame && !f->motion.sides) return OK;
+  for (int by = 0; by < 2; by++) o->given.until[by] = given_until(o, by, time - dt);
+  o->given.start = time - dt;
+  o->given.dt = dt;
+  for (int i = 0; i < 2; i++) {
+    double power[2];
+    TRY(look(o, f, stepper, time - dt + GAUSS[i] * dt, f->motion.sides));
+    TRY(find_powers(o, power));
+    for (int by = 0; by < 2; by++) o->given.power[by][i] = power[by];
+  }
+  return OK;
+}
+
 static struct result_energy energy_of(struct bem_output *o, double seconds,
                                       const struct bem_totals *t) {
   const struct case_file *c = o->c;
   double damped = o->damped.until + o->damped.rate * (seconds / o->time_scale - o->damped.start);
-  double energy = t->kinetic + t->potential + damped + o->removed_energy;
+  const double time = seconds / o->time_scale, frame = given_until(o, 0, time),
+               sides = given_until(o, 1, time);
+  double energy = t->kinetic + t->potential + damped + frame + sides + o->removed_energy;
   if (seconds == 0) o->first_energy = energy;
   o->drift = o->first_energy != 0 ? energy / o->first_energy - 1 : 0;
   double joule = c->density * c->gravity * c->H * c->H * c->H;
@@ -137,10 +193,40 @@ static struct result_energy energy_of(struct bem_output *o, double seconds,
   struct result_energy e = {.time = seconds,
                             .kinetic = joule * t->kinetic,
                             .potential = joule * t->potential + lift * t->volume,
-                            .term = {joule * damped},
+                            .term = {joule * damped, joule * frame, joule * sides},
                             .removed = joule * o->removed_energy + lift * o->removed_volume};
   e.total = e.kinetic + e.potential;
   return e;
+}
+
+/* Of the kinetic energy the surface's integral leaves out, where sides move, what is theirs. With
+ * phi = own + known, and own psi = 0 on the walls, Green's formula gives it by the surface, too. */
+static struct bem_totals totals_of(struct bem_flow *f) {
+  const struct bem_surface *s = &f->surface;
+  const double *x = s->state, *y = x + s->n, *phi = y + s->n;
+  struct bem_totals t = bem_surface_totals(s, f->psi);
+  if (!f->motion.sides) return t;
+  for (size_t k = 0; k < s->n; k++) { /* q and tx are scratch here */
+    f->q[k] = phi[k] - f->phi_own[k];
+    f->tx[k] = f->psi[k] - f->psi_own[k];
+  }
+  t.kinetic += 0.5 * (bem_surface_integral(s, f->phi_own, f->tx) -
+                      bem_surface_integral(s, f->q, f->psi_own));
+  t.kinetic += bem_motion_kinetic(&f->motion, (const double[2]){y[0], y[s->n - 1]});
+  return t;
+}
+
+static bool wants_pressure(const struct bem_output *o) {
+  return o->c->n_probes > 0 || o->forces;
+}
+
+static enum status write_forces(struct bem_output *o, double seconds) {
+  const struct bem_flow *f = &o->view;
+  struct bem_forces forces;
+  double value[BEM_FORCE_COUNT];
+  TRY(bem_forces_find(&o->pressure, f, f->surface.state, &forces));
+  bem_forces_in_si(o->c, &forces, value);
+  return result_diagnostics(o->file, seconds, value);
 }
 
 /* A row of every series. */
@@ -148,7 +234,7 @@ static enum status write_row(struct bem_output *o, const struct bem_stepper *ste
                              double seconds, double dt) {
   const struct case_file *c = o->c;
   struct bem_flow *f = &o->view;
-  struct bem_totals t = bem_surface_totals(&f->surface, f->psi);
+  struct bem_totals t = totals_of(f);
   struct record r = {.energy = energy_of(o, seconds, &t),
                      .step = {.time = seconds,
                               .dt = dt * o->time_scale,
@@ -159,21 +245,10 @@ static enum status write_row(struct bem_output *o, const struct bem_stepper *ste
                      .solver = o,
                      .pressure = pressure_of,
                      .elevation = elevation_of};
-  if (c->n_probes > 0) TRY(bem_pressure_solve(&o->pressure, f, f->surface.state));
+  if (wants_pressure(o)) TRY(bem_pressure_solve(&o->pressure, f, f->surface.state));
+  if (o->forces) TRY(write_forces(o, seconds));
   if (c->n_gauges > 0) TRY(polyline(o));
   return record_row(o->file, c, &r);
-}
-
-/* The state at a time within the last step, and its psi and velocities, in o->view. */
-static enum status look(struct bem_output *o, const struct bem_flow *f, struct bem_stepper *stepper,
-                        double time, int keep) {
-  TRY(bem_flow_follow(&o->view, f));
-  double *state = o->view.surface.state;
-  if (stepper)
-    TRY(bem_stepper_interpolate(stepper, time, state));
-  else
-    memcpy(state, f->surface.state, 3 * f->surface.n * sizeof *state);
-  return bem_flow_solve(&o->view, state, keep);
 }
 
 enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
@@ -184,7 +259,7 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
     double seconds = fmin(output, sample), near = NEAR * c->sample;
     if (seconds > c->end + near || seconds > time * o->time_scale) return OK;
     bool shown = output - seconds < near, sampled = sample - seconds < near;
-    TRY(look(o, f, stepper, seconds / o->time_scale, sampled && c->n_probes > 0));
+    TRY(look(o, f, stepper, seconds / o->time_scale, sampled && wants_pressure(o)));
     if (shown) TRY(write_surface(o, output));
     TRY(bem_sides_reserve(&o->sides, o->view.surface.n));
     const struct bem_surface *s = &o->view.surface; /* near a contact psi is wrong */

@@ -11,6 +11,7 @@
 struct bem_output {
   const struct case_file *c;
   struct result *file;
+  bool forces;       /* on the walls are written */
   double start;      /* of the run on the wall clock, s */
   double time_scale; /* sqrt(H/g), s */
   size_t next_output, next_sample;
@@ -21,6 +22,11 @@ struct bem_output {
     double until;                        /* what it was until then */
     double rate, last;                   /* mean during the step; at its end */
   } damped;
+  struct {              /* energy given to the moving tank, and to sides that move, rho g H^3 */
+    double start, dt;   /* of the last step, sqrt(H/g) */
+    double until[2];    /* what it was at its start */
+    double power[2][2]; /* at its two points of Gauss's formula */
+  } given;
   double drift; /* of the energy, relative to the initial one */
   double first_energy;
   size_t most_nodes;
@@ -44,6 +50,12 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
 
 /* Counts what filter and smoothing take out of the energy during the step that ended at `time`. */
 void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double time, double dt);
+
+/* Counts what the water gives to a tank and to sides that move during the step that ended at
+ * `time`.
+ */
+enum status bem_output_given(struct bem_output *o, const struct bem_flow *f,
+                             struct bem_stepper *stepper, double time, double dt);
 
 enum status bem_output_event(struct bem_output *o, const char *name, double time, double x,
                              double y);

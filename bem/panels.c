@@ -158,15 +158,16 @@ static void interpolate(struct bem_panels *p) {
   }
 }
 
-void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y,
+void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y, double left,
                     double length) {
   p->n = n;
   p->period = (struct bem_period){0};
+  p->left = left;
   p->length = length;
   p->mirrored[0] = p->mirrored[1] = 0;
 #pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
   for (size_t k = 0; k < n; k++) {
-    double complex z = CMPLX(x[k], y[k]);
+    double complex z = CMPLX(x[k] - left, y[k]);
     p->zeta[k] = bem_map(length, z);
     p->dzeta[k] = bem_map_slope(length, z);
   }

@@ -29,9 +29,9 @@ enum {
 };
 
 struct bem_panels {
-  size_t n, room; /* nodes in use and allocated; panels are one fewer, or as many in a closed
-                     chain, which has each node once */
-  double length;  /* L of the map, H */
+  size_t n, room;      /* nodes in use and allocated; panels are one fewer, or as many in a closed
+                          chain, which has each node once */
+  double left, length; /* x of the left wall and L of the map, H */
   struct bem_period period; /* of a closed chain */
   int mirrored[2]; /* whether stencils at the left and the right edge reach into the mirror image */
   double complex *zeta;   /* nodes in the mapped plane, [n], owned; so are all arrays below */
@@ -57,8 +57,9 @@ void bem_panels_destroy(struct bem_panels *p);
 double complex bem_map(double length, double complex z);
 double complex bem_map_slope(double length, double complex z); /* d zeta / d z */
 
-/* Takes over n nodes (x, y in H) for a map that closes a tank of the given length. */
-void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y,
+/* Takes over n nodes (x, y in H) for a map that closes a tank of the given length from `left` on.
+ */
+void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const double *y, double left,
                     double length);
 
 /* The same in a tank of any walls, with the first and the last node on these sides of them.

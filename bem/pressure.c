@@ -7,9 +7,20 @@
 #include "bem/integrals.h"
 #include "common/base/array.h"
 
+static const double NEAR = 1e-9; /* H: lengths that are the same */
+
 void bem_pressure_destroy(struct bem_pressure *p) {
   free(p->phi_t);
   *p = (struct bem_pressure){0};
+}
+
+/* Where sides move, what is harmonic and has no flux through them is the rate of change of the own
+ * part of beta at a fixed place of the mapped plane, which goes to and fro with the velocity w_p of
+ * the known part, d zeta/dt = -w_p d zeta/dz: with that part's rate, beta_t = own rate - (w - w_p)
+ * w_p + rate. What it has besides its own, of the potential: */
+static double swept(const struct bem_flow *f, double complex z, double complex w) {
+  const struct bem_part part = bem_motion_part(&f->motion, z);
+  return creal(part.rate - (w - part.w) * part.w);
 }
 
 enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const double *state) {
@@ -21,8 +32,9 @@ enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const
     p->room = n;
   }
   for (size_t k = 0; k < n; k++) {
-    double u = f->u[k], v = f->v[k];
-    p->phi_t[k] = -0.5 * (u * u + v * v) - (state[n + k] - f->level);
+    const double u = f->u[k], v = f->v[k];
+    p->phi_t[k] = -0.5 * (u * u + v * v) - bem_flow_head(f, state[k], state[n + k]);
+    if (f->motion.sides) p->phi_t[k] -= swept(f, CMPLX(state[k], state[n + k]), f->w[k]);
   }
   return bem_solve_again(f->solve, p->phi_t, p->psi_t);
 }
@@ -30,10 +42,17 @@ enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const
 /* Whether a point of the boundary of the tank is under water. */
 static bool wet(const struct bem_surface *s, const double *state, double x, double y) {
   const size_t n = s->n;
-  const double near = 1e-9;
-  if (x < near) return y < state[n];
-  if (x > s->tank - near) return s->right == BEM_END_WALL && y < state[2 * n - 1];
-  return y < near && (s->right == BEM_END_WALL || x < state[n - 1]);
+  if (x < s->left - NEAR || x > s->tank + NEAR) return false; /* of the bed behind a piston */
+  if (x < s->left + NEAR) return y < state[n];
+  if (x > s->tank - NEAR) return s->right == BEM_END_WALL && y < state[2 * n - 1];
+  return y < NEAR && (s->right == BEM_END_WALL || x < state[n - 1]);
+}
+
+/* A point of a side goes with it. */
+static double moved(const struct bem_flow *f, double x) {
+  const double right = f->motion.rest;
+  if (!f->motion.sides) return x;
+  return x < NEAR ? f->surface.left : x > right - NEAR ? f->surface.tank : x;
 }
 
 /* Image of a point of the walls and d zeta / d z there. *under: whether
@@ -51,8 +70,8 @@ static enum status map(const struct bem_flow *f, const double *state, double com
   }
   if (!s->walls) {
     *under = wet(s, state, creal(z), cimag(z));
-    *tau = creal(bem_map(s->length, z));
-    *dzeta = bem_map_slope(s->length, z);
+    *tau = creal(bem_map(s->length, z - s->left));
+    *dzeta = bem_map_slope(s->length, z - s->left);
     return OK;
   }
   TRY(bem_conformal_on_wall(s->walls, z, &zeta, dzeta));
@@ -63,17 +82,24 @@ static enum status map(const struct bem_flow *f, const double *state, double com
 
 enum status bem_pressure_at(const struct bem_pressure *p, const struct bem_flow *f,
                             const double *state, double x, double y, double *pressure) {
+  return bem_pressure_on(p, f, state, CMPLX(moved(f, x), y), pressure);
+}
+
+enum status bem_pressure_on(const struct bem_pressure *p, const struct bem_flow *f,
+                            const double *state, double complex z, double *pressure) {
   const struct bem_surface *s = &f->surface;
   double complex tau, dzeta, value, slope;
   bool under;
   *pressure = 0;
-  const bool closed = bem_surface_is_closed(s);
-  TRY(map(f, state, CMPLX(x, y), &under, &tau, &dzeta));
+  const bool part = bem_flow_has_part(f);
+  TRY(map(f, state, z, &under, &tau, &dzeta));
   if (!under) return OK;
-  bem_integrals_inside(&f->panels, closed ? f->phi_round : state + 2 * s->n,
-                       closed ? f->psi_round : f->psi, tau, &value, &slope);
-  double complex w = slope * dzeta + bem_period_current(s, state);
+  bem_integrals_inside(&f->panels, part ? f->phi_own : state + 2 * s->n, part ? f->psi_own : f->psi,
+                       tau, &value, &slope);
+  const double complex w = slope * dzeta + bem_flow_part(f, state, z).w;
   bem_integrals_inside(&f->panels, p->phi_t, p->psi_t, tau, &value, &slope);
-  *pressure = -creal(value) - 0.5 * creal(w * conj(w)) - (y - f->level);
+  double phi_t = creal(value);
+  if (f->motion.sides) phi_t += swept(f, z, w);
+  *pressure = -phi_t - 0.5 * creal(w * conj(w)) - bem_flow_head(f, creal(z), cimag(z));
   return OK;
 }

@@ -14,7 +14,11 @@ void bem_pressure_destroy(struct bem_pressure *p);
 /* Call after bem_flow_solve(f, state, keep = 1). */
 enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const double *state);
 
-/* Pressure (rho g H) at a point of a wall of the same state; 0 where the wall is dry. ERR_SOLVER.
- */
+/* Pressure (rho g H) at a point of a wall of the same state, which is named by where the wall is at
+ * rest; 0 where it is dry. ERR_SOLVER. */
 enum status bem_pressure_at(const struct bem_pressure *p, const struct bem_flow *f,
                             const double *state, double x, double y, double *pressure);
+
+/* The same at a point z of a wall where it is. */
+enum status bem_pressure_on(const struct bem_pressure *p, const struct bem_flow *f,
+                            const double *state, double complex z, double *pressure);

@@ -9,6 +9,7 @@
 #include "bem/basin.h"
 #include "bem/estimate.h"
 #include "bem/events.h"
+#include "bem/forces.h"
 #include "bem/options.h"
 #include "bem/run.h"
 #include "bem/start.h"
@@ -73,6 +74,12 @@ static const struct param params[] = {
      .value = "30",
      .help = "rate, in 1/sqrt(H/g), of the sixth-difference filter against the sawtooth of two "
              "spacings; a thirtieth of it for waves, which have no thin sheet"},
+    {.key = "forces",
+     .type = PARAM_BOOL,
+     KEY(forces),
+     .value = "false",
+     .help = "write the forces on the walls, their moment, and the water's momentum as "
+             "/series/diagnostics; rectangular tanks"},
     {.key = "smoothing",
      .type = PARAM_REAL,
      .quantity = QTY_NUMBER,
@@ -116,6 +123,7 @@ static enum status advance(struct bem_run *r, struct progress *progress) {
     }
     TRY(bem_pace_add(&r->pace, r->time, r->dt));
     bem_output_damped(&r->output, &r->flow, r->time, r->dt);
+    TRY(bem_output_given(&r->output, &r->flow, r->stepper, r->time, r->dt));
     TRY(bem_output_due(&r->output, &r->flow, r->stepper, r->time, r->dt));
     work += (double)r->flow.surface.n;
     progress_step(progress, step, r->time * r->output.time_scale, r->dt * r->output.time_scale,
@@ -192,9 +200,11 @@ static enum status begin(struct bem_run *r, const struct case_run *cr) {
 
 static enum status run_once(const struct case_file *c, const struct case_run *cr,
                             struct result *out, struct progress *progress) {
+  const struct bem_options *o = cr->options;
   struct bem_run r = {.c = c,
                       .output = {.c = c,
                                  .file = out,
+                                 .forces = o->forces,
                                  .start = progress_wall_clock(),
                                  .time_scale = sqrt(c->H / c->gravity)}};
   find_tops(c, r.top);
@@ -244,7 +254,9 @@ static enum status run(const struct case_file *c, const struct case_run *cr, str
 }
 
 static const struct solver_term terms[] = {
-    {"filter", "energy taken out so far by filter and smoothing, heights from the level at rest"}};
+    {"filter", "energy taken out so far by filter and smoothing, heights from the level at rest"},
+    {"frame", "energy given so far to a tank that moves, by the force on water in its frame"},
+    {"sides", "energy given so far to sides that move, by the pressure on them"}};
 
 const struct solver bem_solver = {
     .name = "bem",
@@ -252,6 +264,8 @@ const struct solver bem_solver = {
     .params = params,
     .n_params = sizeof params / sizeof *params,
     .options_size = sizeof(struct bem_options),
+    .diagnostics = bem_force_columns,
+    .n_diagnostics = BEM_FORCE_COUNT,
     .terms = terms,
     .n_terms = sizeof terms / sizeof *terms,
     .settle = bem_accuracy_settle,

@@ -69,6 +69,16 @@ static void check_regions(const struct case_file *c, const struct case_run *r,
   check_most(r, wide + high, problems);
 }
 
+static void check_forces(const struct case_file *c, const struct case_run *r,
+                         struct problems *problems) {
+  const struct bem_options *o = r->options;
+  if (!o->forces || c->rectangular) return;
+  problems_add(problems, case_run_line(r, "forces"),
+               "runs.%s.forces: found 'true' in a tank that is not rectangular; allowed: forces on "
+               "upright sides and a level bed; remove forces",
+               r->name);
+}
+
 void bem_start_check(const struct case_file *c, const struct case_run *r,
                      struct problems *problems) {
   double width = (c->tank.max[0] - c->tank.min[0]) / c->H;
@@ -77,7 +87,8 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "runs.%s.solver: found 'bem' without gravity; allowed: gravity, which its scales "
                  "are made of; set fluid.gravity or take another solver",
                  r->name);
-  case_refuse_motions(c, r, problems);
+  bem_motion_check(c, r, problems);
+  check_forces(c, r, problems);
   if (c->periodic[0] && !flow_is_wave(c->flow))
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' with regions of water in a tank with periodic sides; "
@@ -143,14 +154,23 @@ static enum status start_column(double wide, double high, struct bem_flow *f) {
   return OK;
 }
 
-enum status bem_start_surface(const struct case_file *c, const struct case_run *r,
-                              struct bem_flow *f) {
+/* In a tank that moves at once the water, which stays, has the opposite velocity. */
+static void start_moving(struct bem_flow *f) {
+  const struct bem_surface *s = &f->surface;
+  double *x = s->state, *y = x + s->n, *phi = y + s->n, velocity[2];
+  bem_motion_velocity(&f->motion, 0, velocity);
+  for (size_t k = 0; k < s->n; k++) phi[k] -= velocity[0] * x[k] + velocity[1] * y[k];
+}
+
+static enum status start_in_tank_at_rest(const struct case_file *c, const struct case_run *r,
+                                         struct bem_flow *f) {
   struct geo_box b = geo_lines_box(&c->water);
   bool wave = flow_is_wave(c->flow);
   double tank = (c->tank.max[0] - c->tank.min[0]) / c->H;
   double wide = wave ? tank : (b.max[0] - b.min[0]) / c->H;
   double high = (wave ? c->flow->scale(c).mean : b.max[1] - b.min[1]) / c->H;
   f->mesh.resolution = r->resolution;
+  f->motion = bem_motion_create(c);
   f->surface.tank = tank;
   if (f->surface.walls) {
     f->level = (case_rest_level(c) - c->tank.min[1]) / c->H;
@@ -163,4 +183,11 @@ enum status bem_start_surface(const struct case_file *c, const struct case_run *
   if (status == OK) status = start_wave(&w, r->resolution, &f->surface);
   flow_close(&w);
   return status;
+}
+
+enum status bem_start_surface(const struct case_file *c, const struct case_run *r,
+                              struct bem_flow *f) {
+  TRY(start_in_tank_at_rest(c, r, f));
+  if (f->motion.frame) start_moving(f);
+  return OK;
 }

@@ -117,6 +117,7 @@ enum status bem_stepper_step(struct bem_stepper *s, double *time, double *dt, co
   CHECK(code >= 0, ERR_SOLVER, "the flow cannot be followed any further (%s)",
         CVodeGetReturnFlagName(code));
   *dt = *time - before;
+  s->flow->time = *time;
   return OK;
 }
 

@@ -169,6 +169,24 @@ struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *
   return t;
 }
 
+double bem_surface_integral(const struct bem_surface *s, const double *f, const double *g) {
+  double value[3][FOUR][FOUR], slope[3][FOUR][FOUR], sum = 0;
+  for (size_t at = 0; at < 3; at++)
+    for (int q = 0; q < FOUR; q++) panel_basis(at, gauss_point[q], value[at][q], slope[at][q]);
+  for (size_t j = 0; j + 1 < s->n; j++) {
+    const ptrdiff_t w = window(s, j, 1, FOUR, true), at = (ptrdiff_t)j - w;
+    for (int q = 0; q < FOUR; q++) {
+      double fq = 0, dg = 0;
+      for (int m = 0; m < FOUR; m++) {
+        fq += value[at][q][m] * bem_period_value(f, s->n, w + m);
+        dg += slope[at][q][m] * bem_period_value(g, s->n, w + m);
+      }
+      sum += gauss_weight[q] * fq * dg;
+    }
+  }
+  return sum;
+}
+
 /* At the surface phi_n (dphi - u dx - v dy) + (q^2/2 + y - level) times the normal displacement,
  * with phi_n ds = -dpsi and the outward normal times ds = (-dy, dx). */
 double bem_surface_power(const struct bem_surface *s, double level, const double *psi,

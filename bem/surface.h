@@ -21,7 +21,7 @@ struct bem_surface {
   double depth, volume; /* mean depth of the water, H, and how much of it there is, H^2 */
   const struct bem_conformal *walls; /* NULL: those of a rectangular tank */
   size_t side[2];                    /* of the walls, which the first and the last node are on */
-  double tank;                       /* length of a rectangular tank, H */
+  double left, tank;                 /* x of the walls of a rectangular tank, H */
   double length; /* of the tank that the map closes: longer until the tip has met the wall, H */
   struct bem_period period; /* of water without sides: the last node is the first, a period on */
 };
@@ -64,6 +64,9 @@ double bem_surface_importance(const struct bem_surface *s, double x, double y);
 /* Integrals over the water from the surface alone: psi = 0 on the walls, and kinetic energy is
  * -1/2 integral phi d psi. Cubic interpolation in the node number: fourth order. */
 struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *psi);
+
+/* Integral of f dg along the surface, of two nodal quantities, by the same quadrature. */
+double bem_surface_integral(const struct bem_surface *s, const double *f, const double *g);
 
 /* Rate at which a rate of change of the nodes (x[n], y[n], phi[n]) changes the energy of the water,
  * rho g H^3 per unit of that rate, by the same quadrature, with heights counted from `level`: what

@@ -69,7 +69,7 @@ static enum status measure(size_t n, const double before[3], double now[3]) {
   TRY(bem_solve_create(&(struct bem_solve_options){1e-9, n}, &s.dense));
   TRY(bem_solve_create(&(struct bem_solve_options){1e-9, 0}, &s.gmres));
   TRY(bem_panels_reserve(&s.panels, n));
-  bem_panels_set(&s.panels, n, x, y, length);
+  bem_panels_set(&s.panels, n, x, y, 0, length);
   now[0] = median(rows, &s), now[1] = median(dense, &s), now[2] = median(gmres, &s);
   struct bem_solve_counts c = bem_solve_count(s.gmres);
   printf("%6zu %10.3f %10.3f %10.3f %8.1f %10.1f", n, 1e3 * now[0], 1e3 * now[1], 1e3 * now[2],

@@ -41,7 +41,7 @@ static struct errors box_errors(size_t n, double wave, size_t dense_up_to) {
   }
   EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-13, dense_up_to}, &s));
   EXPECT_OK(bem_panels_reserve(&p, n));
-  bem_panels_set(&p, n, x, y, L);
+  bem_panels_set(&p, n, x, y, 0, L);
   EXPECT_OK(bem_solve_first(s, &p, phi, psi, 0));
   bem_panels_velocity(&p, phi, psi, w);
   double scale = 0;

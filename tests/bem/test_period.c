@@ -54,7 +54,7 @@ static struct errors errors_of(size_t n, double level) {
   }
   for (double at = 0.05; at < L; at += 0.3) { /* points of the bed */
     double complex z = at, value, slope;
-    bem_integrals_inside(&f.panels, f.phi_round, f.psi_round, bem_period_map(&s->period, z), &value,
+    bem_integrals_inside(&f.panels, f.phi_own, f.psi_own, bem_period_map(&s->period, z), &value,
                          &slope);
     slope *= bem_period_slope(&s->period, z);
     e.inside = fmax(e.inside, cabs(slope - slope_of(&s->period, z)));

@@ -47,7 +47,7 @@ static void test_dense_solution_does_not_depend_on_the_threads_of_lapack(void) {
   }
   struct bem_panels p = {0};
   EXPECT_OK(bem_panels_reserve(&p, N));
-  bem_panels_set(&p, N, x, y, 1);
+  bem_panels_set(&p, N, x, y, 0, 1);
   for (int i = 0; i < 2; i++) {
     struct bem_solve *s;
     if (openblas_set_num_threads) openblas_set_num_threads(i ? 3 : 1);

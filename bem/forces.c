@@ -1,0 +1,117 @@
+#include "bem/forces.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "common/tank/tank.h"
+
+/* Gauss's formula on so many cells of a side, and on those of the bed, so many for each length H or
+ * depth of water: pressure on walls is smooth, and what is left of a wave there is longer. */
+enum { SIDE = 8, BED = 4, LEAST = 16, POINTS = 4 };
+
+static const double point[POINTS] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
+                                     0.93056815579702629};
+static const double weight[POINTS] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                      0.17392742256872693};
+
+/* Integrals of p ds and s p ds along a wall, s the way from where it begins to z. */
+struct load {
+  double force, moment;
+};
+
+static enum status load_of(const struct bem_pressure *p, const struct bem_flow *f,
+                           const double *state, double complex from, double complex to,
+                           size_t cells, struct load *out) {
+  const double h = cabs(to - from) / (double)cells;
+  *out = (struct load){0};
+  for (size_t i = 0; i < cells; i++)
+    for (int q = 0; q < POINTS; q++) {
+      const double at = ((double)i + point[q]) / (double)cells;
+      const double complex z = from + at * (to - from);
+      double pressure;
+      TRY(bem_pressure_on(p, f, state, z, &pressure));
+      out->force += weight[q] * h * pressure;
+      out->moment += weight[q] * h * pressure * at * cabs(to - from);
+    }
+  return OK;
+}
+
+static bool ends_on_bed(const struct bem_surface *s) {
+  return s->right == BEM_END_BED;
+}
+
+/* Left and right side. */
+static enum status sides(const struct bem_pressure *p, const struct bem_flow *f,
+                         const double *state, struct load side[2]) {
+  const struct bem_surface *s = &f->surface;
+  side[TANK_LEFT] = side[TANK_RIGHT] = (struct load){0};
+  if (bem_surface_is_closed(s)) return OK;
+  const double x[2] = {s->left, s->tank}, y[2] = {state[s->n], state[2 * s->n - 1]};
+  for (int i = 0; i < (ends_on_bed(s) ? 1 : 2); i++)
+    TRY(load_of(p, f, state, x[i], CMPLX(x[i], y[i]), SIDE, &side[i]));
+  return OK;
+}
+
+enum status bem_forces_on_sides(const struct bem_pressure *p, const struct bem_flow *f,
+                                const double *state, double force[2]) {
+  struct load side[2];
+  TRY(sides(p, f, state, side));
+  force[TANK_LEFT] = -side[TANK_LEFT].force;
+  force[TANK_RIGHT] = side[TANK_RIGHT].force;
+  return OK;
+}
+
+enum status bem_forces_find(const struct bem_pressure *p, const struct bem_flow *f,
+                            const double *state, struct bem_forces *out) {
+  const struct bem_surface *s = &f->surface;
+  const double end = ends_on_bed(s) ? state[s->n - 1] : s->tank, length = end - s->left;
+  const double middle = 0.5 * f->motion.rest;
+  const size_t cells = (size_t)fmax(LEAST, ceil(BED * length * fmax(1, 1 / f->level)));
+  struct load side[2], bed;
+  TRY(sides(p, f, state, side));
+  TRY(load_of(p, f, state, s->left, end, cells, &bed));
+  out->force_left = -side[TANK_LEFT].force;
+  out->force_right = side[TANK_RIGHT].force;
+  out->force_x = out->force_left + out->force_right;
+  out->force_y = -bed.force;
+  out->moment = side[TANK_LEFT].moment - side[TANK_RIGHT].moment - bed.moment -
+                (s->left - middle) * bed.force;
+  double momentum[2];
+  bem_forces_momentum(f, state, momentum);
+  out->momentum_x = momentum[0];
+  out->momentum_y = momentum[1];
+  return OK;
+}
+
+/* u = d psi/dy and v = -d psi/dx; on the sides psi is their speed times the height. */
+void bem_forces_momentum(const struct bem_flow *f, const double *state, double momentum[2]) {
+  const struct bem_surface *s = &f->surface;
+  const double *x = state, *y = x + s->n, left = y[0], right = y[s->n - 1];
+  momentum[0] = bem_surface_integral(s, f->psi, x);
+  momentum[1] = bem_surface_integral(s, f->psi, y);
+  if (!f->motion.sides) return;
+  momentum[1] += 0.5 * (f->motion.side[TANK_LEFT][1] * left * left -
+                        f->motion.side[TANK_RIGHT][1] * right * right);
+}
+
+const struct solver_diagnostic bem_force_columns[BEM_FORCE_COUNT] = {
+#define X(name, units, help) {#name, units, help},
+    BEM_FORCES(X)
+#undef X
+};
+
+void bem_forces_in_si(const struct case_file *c, const struct bem_forces *f,
+                      double value[BEM_FORCE_COUNT]) {
+  const double newton = c->density * c->gravity * c->H * c->H,
+               momentum = c->density * c->H * c->H * sqrt(c->gravity * c->H);
+  const struct bem_forces si = {
+      .force_x = newton * f->force_x,
+      .force_y = newton * f->force_y,
+      .moment = newton * c->H * f->moment,
+      .force_left = newton * f->force_left,
+      .force_right = newton * f->force_right,
+      .momentum_x = momentum * f->momentum_x,
+      .momentum_y = momentum * f->momentum_y,
+  };
+  memcpy(value, &si, sizeof si);
+}

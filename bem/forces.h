@@ -1,0 +1,40 @@
+/* Forces of the water on the walls of a rectangular tank, or on the bed of one without sides, and
+ * its momentum: what the walls and its weight change. */
+#pragma once
+#include "bem/pressure.h"
+#include "common/solver.h"
+
+/* X(name, unit in SI, help) */
+#define BEM_FORCES(X)                                                                              \
+  X(force_x, "N/m", "force of the water on all walls along x, by its pressure")                    \
+  X(force_y, "N/m", "the same along y")                                                            \
+  X(moment, "N", "its moment about the middle of the bed, anticlockwise")                          \
+  X(force_left, "N/m", "force along x on the left side")                                           \
+  X(force_right, "N/m", "force along x on the right side")                                         \
+  X(momentum_x, "kg/s", "momentum of the water in the frame of the tank, along x")                 \
+  X(momentum_y, "kg/s", "the same along y")
+
+struct bem_forces { /* rho g H^2, rho g H^3, and rho H^2 sqrt(gH) */
+#define X(name, units, help) double name;
+  BEM_FORCES(X)
+#undef X
+};
+enum { BEM_FORCE_COUNT = sizeof(struct bem_forces) / sizeof(double) };
+
+/* Along x on the left and the right side alone, rho g H^2. Call after bem_pressure_solve.
+ * ERR_SOLVER.
+ */
+enum status bem_forces_on_sides(const struct bem_pressure *p, const struct bem_flow *f,
+                                const double *state, double force[2]);
+
+/* All of them. */
+enum status bem_forces_find(const struct bem_pressure *p, const struct bem_flow *f,
+                            const double *state, struct bem_forces *out);
+
+/* Integral of the velocity in the frame of the tank over the water, H^2 sqrt(gH). */
+void bem_forces_momentum(const struct bem_flow *f, const double *state, double momentum[2]);
+
+/* Names, units and helps of the columns, and their values in SI. */
+extern const struct solver_diagnostic bem_force_columns[BEM_FORCE_COUNT];
+void bem_forces_in_si(const struct case_file *c, const struct bem_forces *f,
+                      double value[BEM_FORCE_COUNT]);
