@@ -44,29 +44,35 @@ struct cells {
 };
 
 /* One closed piece of the water, alone. */
-static enum status region_of(const struct case_file *c, size_t piece, struct geo_lines *region) {
+static enum status region_of(const struct geo_lines *water, size_t piece,
+                             struct geo_lines *region) {
   geo_lines_clear(region);
-  return geo_lines_add_piece(region, &c->water, piece);
+  return geo_lines_add_piece(region, water, piece);
 }
 
 static enum status place_cells(struct filling *w, const struct cells *cells) {
   for (size_t k = 0; k < cells->n; k++) {
     const struct sph_cell *cell = &cells->cell[k];
-    TRY(place(w, &(struct flow_point){cell->x, cell->y, cell->y}, cell->area));
+    const double *down = w->c->down, x = -down[1] * cell->x - down[0] * cell->y;
+    const double y = down[0] * cell->x - down[1] * cell->y;
+    TRY(place(w, &(struct flow_point){x, y, y}, cell->area));
   }
   return OK;
 }
 
+/* Cells lie level as gravity has it: the water of a case that is turned as a whole is the same
+ * water, turned. */
 static enum status fill_regions(struct filling *w) {
   struct sph *s = w->s;
   const size_t regions = w->c->water.pieces;
-  struct geo_lines region = {0};
+  struct geo_lines level = {0}, region = {0};
   struct cells *cells = NULL;
   enum status status = OK;
   size_t room = 0;
+  ATTEMPT(case_turn_lines(w->c, &w->c->water, &level));
   ATTEMPT(sph_allocate(regions, sizeof *cells, &cells));
   for (size_t r = 0; r < regions; r++) {
-    ATTEMPT(region_of(w->c, r, &region));
+    ATTEMPT(region_of(&level, r, &region));
     ATTEMPT(sph_cells_create(&region, s->dx, &cells[r].n, &cells[r].cell));
     room += cells[r].n;
   }
@@ -77,6 +83,7 @@ done:
   for (size_t r = 0; cells && r < regions; r++) free(cells[r].cell);
   free(cells);
   geo_lines_destroy(&region);
+  geo_lines_destroy(&level);
   return status;
 }
 
