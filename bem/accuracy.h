@@ -1,4 +1,4 @@
-/* How accurate a run shall be: `accuracy` in place of resolution, tolerances and filters; and the
+/* How accurate a run shall be: `accuracy` in place of resolution and tolerances; and the
  * coarser run that says how accurate it is. */
 #pragma once
 #include "bem/options.h"

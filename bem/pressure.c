@@ -27,7 +27,7 @@ enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const
   const size_t n = f->surface.n;
   if (n > p->room) {
     bem_pressure_destroy(p);
-    TRY(array_create(&p->phi_t, 2 * n, "numbers of a pressure")); /* zeros: GMRES's first guess */
+    TRY(array_create(&p->phi_t, 2 * n, "numbers of a pressure"));
     p->psi_t = p->phi_t + n;
     p->room = n;
   }
@@ -36,6 +36,8 @@ enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const
     p->phi_t[k] = -0.5 * (u * u + v * v) - bem_flow_head(f, state[k], state[n + k]);
     if (f->motion.sides) p->phi_t[k] -= swept(f, CMPLX(state[k], state[n + k]), f->w[k]);
   }
+  memset(p->psi_t, 0,
+         n * sizeof *p->psi_t); /* a row must not depend on which were asked for before */
   return bem_solve_again(f->solve, p->phi_t, p->psi_t);
 }
 
