@@ -260,6 +260,41 @@ static void check_motions(const struct case_file *c, const struct case_run *r,
                  r->name);
 }
 
+/* Images fill no corner of the water that is sharper than a right angle, and jump from face to face
+ * at corners of the solid: still water of H/13 shakes there at half sqrt(gH). */
+static void check_corners(const struct case_file *c, const struct case_run *r,
+                          struct problems *problems) {
+  struct sph_faces faces = {0};
+  if (sph_faces_set(&faces, &c->walls, 0) != OK) problems->out_of_memory = true;
+  for (size_t k = 0; k < faces.n; k++) {
+    const struct sph_face *f = &faces.face[k];
+    if (f->end[1] == SPH_END_TOP || (f->turn >= 0 && f->turn < M_PI / 2 + 1e-6)) continue;
+    problems_add(
+        problems, case_run_line(r, "walls"),
+        "runs.%s.walls: found '%s' beside a corner of %.3g degrees at (%.6g, %.6g) m, which "
+        "images do not fill once; allowed: ghost, or corners of 90 to 180 degrees; write walls: "
+        "ghost",
+        r->name, sph_wall_names[((const struct sph_scheme *)r->options)->walls],
+        180 - f->turn * 180 / M_PI, f->b[0], f->b[1]);
+    break;
+  }
+  sph_faces_destroy(&faces);
+}
+
+static void check_tank(const struct case_file *c, const struct case_run *r,
+                       struct problems *problems) {
+  const struct sph_scheme *o = r->options;
+  if (c->rectangular) return;
+  if (sph_walls[o->walls]->moving) check_corners(c, r, problems);
+  if (sph_walls[o->walls] == &sph_wall_dynamic)
+    problems_add(
+        problems, case_run_line(r, "walls"),
+        "runs.%s.walls: found 'dynamic' in a tank that is not rectangular; allowed: ghost, "
+        "a mirror, or one wall, open at the top, down the left side, along a flat bed, up "
+        "the right side; write walls: ghost",
+        r->name);
+}
+
 static void check(const struct case_file *c, const struct case_run *r, struct problems *problems) {
   const struct sph_scheme *o = r->options;
   const bool diffuses = o->diffusion != SPH_DIFFUSION_none && o->delta != 0;
@@ -286,13 +321,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
   check_walls(c, r, problems);
   check_gravity(c, r, problems);
   check_motions(c, r, problems);
-  if (!c->rectangular && sph_walls[o->walls] != &sph_wall_ghost)
-    problems_add(
-        problems, case_run_line(r, "walls"),
-        "runs.%s.walls: found '%s' in a tank that is not rectangular; allowed: ghost, or one wall, "
-        "open at the top, down the left side, along a flat bed, up the right side; write walls: "
-        "ghost",
-        r->name, sph_wall_names[o->walls]);
+  check_tank(c, r, problems);
   if (width < 2 * support || height < 2 * support)
     problems_add(problems, case_run_line(r, "resolution"),
                  "runs.%s.resolution: found '%g', where two kernel supports (%g m) exceed the tank "

@@ -29,56 +29,60 @@ static enum status make_room(struct sph_images *t, size_t n) {
   if (n <= t->room) return OK;
   TRY(array_resize(&t->wall, n, "walls with images"));
   TRY(array_resize(&t->beside, n, "walls with images"));
+  TRY(array_resize(&t->here, n, "walls with images"));
   t->room = n;
   return OK;
 }
 
-static void add_piece(struct sph_images *t, const struct geo_lines *walls, size_t piece) {
-  const size_t first = t->n, m = geo_piece_segments(walls, piece);
-  const bool closed = walls->closed[piece];
-  for (size_t i = 0; i < m; i++) {
-    const double *a = walls->p[walls->first[piece] + i], *b = geo_segment_end(walls, piece, i);
-    size_t before = i > 0 ? t->n - 1 : closed ? first + m - 1 : first;
-    t->wall[t->n++] = (struct sph_reflector){
-        .a = {a[0], a[1]},
-        .b = {b[0], b[1]},
-        .starts = i == 0,
-        .closes = closed && i > 1 && i + 1 == m,
-        .first = (uint32_t)first,
-        .before = (uint32_t)before,
-        .motion = {sph_motion_mirror(a, b), sph_motion_half_turn(a)},
-    };
-  }
+static bool is_sharp(const struct sph_face *u, const struct sph_face *v) {
+  const double along = u->t[0] * v->t[0] + u->t[1] * v->t[1];
+  return along <= right_angle && u->t[0] * v->t[1] - u->t[1] * v->t[0] > 0;
 }
 
-static bool is_sharp(const struct sph_reflector *u, const struct sph_reflector *v) {
-  double ux = u->b[0] - u->a[0], uy = u->b[1] - u->a[1];
-  double vx = v->b[0] - v->a[0], vy = v->b[1] - v->a[1];
-  return ux * vx + uy * vy <= right_angle * hypot(ux, uy) * hypot(vx, vy) && ux * vy - uy * vx > 0;
+static void set_end(const struct sph_images *t, const struct sph_face *f, int end, bool divided,
+                    struct sph_reflector *w) {
+  const uint32_t other = end ? f->next : f->before;
+  if (f->end[end] == SPH_END_TOP) return;
+  const struct sph_face *g = &t->faces.face[other];
+  if (f->end[end] == SPH_END_CORNER) w->sharp[end] = end ? is_sharp(f, g) : is_sharp(g, f);
+  if (f->end[end] == SPH_END_EDGE) w->sharp[end] = !divided;
+  if (f->end[end] != SPH_END_BLUNT && !(f->end[end] == SPH_END_EDGE && divided)) return;
+  for (int axis = 0; axis < 2; axis++)
+    w->across[end][axis] = (end ? 1 : -1) * (f->t[axis] + g->t[axis]);
 }
 
-enum status sph_images_set_walls(struct sph_images *t, const struct geo_lines *walls) {
-  TRY(make_room(t, walls->points));
-  t->n = 0;
-  for (size_t k = 0; k < walls->pieces; k++) add_piece(t, walls, k);
+enum status sph_images_set_walls(struct sph_images *t, const struct geo_lines *walls, double thin) {
+  TRY(sph_faces_set(&t->faces, walls, thin));
+  t->n = t->faces.n;
+  TRY(make_room(t, t->n));
   for (size_t i = 0; i < t->n; i++) {
-    struct sph_reflector *w = &t->wall[i], *before = &t->wall[w->before];
-    w->sharp[0] = before->sharp[1] = is_sharp(before, w);
+    const struct sph_face *f = &t->faces.face[i];
+    t->wall[i] = (struct sph_reflector){
+        .motion = {sph_motion_mirror(f->a, f->b), sph_motion_half_turn(f->a)}};
+    for (int end = 0; end < 2; end++) set_end(t, f, end, thin == 0, &t->wall[i]);
   }
   return OK;
 }
 
+/* Beyond an edge as far as the reach. */
+static double room_beyond(const struct sph_face *f, const struct sph_reflector *w, int end,
+                          double reach, double beyond) {
+  return f->end[end] == SPH_END_EDGE && w->sharp[end] ? reach + beyond : beyond;
+}
+
 void sph_images_set_reach(struct sph_images *t, double reach, double beyond) {
-  const double far = 1.001 * (reach + beyond); /* more than rounding could add */
   t->reach = reach;
   for (size_t i = 0; i < t->n; i++) {
+    const struct sph_face *f = &t->faces.face[i];
     struct sph_reflector *w = &t->wall[i];
-    double longer = beyond / hypot(w->b[0] - w->a[0], w->b[1] - w->a[1]);
-    w->from = -longer;
-    w->to = 1 + longer;
+    const double before = room_beyond(f, w, 0, reach, beyond);
+    const double after = room_beyond(f, w, 1, reach, beyond);
+    const double far = 1.001 * (reach + fmax(before, after)); /* more than rounding could add */
+    w->from = -before / f->length;
+    w->to = 1 + after / f->length;
     for (int d = 0; d < 2; d++) {
-      t->beside[i].min[d] = fmin(w->a[d], w->b[d]) - far;
-      t->beside[i].max[d] = fmax(w->a[d], w->b[d]) + far;
+      t->beside[i].min[d] = fmin(f->a[d], f->b[d]) - far;
+      t->beside[i].max[d] = fmax(f->a[d], f->b[d]) + far;
     }
   }
 }
@@ -107,8 +111,10 @@ enum status sph_images_set_periods(struct sph_images *t, const struct tank *tank
 }
 
 void sph_images_destroy(struct sph_images *t) {
+  sph_faces_destroy(&t->faces);
   free(t->wall);
   free(t->beside);
+  free(t->here);
   free(t->shift);
   free(t->found);
   *t = (struct sph_images){0};
@@ -116,11 +122,26 @@ void sph_images_destroy(struct sph_images *t) {
 
 /* ---- the images ---- */
 
-static bool find_foot(const struct sph_reflector *w, double reach, double x, double y,
-                      double foot[2]) {
-  double d, t = geo_line_foot(w->a, w->b, x, y, &d);
-  for (int k = 0; k < 2; k++) foot[k] = w->a[k] + t * (w->b[k] - w->a[k]);
+static bool find_foot(const struct sph_face *f, const struct sph_reflector *w, double reach,
+                      double x, double y, double foot[2]) {
+  double d, t = geo_line_foot(f->a, f->b, x, y, &d);
+  for (int k = 0; k < 2; k++) foot[k] = f->a[k] + t * (f->b[k] - f->a[k]);
   return t >= w->from && t < w->to && fabs(d) < reach;
+}
+
+/* Whether the image of a point in a face is on its side of the bisectors. */
+static bool is_on_its_side(const struct sph_images *t, size_t i, double x, double y) {
+  const struct sph_face *f = &t->faces.face[i];
+  const struct sph_reflector *w = &t->wall[i];
+  double to[2];
+  for (int end = 0; end < 2; end++) {
+    const double *n = w->across[end], *at = end ? f->b : f->a;
+    if (n[0] == 0 && n[1] == 0) continue;
+    sph_motion_turn(&w->motion[0], x, y, &to[0], &to[1]);
+    for (int axis = 0; axis < 2; axis++) to[axis] += w->motion[0].at[axis] - at[axis];
+    if (n[0] * to[0] + n[1] * to[1] > 0) return false;
+  }
+  return true;
 }
 
 /* Both motions turn a point half round, about its foot or about a vertex. */
@@ -130,21 +151,21 @@ static struct sph_image image_about(const double centre[2], size_t motion, doubl
 
 size_t sph_images_of(struct sph_images *t, double x, double y) {
   size_t n = 0;
-  bool before = false, on_first = false;
+  bool any = false;
+  double foot[2];
   for (size_t i = 0; i < t->n; i++) {
-    const struct sph_reflector *w = &t->wall[i];
-    double foot[2];
-    bool here = geo_box_contains(&t->beside[i], x, y) && find_foot(w, t->reach, x, y, foot);
-    if (w->starts) {
-      before = false;
-      on_first = here;
-    }
-    if (here) {
-      t->found[n++] = image_about(foot, 2 * i, x, y);
-      if (before) t->found[n++] = image_about(w->a, 2 * i + 1, x, y);
-      if (w->closes && on_first) t->found[n++] = image_about(w->b, 2 * w->first + 1, x, y);
-    }
-    before = here;
+    t->here[i] = geo_box_contains(&t->beside[i], x, y) &&
+                 find_foot(&t->faces.face[i], &t->wall[i], t->reach, x, y, foot);
+    any |= t->here[i];
+  }
+  for (size_t i = 0; any && i < t->n; i++) {
+    const struct sph_face *f = &t->faces.face[i];
+    if (!t->here[i]) continue;
+    find_foot(f, &t->wall[i], t->reach, x, y, foot);
+    t->found[n] = image_about(foot, 2 * i, x, y);
+    n += is_on_its_side(t, i, x, y);
+    if (f->end[0] == SPH_END_CORNER && t->here[f->before])
+      t->found[n++] = image_about(f->a, 2 * i + 1, x, y);
   }
   return n;
 }
@@ -159,14 +180,17 @@ size_t sph_images_beyond(struct sph_images *t, double x, double y) {
   return n;
 }
 
-static bool is_on(const struct sph_reflector *w, double x, double y) {
-  double ex = w->b[0] - w->a[0], ey = w->b[1] - w->a[1];
-  bool past_a = (x - w->a[0]) * ex + (y - w->a[1]) * ey >= 0;
-  bool past_b = (x - w->b[0]) * ex + (y - w->b[1]) * ey >= 0;
+static bool is_on(const struct sph_images *t, size_t i, double x, double y) {
+  const struct sph_face *f = &t->faces.face[i];
+  const struct sph_reflector *w = &t->wall[i];
+  double ex = f->b[0] - f->a[0], ey = f->b[1] - f->a[1];
+  bool past_a = (x - f->a[0]) * ex + (y - f->a[1]) * ey >= 0;
+  bool past_b = (x - f->b[0]) * ex + (y - f->b[1]) * ey >= 0;
   return (past_a || w->sharp[0]) && (!past_b || w->sharp[1]);
 }
 
 bool sph_images_counts(const struct sph_images *t, uint32_t motion, double x, double y) {
-  const struct sph_reflector *w = &t->wall[motion / 2];
-  return is_on(w, x, y) && (motion % 2 == 0 || is_on(&t->wall[w->before], x, y));
+  const size_t i = motion / 2;
+  if (motion % 2 == 0) return is_on(t, i, x, y) && is_on_its_side(t, i, x, y);
+  return is_on(t, i, x, y) && is_on(t, t->faces.face[i].before, x, y);
 }

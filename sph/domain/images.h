@@ -2,10 +2,12 @@
  * mirror walls (mirror.c) and for the free surface (fraction.c); and beyond the ends of a periodic
  * tank (period.h, and the free surface again). An image of an image is one, too.
  *
- * A particle is mirrored in every segment of the walls on which it has its foot, and turned half
- * round about every vertex on both of whose segments it has one. At a corner of 90 to 180 degrees,
- * straight ones included, water that fills the corner is thereby continued to every side exactly
- * once. */
+ * A particle is mirrored in every face of the walls (faces.h) on which it has its foot, and turned
+ * half round about every corner of the water on both of whose faces it has one. At a corner of 90
+ * to 180 degrees water that fills the corner is thereby continued to every side exactly once.
+ * Beside a blunt corner of the solid the images in either face go as far as the bisector. At an
+ * edge, whose sides see images of their own (sight.h), water beside a face has an image in it
+ * beyond the edge, too. */
 #pragma once
 #include <stdbool.h>
 #include <stddef.h>
@@ -14,6 +16,7 @@
 #include "common/base/geometry.h"
 #include "common/base/status.h"
 #include "common/tank/tank.h"
+#include "sph/domain/faces.h"
 
 /* A rigid motion of the plane, r' = at + M r with M orthogonal, which turns velocities and
  * gradients too. */
@@ -32,13 +35,12 @@ static inline void sph_motion_turn(const struct sph_motion *m, double x, double 
   *to_y = m->M[1][0] * x + m->M[1][1] * y;
 }
 
-/* A segment of the walls, from a to b. */
+/* Of a face. */
 struct sph_reflector {
-  double a[2], b[2];           /* m */
   double from, to;             /* where feet are, 0 at a and 1 at b, for images to be found */
   bool sharp[2];               /* at a, at b: see sph_images_counts */
-  bool starts, closes;         /* a piece; closes: ends where that starts */
-  uint32_t first, before;      /* segment of the piece; the one that ends in a, or itself */
+  double across[2][2];         /* at a, at b: normal to the bisector of a blunt corner, out of its
+                                  part; or 0 */
   struct sph_motion motion[2]; /* the mirror in it, the half turn about a */
 };
 
@@ -51,7 +53,9 @@ struct sph_image {
 /* Of any points beside the same walls, or in the same periodic tank. */
 struct sph_images {
   size_t n, room;
-  struct sph_reflector *wall; /* [n], in the order of the walls, owned */
+  struct sph_faces faces;
+  struct sph_reflector *wall; /* [n], one for each of the faces, owned */
+  bool *here;                 /* [n], scratch, owned */
   struct geo_box *beside;     /* [n]: out of which nothing has an image in it, owned */
   double reach;               /* m */
   size_t n_shifts, shift_room;
@@ -61,8 +65,9 @@ struct sph_images {
   struct sph_image *found; /* [2 n or n_shifts], owned */
 };
 
-/* The walls beside which images are; they are not kept. ERR_MEMORY. */
-enum status sph_images_set_walls(struct sph_images *t, const struct geo_lines *walls);
+/* The walls beside which images are, thin up to `thin` (m, faces.h); they are not kept. Without
+ * thin ones all images are in one room, and edges are divided like blunt corners. ERR_MEMORY. */
+enum status sph_images_set_walls(struct sph_images *t, const struct geo_lines *walls, double thin);
 
 /* How far from the line of a segment points have images in it, and how far beyond its ends (m). */
 void sph_images_set_reach(struct sph_images *t, double reach, double beyond);
@@ -82,7 +87,7 @@ static inline const struct sph_motion *sph_images_motion(const struct sph_images
 }
 
 /* Whether an image that has been found `beyond` the ends, or before the point moved to (x, y),
- * counts there: while the foot is on the segment. At a sharp corner, of 90 degrees or less on the
- * left of the walls, where the tank is, it counts beyond the end too: a point there has only passed
- * through the other wall. */
+ * counts there: while the foot is on the face, and the image on its side of the bisectors. At a
+ * sharp corner, of 90 degrees or less on the left of the walls, where the tank is, it counts beyond
+ * the end too: a point there has only passed through the other wall; and at an edge. */
 bool sph_images_counts(const struct sph_images *t, uint32_t motion, double x, double y);

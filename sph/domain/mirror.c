@@ -52,7 +52,7 @@ static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
   struct mirror *m;
   TRY(sph_allocate(1, sizeof *m, &m));
   s->w.data = m;
-  TRY(sph_images_set_walls(&m->images, walls));
+  TRY(sph_images_set_walls(&m->images, walls, 2 * s->support));
   double reach = s->support + s->wall_skin;
   struct geo_box box = tank_around(&s->tank, reach);
   return sph_grid_create(&s->w.grid, &box, s->dx);
@@ -67,7 +67,7 @@ static enum status make_room(struct sph *s) {
   struct mirror *m = s->w.data;
   if (m->copies.n <= m->room) return OK;
   m->room = m->copies.n + m->copies.n / 2;
-  free(s->w.chain); /* a rectangular tank has one: 0 */
+  free(s->w.chain);
   s->w.chain = NULL;
   TRY(sph_allocate(m->room, sizeof *s->w.chain, &s->w.chain));
   return sph_wall_make_packs(s, m->room);
@@ -87,7 +87,10 @@ static enum status mirror_list(struct sph *s) {
   s->w.n = m->copies.n;
   s->w.x = m->copies.x;
   s->w.y = m->copies.y;
-  return make_room(s);
+  TRY(make_room(s));
+  for (size_t k = 0; k < s->w.n; k++)
+    s->w.chain[k] = m->images.faces.face[m->copies.copy[k].motion / 2].chain;
+  return OK;
 }
 
 /* Water above the top of a side wall has no image in it; water that has passed over has none. */

@@ -150,10 +150,10 @@ static enum status set_images(struct sph_fraction *g, const struct sph_cloud *c,
   const double reach = (REACH + 1) * g->spacing;
   if (c->tank && tank_is_periodic(c->tank)) {
     TRY(tank_walls(c->tank, walls, 2 * reach, &g->walls));
-    TRY(sph_images_set_walls(&g->images, &g->walls));
+    TRY(sph_images_set_walls(&g->images, &g->walls, 0));
     TRY(sph_images_set_periods(&g->beyond, c->tank, reach));
   } else {
-    TRY(sph_images_set_walls(&g->images, walls));
+    TRY(sph_images_set_walls(&g->images, walls, 0));
     g->beyond.n_shifts = 0;
   }
   sph_images_set_reach(&g->images, reach, 0);

@@ -12,6 +12,12 @@
  * makes it count, only when it is less than two thirds of a spacing thick. */
 static const double beside = 6;
 
+/* Whether a side of the tank is upright, from its top. */
+static bool is_upright(const struct sph *s, int side) {
+  if (s->faces.n_tops != 2) return false;
+  return s->faces.face[s->faces.top[side] / 2].t[0] == 0;
+}
+
 /* The meniscus beside the nearer wall. */
 struct meniscus {
   double away;  /* of the gauge from the wall, in layers */
@@ -23,7 +29,8 @@ static struct meniscus meniscus_of(const struct sph *s, double x) {
   int side = tank_nearer(t, x);
   double layer = sph_walls[s->scheme.walls]->layer * s->dx, wall = tank_wall(t, side);
   double inwards = side == TANK_RIGHT ? -layer : layer, away = tank_inside(t, side, x);
-  return (struct meniscus){layer > 0 && !t->periodic[0] ? away / layer : INFINITY,
+  return (struct meniscus){layer > 0 && !t->periodic[0] && is_upright(s, side) ? away / layer
+                                                                               : INFINITY,
                            {wall + inwards, wall + 2 * inwards}};
 }
 

@@ -25,29 +25,51 @@ struct sph_output {
   size_t n_every, n_sample;          /* multiples written so far */
   double budget0, available, budget; /* J/m */
   bool diagnose;                     /* the rates of a sample are still to come */
-  bool dry[2];                       /* left and right wall: its wall_impact is still to come */
+  bool *dry;                         /* [faces], its wall_impact is still to come; owned */
   size_t room;
   double *x, *y, *u, *v, *rho, *p, *m, *V; /* [room], in the order of the particles' ids */
   uint32_t *place;                         /* [room] */
 };
 
-/* How far the foremost particle, a disc of diameter dx, is from the wall on one side. */
-static double gap(const struct sph *s, int side) {
-  double nearest = INFINITY;
-#pragma omp simd reduction(min : nearest)
-  for (size_t i = 0; i < s->f.n; i++) {
-    double d = tank_inside(&s->tank, side, s->f.w.x[i]);
-    nearest = d < nearest ? d : nearest;
-  }
-  return nearest - s->dx / 2;
+/* How far a particle is from a face, m. */
+static double way_to(const struct sph_face *f, double x, double y) {
+  const double s = sph_face_along(f, x, y), off = sph_face_distance(f, x, y);
+  const double past = s < 0 ? -s : s > f->length ? s - f->length : 0;
+  return past > 0 ? hypot(off, past) : off;
 }
 
-static size_t foremost(const struct sph *s, int side) {
+/* The particle that is nearest to the water's side of a face, and how far. */
+static size_t foremost(const struct sph *s, const struct sph_face *f, double *way) {
   size_t at = 0;
-  for (size_t i = 1; i < s->f.n; i++)
-    if (tank_inside(&s->tank, side, s->f.w.x[i]) < tank_inside(&s->tank, side, s->f.w.x[at]))
-      at = i;
+  *way = INFINITY;
+  for (size_t i = 0; i < s->f.n; i++) {
+    const double d = way_to(f, s->f.w.x[i], s->f.w.y[i]);
+    if (d >= *way || d < -s->dx) continue;
+    *way = d;
+    at = i;
+  }
   return at;
+}
+
+/* How far the foremost particle, a disc of diameter dx, is from a face. */
+static double gap(const struct sph *s, const struct sph_face *f) {
+  double way;
+  foremost(s, f, &way);
+  return way - s->dx / 2;
+}
+
+/* Whether any water touches a face that has been dry; then it is worth to look which. */
+static bool any_touches(const struct sph_output *o, const struct sph *s) {
+  bool any = false;
+#pragma omp parallel for schedule(static) reduction(| : any)
+  for (size_t i = 0; i < s->f.n; i++) {
+    size_t n;
+    const uint32_t *near = sph_sight_faces(&s->sight, s->f.w.x[i], s->f.w.y[i], &n);
+    for (size_t k = 0; k < n; k++)
+      any |=
+          o->dry[near[k]] && way_to(&s->faces.face[near[k]], s->f.w.x[i], s->f.w.y[i]) <= s->dx / 2;
+  }
+  return any;
 }
 
 enum status sph_output_create(const struct case_file *c, const struct sph *s, struct result *result,
@@ -59,8 +81,9 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   o->result = result;
   o->started = progress_wall_clock();
   o->room = s->f.n;
-  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++)
-    o->dry[side] = !s->tank.periodic[0] && gap(s, side) > 1.5 * s->dx;
+  ATTEMPT(sph_allocate(s->faces.n, sizeof *o->dry, &o->dry));
+  for (size_t k = 0; k < s->faces.n; k++)
+    o->dry[k] = !s->tank.periodic[0] && gap(s, &s->faces.face[k]) > 1.5 * s->dx;
   struct result_energy e = sph_energy(s);
   o->budget = o->budget0 = result_energy_budget(&e);
   double rest =
@@ -94,6 +117,7 @@ void sph_output_destroy(struct sph_output *o) {
   geo_lines_destroy(&o->outline);
   geo_lines_destroy(&o->surface);
   sph_gauges_destroy(o->gauges);
+  free(o->dry);
   free(o->x);
   free(o->y);
   free(o->u);
@@ -197,22 +221,32 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
   return record_row(o->result, o->c, &r);
 }
 
-/* The instant at which the foremost particle touches the wall, from its velocity now. */
-static enum status write_impact(struct sph_output *o, const struct sph *s, int side) {
-  double open = gap(s, side);
+/* The instant at which the foremost particle touches a face, from its velocity now. */
+static enum status write_impact(struct sph_output *o, const struct sph *s, size_t face) {
+  const struct sph_face *f = &s->faces.face[face];
+  double way;
+  const size_t i = foremost(s, f, &way);
+  const double open = way - s->dx / 2;
   if (open > 0) return OK;
-  size_t i = foremost(s, side);
-  o->dry[side] = false;
-  double speed = side == TANK_LEFT ? -s->f.w.u[i] : s->f.w.u[i];
-  double ago = speed > 0 ? -open / speed : 0;
-  return result_event(o->result, "wall_impact", s->t - ago, tank_wall(&s->tank, side), s->f.w.y[i]);
+  o->dry[face] = false;
+  const double speed = f->t[1] * s->f.w.u[i] - f->t[0] * s->f.w.v[i];
+  const double ago = speed > 0 ? -open / speed : 0;
+  const double along = fmin(fmax(sph_face_along(f, s->f.w.x[i], s->f.w.y[i]), 0), f->length);
+  return result_event(o->result, "wall_impact", s->t - ago, f->a[0] + along * f->t[0],
+                      f->a[1] + along * f->t[1]);
+}
+
+static enum status write_impacts(struct sph_output *o, const struct sph *s) {
+  if (!any_touches(o, s)) return OK;
+  for (size_t k = 0; k < s->faces.n; k++)
+    if (o->dry[k]) TRY(write_impact(o, s, k));
+  return OK;
 }
 
 enum status sph_output_step(struct sph_output *o, struct sph *s, double dt) {
   const struct case_file *c = o->c;
   const double late = 1e-9 * c->every;
-  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++)
-    if (o->dry[side]) TRY(write_impact(o, s, side));
+  TRY(write_impacts(o, s));
   if (s->t >= (double)o->n_sample * c->sample - late) {
     TRY(write_series(o, s, dt));
     o->diagnose = true;

@@ -14,8 +14,8 @@ static void wall_direction(const struct geo_lines *walls, double x, double y, do
   t[0] = 0;
   t[1] = 1;
   for (size_t piece = 0; piece < walls->pieces; piece++)
-    for (size_t k = walls->first[piece]; k + 1 < walls->first[piece + 1]; k++) {
-      const double *a = walls->p[k], *b = walls->p[k + 1];
+    for (size_t k = 0; k < geo_piece_segments(walls, piece); k++) {
+      const double *a = walls->p[walls->first[piece] + k], *b = geo_segment_end(walls, piece, k);
       double ex = b[0] - a[0], ey = b[1] - a[1], l2 = ex * ex + ey * ey;
       if (l2 == 0) continue;
       double foot[2];
@@ -36,6 +36,7 @@ static enum status pressure_at(const struct sph *s, const struct sph_targets *at
   enum status status = OK;
   const struct sph_sources water = sph_sources_of_water(s);
   ATTEMPT(sph_lists_build(&lists, SPH_LANES, at->x, at->y, &water, s->support));
+  ATTEMPT(sph_sight_mark(&s->sight, &lists, SPH_LANES, at->x, at->y, &water, NULL, s->support));
   const struct sph_near near = sph_near_of(&lists, 0, s->pack);
   sph_mls_at(s, &sph_loops_double[s->scheme.kernel], farthest2 * s->scale.wall, at, &near, &fit);
   memcpy(p, fit.p, sizeof fit.p);

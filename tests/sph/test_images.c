@@ -12,7 +12,7 @@ static struct sph_images images_beside(const double (*p)[2], size_t n, bool clos
   struct geo_lines walls = {0};
   EXPECT_OK(geo_lines_begin(&walls, closed));
   for (size_t i = 0; i < n; i++) EXPECT_OK(geo_lines_add(&walls, p[i][0], p[i][1]));
-  EXPECT_OK(sph_images_set_walls(&t, &walls));
+  EXPECT_OK(sph_images_set_walls(&t, &walls, 0));
   sph_images_set_reach(&t, reach, beyond);
   geo_lines_destroy(&walls);
   return t;
@@ -150,10 +150,13 @@ static void test_images_at_an_obtuse_corner_count_where_the_foot_is(void) {
 
 /* Seen from the right of it, the same corner is no tank's. */
 static void test_the_outside_of_a_corner_is_not_sharp(void) {
-  const double step[3][2] = {{0, 0}, {0, 2}, {3, 2}}, on_top[2] = {0.01, 2.1};
+  const double step[3][2] = {{0, 0}, {0, 2}, {3, 2}}, on_top[2] = {0.11, 2.1};
   struct sph_images t = images_beside(step, 3, false, 0.5, 0.1);
-  EXPECT(counting(&t, on_top, 0.01, 2.1) == 1);
+  EXPECT(counting(&t, on_top, 0.11, 2.1) == 1);
+  EXPECT(counting(&t, on_top, 0.09, 2.1) == 0); /* its image is the other face's */
   EXPECT(counting(&t, on_top, -0.01, 2.1) == 0);
+  expect_images(&t, 0.15, 2.2, 0, NULL);
+  expect_images(&t, -0.15, 1.8, 1, (const double[][2]){{0.15, 1.8}});
   sph_images_destroy(&t);
 }
 
