@@ -8,23 +8,44 @@
 #include "common/base/geometry_check.h"
 #include "common/flow/edges.h"
 
-static double complex in_H(const struct case_file *c, const double p[2]) {
-  return CMPLX((p[0] - c->tank.min[0]) / c->H, (p[1] - c->tank.min[1]) / c->H);
+enum { REPEATS = 4 }; /* of placing the nodes, of which each depends on its neighbours */
+
+static double in_H_x(const struct case_file *c, double x) {
+  return (x - c->tank.min[0]) / c->H;
 }
 
-enum status bem_basin_map(const struct case_file *c, struct bem_conformal **m) {
+static double complex in_H(const struct case_file *c, const double p[2]) {
+  return CMPLX(in_H_x(c, p[0]), (p[1] - c->tank.min[1]) / c->H);
+}
+
+/* The points of the walls (H): with(n, point, out). ERR_MEMORY. */
+static enum status with_points(const struct case_file *c,
+                               enum status (*with)(size_t n, const double (*point)[2], void *out),
+                               void *out) {
   const size_t n = c->walls.points;
   double(*point)[2] = NULL;
-  *m = NULL;
   TRY(array_create(&point, n, "points of a wall"));
   for (size_t i = 0; i < n; i++) {
     const double complex z = in_H(c, c->walls.p[i]);
     point[i][0] = creal(z);
     point[i][1] = cimag(z);
   }
-  const enum status status = bem_conformal_create(n, point, m);
+  const enum status status = with(n, point, out);
   free(point);
   return status;
+}
+
+static enum status create_shore(size_t n, const double (*point)[2], void *out) {
+  return bem_shore_create(n, point, out);
+}
+
+static enum status create_map(size_t n, const double (*point)[2], void *out) {
+  return bem_conformal_create(n, point, out);
+}
+
+enum status bem_basin_shore(const struct case_file *c, struct bem_shore **s) {
+  *s = NULL;
+  return with_points(c, create_shore, s);
 }
 
 /* ---- where the surface is ---- */
@@ -72,31 +93,55 @@ static void set_node(const struct flow_water *w, const double p[2], struct bem_s
                                : 0;
 }
 
-/* From edge to edge, between them on the elevation or a straight line. */
-static enum status place(const struct flow_water *w, double resolution, struct bem_surface *s) {
+static void set_nodes(const struct flow_water *w, double at[2][2], struct bem_surface *s,
+                      const double *part) {
+  for (size_t k = 0; k < s->n; k++) {
+    const bool inner = k > 0 && k + 1 < s->n;
+    double p[2] = {at[0][0] + part[k] * (at[1][0] - at[0][0]),
+                   at[0][1] + part[k] * (at[1][1] - at[0][1])};
+    if (inner && flow_is_wave(w->c->flow)) p[1] = flow_elevation(w, p[0], 0);
+    set_node(w, k == 0 ? at[0] : inner ? p : at[1], s, k);
+  }
+}
+
+/* Places nodes on the surface itself where the mesh wants them. */
+static enum status place(const struct flow_water *w, double at[2][2], struct bem_flow *f) {
+  struct bem_surface *s = &f->surface;
+  const double length = hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]) / w->c->H;
+  const double left = in_H_x(w->c, at[0][0]), right = in_H_x(w->c, at[1][0]);
+  double *part = NULL;
+  size_t n = (size_t)ceil(length * f->mesh.resolution) + 1;
+  enum status status = OK;
+  for (int i = 0; i <= REPEATS; i++) {
+    ATTEMPT(array_resize(&part, n, "nodes of a surface"));
+    for (size_t k = 0; k < n; k++)
+      part[k] = i == 0 ? (double)k / (double)(n - 1) : (s->state[k] - left) / (right - left);
+    ATTEMPT(bem_surface_reserve(s, n));
+    set_nodes(w, at, s, part);
+    if (i == REPEATS) break;
+    ATTEMPT(bem_mesh_regrid(&f->mesh, s));
+    n = s->n;
+  }
+done:
+  free(part);
+  return status;
+}
+
+static enum status start(const struct flow_water *w, struct bem_shore *shore, struct bem_flow *f) {
   double at[2][2];
   const char *problem = find_edges(w->c, w, at);
   CHECK(!problem, ERR_SOLVER, "%s", problem);
-  const double length = hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]) / w->c->H;
-  const size_t last = (size_t)ceil(length * resolution);
-  TRY(bem_surface_reserve(s, last + 1));
-  for (size_t k = 0; k <= last; k++) {
-    const double part = (double)k / (double)last;
-    double p[2] = {at[0][0] + part * (at[1][0] - at[0][0]),
-                   at[0][1] + part * (at[1][1] - at[0][1])};
-    if (k > 0 && k < last && flow_is_wave(w->c->flow)) p[1] = flow_elevation(w, p[0], 0);
-    set_node(w, k == last ? at[1] : p, s, k);
-  }
-  for (int end = 0; end < 2; end++)
-    s->side[end] = bem_conformal_side(s->walls, in_H(w->c, at[end]));
-  return OK;
+  const double complex edge[2] = {in_H(w->c, at[0]), in_H(w->c, at[1])};
+  TRY(bem_shore_place(shore, edge, &f->surface));
+  return place(w, at, f);
 }
 
-enum status bem_basin_start(const struct case_file *c, double resolution, struct bem_surface *s) {
+enum status bem_basin_start(const struct case_file *c, struct bem_shore *shore,
+                            struct bem_flow *f) {
   struct flow_water w;
   enum status status = flow_open(c, (struct flow_use){0}, &w);
-  s->right = BEM_END_WALL;
-  if (status == OK) status = place(&w, resolution, s);
+  f->surface.right = BEM_END_WALL;
+  if (status == OK) status = start(&w, shore, f);
   flow_close(&w);
   return status;
 }
@@ -112,19 +157,12 @@ static void refuse(const struct case_run *r, struct problems *problems, const ch
 
 /* Whether the sides, which the map takes to go on for ever, meet something within the tank's size.
  */
-static enum status sides_go_on(const struct case_file *c, bool *simple) {
-  const struct geo_box *b = &c->tank;
-  const double far = (b->max[0] - b->min[0]) + (b->max[1] - b->min[1]);
-  struct geo_lines l = {0};
-  double at[2];
-  enum status status = geo_lines_copy(&l, &c->walls);
-  for (int end = 0; end < 2 && status == OK; end++) {
-    double *p = l.p[end ? l.points - 1 : 0], *q = l.p[end ? l.points - 2 : 1];
-    const double length = hypot(p[0] - q[0], p[1] - q[1]);
-    for (int axis = 0; axis < 2; axis++) p[axis] += far / length * (p[axis] - q[axis]);
-  }
-  if (status == OK) status = geo_piece_simple(&l, 0, false, simple, at);
-  geo_lines_destroy(&l);
+static enum status goes_on(size_t n, const double (*point)[2], void *simple) {
+  double complex *z = NULL;
+  TRY(array_create(&z, n, "points of a wall"));
+  for (size_t i = 0; i < n; i++) z[i] = CMPLX(point[i][0], point[i][1]);
+  const enum status status = bem_shore_goes_on(n, z, simple);
+  free(z);
   return status;
 }
 
@@ -140,7 +178,7 @@ static bool check_walls(const struct case_file *c, const struct case_run *r,
     refuse(r, problems, "a wall of too many points", "64 of them");
     return false;
   }
-  if (sides_go_on(c, &simple) != OK) {
+  if (with_points(c, goes_on, &simple) != OK) {
     problems->out_of_memory = true;
     return false;
   }
@@ -196,7 +234,7 @@ void bem_basin_check(const struct case_file *c, const struct case_run *r, struct
   struct bem_conformal *m = NULL;
   *length = 0;
   if (!check_walls(c, r, problems)) return;
-  const enum status status = bem_basin_map(c, &m);
+  const enum status status = with_points(c, create_map, &m);
   if (status == ERR_MEMORY) problems->out_of_memory = true;
   if (status == ERR_SOLVER)
     refuse(r, problems, status_message(), "walls of which the conformal map is found");

@@ -10,6 +10,7 @@ static const double REACH = 0.1; /* radii of a chart, with BEM_CHART terms */
 static const double STRIDE = 0.08;
 static const double SMALL = 1e-8;
 static const double STRAIGHT = 1e-9; /* rad: walls that bend less do not */
+static const double ON_WALL = 1e-6;  /* H: sensors are on walls but for so much */
 static const double NEAR = 0.4;      /* radii of a bend's own series, with MANY terms */
 enum { MANY = 48, STEPS = 20000, NEWTON = 30 };
 
@@ -172,7 +173,8 @@ double bem_conformal_length(const struct bem_conformal *m, size_t k) {
   return length;
 }
 
-size_t bem_conformal_side(const struct bem_conformal *m, double complex z) {
+/* The nearest side, and the distance from it. */
+static size_t nearest_side(const struct bem_conformal *m, double complex z, double *nearest) {
   size_t side = 0;
   double least = INFINITY;
   for (size_t i = 0; i <= m->n; i++) {
@@ -182,7 +184,31 @@ size_t bem_conformal_side(const struct bem_conformal *m, double complex z) {
     const double distance = cabs(z - a - u * way);
     if (distance < least) least = distance, side = i;
   }
+  *nearest = least;
   return side;
+}
+
+size_t bem_conformal_side(const struct bem_conformal *m, double complex z) {
+  double distance;
+  return nearest_side(m, z, &distance);
+}
+
+double bem_conformal_depth(const struct bem_conformal *m, double complex z) {
+  double least = INFINITY;
+  for (size_t i = 0; i <= m->n; i++) {
+    const double complex a = m->point[i], way = m->point[i + 1] - a;
+    if (fabs(creal(way)) < ON_WALL) continue;
+    const double u = creal(z - a) / creal(way), depth = cimag(z - a - u * way);
+    if ((u < 0 && i > 0) || (u > 1 && i < m->n) || depth < -ON_WALL) continue;
+    least = fmin(least, fmax(depth, 0));
+  }
+  return least;
+}
+
+int bem_conformal_is_near(const struct bem_conformal *m, double complex z) {
+  double distance;
+  nearest_side(m, z, &distance);
+  return distance < ON_WALL;
 }
 
 enum status bem_conformal_start(const struct bem_conformal *m, size_t side, double complex z,

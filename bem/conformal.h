@@ -46,6 +46,12 @@ double complex bem_conformal_along(const struct bem_conformal *m, size_t side);
 /* The side that a point of the walls is on: the nearest. */
 size_t bem_conformal_side(const struct bem_conformal *m, double complex z);
 
+/* Height of a point above the wall below it; INFINITY where there is none. */
+double bem_conformal_depth(const struct bem_conformal *m, double complex z);
+
+/* Whether a point is on a wall, but for rounding. */
+int bem_conformal_is_near(const struct bem_conformal *m, double complex z);
+
 /* The chart at z on this side, beyond its ends too if it is the first or the last. ERR_SOLVER. */
 enum status bem_conformal_start(const struct bem_conformal *m, size_t side, double complex z,
                                 struct bem_chart *c);

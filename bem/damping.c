@@ -86,6 +86,22 @@ static void filter(const struct bem_flow *f, const double *state, double *rate) 
   }
 }
 
+/* An edge on a side that need not be upright is moved by what would move the surface off itself
+ * alone: what would move it along the surface, as where spacings differ, is no roughness, and its
+ * potential does not follow. */
+static void hold_edge(const struct bem_flow *f, double *damping, bool right) {
+  const struct bem_surface *s = &f->surface;
+  const size_t k = right ? s->n - 1 : 0;
+  const double complex along = bem_conformal_along(s->walls, s->side[right]);
+  const double complex tangent = CMPLX(f->tx[k], f->ty[k]);
+  double *x = damping + k, *y = x + s->n, *phi = y + s->n;
+  const double complex d = CMPLX(*x, *y) * conj(tangent);
+  const double complex off = cimag(d) * cimag(along * conj(tangent)) * along;
+  *x = creal(off);
+  *y = cimag(off);
+  *phi -= creal(d) * (f->u[k] * f->tx[k] + f->v[k] * f->ty[k]);
+}
+
 void bem_damping_add(struct bem_flow *f, const double *state, double *rate) {
   const struct bem_surface *s = &f->surface;
   const size_t n = s->n;
@@ -93,6 +109,7 @@ void bem_damping_add(struct bem_flow *f, const double *state, double *rate) {
   memset(damping, 0, 3 * n * sizeof *damping);
   filter(f, state, damping);
   if (s->tip > 0) smooth(f, state, damping);
+  for (int right = 0; s->walls && right < 2; right++) hold_edge(f, damping, right);
   bem_surface_hold_ends(s, damping, damping + n);
   for (size_t k = 0; k < 3 * n; k++) rate[k] += damping[k];
 }

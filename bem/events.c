@@ -14,8 +14,6 @@ static const double SPILLABLE = 0.01; /* of the volume of the water */
 
 static const double LEANING = 0.05; /* rad from the vertical */
 
-static const double BEND = 0.1; /* of the panel at the edge: so near it is at the bend */
-
 static bool always(const struct bem_run *r) {
   (void)r;
   return true;
@@ -150,23 +148,12 @@ static enum status contact_act(struct bem_run *r, const struct bem_event *e, dou
                      "potential flow ends here");
 }
 
-/* Way of an edge of the water to the higher end of the side it is on (`up`) or to the other. */
-static double way_to_bend(const struct bem_surface *s, const double *state, bool right, bool up) {
-  const size_t k = right ? s->n - 1 : 0, side = s->side[right];
-  const double complex end = s->walls->point[side + (right == up)];
-  const double complex way = (right == up ? 1 : -1) * bem_conformal_along(s->walls, side);
-  return creal((end - CMPLX(state[k], state[s->n + k])) * conj(way));
-}
-
-/* Whether the higher end of that side is the top of the walls. */
-static bool ends_at_top(const struct bem_surface *s, bool right) {
-  return s->side[right] == (right ? s->walls->n : 0);
-}
-
 static double over_value(const struct bem_run *r, const double *state, bool right) {
   const struct bem_surface *s = &r->flow.surface;
-  if (s->walls) return ends_at_top(s, right) ? way_to_bend(s, state, right, true) : 1;
-  return r->top[right] - state[right ? 2 * s->n - 1 : s->n];
+  const size_t k = right ? s->n - 1 : 0;
+  if (!r->shore) return r->top[right] - state[s->n + k];
+  if (!bem_shore_at_top(r->shore, right)) return 1;
+  return bem_shore_way(r->shore, right, true, CMPLX(state[k], state[s->n + k]));
 }
 
 /* The surface on a wall passes its top. */
@@ -176,34 +163,6 @@ static double over_left_value(const struct bem_run *r, const double *state) {
 
 static double over_right_value(const struct bem_run *r, const double *state) {
   return over_value(r, state, true);
-}
-
-/* An edge of the water comes to a bend of the walls. */
-static bool walls_bend(const struct bem_run *r) {
-  return r->flow.surface.walls != NULL;
-}
-
-static double bend_value(const struct bem_run *r, const double *state, bool right) {
-  const struct bem_surface *s = &r->flow.surface;
-  const double *x = state + (right ? s->n - 2 : 0), *y = x + s->n;
-  const double near = BEND * hypot(x[1] - x[0], y[1] - y[0]);
-  const double down = way_to_bend(s, state, right, false);
-  return (ends_at_top(s, right) ? down : fmin(down, way_to_bend(s, state, right, true))) - near;
-}
-
-static double bend_left_value(const struct bem_run *r, const double *state) {
-  return bend_value(r, state, false);
-}
-
-static double bend_right_value(const struct bem_run *r, const double *state) {
-  return bend_value(r, state, true);
-}
-
-static enum status bend_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
-  TRY(record(r, e, x, y));
-  return bem_run_end(
-      r, x, y, "the edge of the water came to a bend of the wall",
-      "it slides along one straight side only: end the case there, or move the bend");
 }
 
 static enum status record_first(struct bem_run *r, const struct bem_event *e, double x, double y) {
@@ -248,8 +207,6 @@ static const struct bem_event all[] = {
     {"overflow", between_walls, over_left_value, at_first, over_left_act},
     {"overflow", at_wall, over_right_value, at_last, over_right_act},
     {"cut at the wall", before_wall, cut_value, at_last, cut_act},
-    {"bend", walls_bend, bend_left_value, at_first, bend_act},
-    {"bend", walls_bend, bend_right_value, at_last, bend_act},
 };
 enum { N = sizeof all / sizeof *all };
 

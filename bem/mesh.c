@@ -9,10 +9,12 @@
 #include "common/base/array.h"
 
 /* The wanted number of nodes per H, divided by the resolution, is the root of the sum of squares of
- * 1, curvature/BEND and 1/(tip + GROWTH d), d the distance along the surface to the thin tip: a
- * function of the shape alone, so refining the resolution refines everything alike. */
+ * 1, curvature/BEND and 1/(tip + GROWTH d), d the distance along the surface to the thin tip (and,
+ * in tanks that are not rectangular, of one that grows as the depth falls below H): a function of
+ * the shape alone, so refining the resolution refines everything alike. */
 static const double BEND = 4, SHARPEST = 60; /* 1/H; curvature beyond SHARPEST asks for no more */
 static const double GROWTH = 6;              /* 1/H */
+static const double SHALLOWEST = 0.03;       /* H: water below it asks for no more nodes */
 static const double SPREAD = 3;              /* implicit smoothing, over about sqrt(3) panels */
 static const double RELAX = 0.1;             /* sqrt(H/g), in which misplaced nodes drift home */
 static const double OPEN = 0.15;             /* rad: a kink that turns less is not one any more */
@@ -68,6 +70,14 @@ static void spread(struct bem_mesh *m, size_t panels, bool closed) {
   assert(failed == 0);
 }
 
+/* What shallow water adds to the square of the density: waves are as long as the root of its depth
+ * there, and break in proportion to it. */
+static double shallow(const struct bem_surface *s, double x, double y) {
+  if (!s->walls) return 0;
+  const double depth = bem_conformal_depth(s->walls, CMPLX(x, y));
+  return depth < 1 ? 1 / fmax(depth, SHALLOWEST) - 1 : 0;
+}
+
 /* Density of nodes wanted on every panel, and how many it is worth. */
 static void measure_density(struct bem_mesh *m, const struct bem_surface *s, const double *state) {
   const size_t n = s->n;
@@ -77,7 +87,8 @@ static void measure_density(struct bem_mesh *m, const struct bem_surface *s, con
   for (size_t j = n - 1; j-- > 0;) {
     double l = share[j] = hypot(x[j + 1] - x[j], y[j + 1] - y[j]);
     double near = s->tip > 0 ? 1 / (s->tip + GROWTH * (distance + 0.5 * l)) : 0;
-    rho[j] = sqrt(1 + 0.5 * (bend[j] + bend[j + 1]) / (BEND * BEND) + near * near);
+    rho[j] = sqrt(1 + 0.5 * (bend[j] + bend[j + 1]) / (BEND * BEND) + near * near +
+                  shallow(s, 0.5 * (x[j] + x[j + 1]), 0.5 * (y[j] + y[j + 1])));
     distance += l;
   }
   spread(m, n - 1, bem_surface_is_closed(s));

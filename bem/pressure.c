@@ -76,6 +76,8 @@ static enum status map(const struct bem_flow *f, const double *state, double com
     *dzeta = bem_map_slope(s->length, z - s->left);
     return OK;
   }
+  *under = bem_conformal_is_near(s->walls, z);
+  if (!*under) return OK;
   TRY(bem_conformal_on_wall(s->walls, z, &zeta, dzeta));
   *tau = creal(zeta);
   *under = creal(zeta) > p->re[0] && creal(zeta) < p->re[s->n - 1];

@@ -45,17 +45,31 @@ static enum status record_cut(struct bem_run *r, const struct bem_cut *cut) {
                           film ? s->state[2 * s->n - 1] : cut->piece.y);
 }
 
-enum status bem_run_cut(struct bem_run *r, const struct bem_cut *cut) {
-  struct bem_flow *f = &r->flow;
+/* Before and after the shape of the water is changed. */
+static enum status measure(struct bem_flow *f, struct bem_totals *t) {
   TRY(bem_flow_solve(f, f->surface.state, 0));
-  struct bem_totals before = bem_surface_totals(&f->surface, f->psi);
-  TRY(change_shape(r, cut));
+  *t = bem_surface_totals(&f->surface, f->psi);
+  return OK;
+}
+
+/* Starts afresh and books what has gone since; *volume: of that, H^2. */
+static enum status book(struct bem_run *r, const struct bem_totals *before, double *volume) {
+  struct bem_totals after;
   TRY(bem_run_restart(r));
-  TRY(bem_flow_solve(f, f->surface.state, 0));
-  struct bem_totals after = bem_surface_totals(&f->surface, f->psi);
-  r->output.removed_volume += before.volume - after.volume;
-  r->output.removed_energy += before.kinetic + before.potential - after.kinetic - after.potential;
-  if (cut->kind == BEM_CUT_TOP) r->output.spilled_volume += before.volume - after.volume;
+  TRY(measure(&r->flow, &after));
+  *volume = before->volume - after.volume;
+  r->output.removed_volume += *volume;
+  r->output.removed_energy += before->kinetic + before->potential - after.kinetic - after.potential;
+  return OK;
+}
+
+enum status bem_run_cut(struct bem_run *r, const struct bem_cut *cut) {
+  struct bem_totals before;
+  double volume;
+  TRY(measure(&r->flow, &before));
+  TRY(change_shape(r, cut));
+  TRY(book(r, &before, &volume));
+  if (cut->kind == BEM_CUT_TOP) r->output.spilled_volume += volume;
   return record_cut(r, cut);
 }
 
@@ -103,6 +117,25 @@ enum status bem_run_rescue(struct bem_run *r) {
   TRY(bem_flow_solve(&r->flow, r->flow.surface.state, 0));
   const struct bem_cut wrinkle = {BEM_CUT_WRINKLE, bem_cuts_find_wrinkle(&r->flow)};
   return bem_run_cut(r, &wrinkle);
+}
+
+static enum status pass(struct bem_run *r, bool right, int way) {
+  const struct bem_surface *s = &r->flow.surface;
+  struct bem_totals before;
+  double volume;
+  TRY(measure(&r->flow, &before));
+  TRY(bem_shore_pass(r->shore, &r->flow, right, way));
+  TRY(book(r, &before, &volume));
+  const size_t edge = right ? s->n - 1 : 0;
+  return bem_output_event(&r->output, "bend", r->time, s->state[edge], s->state[s->n + edge]);
+}
+
+enum status bem_run_pass_bends(struct bem_run *r) {
+  for (int right = 0; r->shore && right < 2; right++) {
+    const int way = bem_shore_arrives(r->shore, &r->flow.surface, right);
+    if (way != 0) TRY(pass(r, right, way));
+  }
+  return OK;
 }
 
 enum status bem_run_end(struct bem_run *r, double x, double y, const char *what, const char *then) {

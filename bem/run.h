@@ -6,12 +6,13 @@
 #include "bem/flow.h"
 #include "bem/output.h"
 #include "bem/pace.h"
+#include "bem/shore.h"
 #include "bem/sides.h"
 #include "bem/stepper.h"
 
 struct bem_run {
   const struct case_file *c;
-  struct bem_conformal *walls; /* of a tank that is not rectangular, else NULL; owned */
+  struct bem_shore *shore; /* of a tank that is not rectangular, else NULL; owned */
   struct bem_flow flow;
   struct bem_output output;
   struct bem_stepper *stepper;
@@ -54,6 +55,9 @@ enum status bem_run_trim(struct bem_run *r);
 /* Where a run does not get on: cuts what is not quite as thin, or smooths the wrinkle that stops
  * it. After some trials it ends the run in a sentence that says what cannot be followed. */
 enum status bem_run_rescue(struct bem_run *r);
+
+/* Lets edges of the water that have come to a bend of the walls pass it. */
+enum status bem_run_pass_bends(struct bem_run *r);
 
 /* The run goes no further than an event at (x, y). */
 enum status bem_run_end(struct bem_run *r, double x, double y, const char *what, const char *then);

@@ -105,6 +105,7 @@ static enum status act(struct bem_run *r, const int *found) {
   TRY(bem_events_act(r, found));
   if (r->ended) return OK;
   TRY(bem_run_trim(r));
+  TRY(bem_run_pass_bends(r));
   if (!bem_mesh_is_poor(&r->flow.mesh, &r->flow.surface)) return OK;
   TRY(bem_mesh_regrid(&r->flow.mesh, &r->flow.surface));
   return bem_run_restart(r);
@@ -200,10 +201,9 @@ static enum status begin(struct bem_run *r, const struct case_run *cr) {
   TRY(bem_solve_create(&solve, &r->flow.solve));
   solve.tolerance = fmax(solve.tolerance, SHOWN);
   TRY(bem_output_create(&r->output, &solve));
-  if (!c->rectangular) TRY(bem_basin_map(c, &r->walls));
-  r->flow.surface.walls = r->walls;
   r->flow.surface.film = o->film / c->H;
-  TRY(bem_start_surface(c, cr, &r->flow));
+  if (!c->rectangular) TRY(bem_basin_shore(c, &r->shore));
+  TRY(bem_start_surface(c, cr, r->shore, &r->flow));
   r->flow.surface.depth = r->flow.level;
   r->flow.filter = o->filter * (r->flow.surface.tip > 0 ? 1 : GENTLE * wave_frequency(c));
   r->flow.smoothing = o->smoothing;
@@ -234,7 +234,7 @@ static enum status run_once(const struct case_file *c, const struct case_run *cr
   bem_stepper_destroy(r.stepper);
   bem_sides_destroy(&r.sides);
   bem_flow_destroy(&r.flow);
-  bem_conformal_destroy(r.walls);
+  bem_shore_destroy(r.shore);
   return status;
 }
 

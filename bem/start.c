@@ -163,7 +163,7 @@ static void start_moving(struct bem_flow *f) {
 }
 
 static enum status start_in_tank_at_rest(const struct case_file *c, const struct case_run *r,
-                                         struct bem_flow *f) {
+                                         struct bem_shore *shore, struct bem_flow *f) {
   struct geo_box b = geo_lines_box(&c->water);
   bool wave = flow_is_wave(c->flow);
   double tank = (c->tank.max[0] - c->tank.min[0]) / c->H;
@@ -172,9 +172,9 @@ static enum status start_in_tank_at_rest(const struct case_file *c, const struct
   f->mesh.resolution = r->resolution;
   f->motion = bem_motion_create(c);
   f->surface.tank = tank;
-  if (f->surface.walls) {
+  if (shore) {
     f->level = (case_rest_level(c) - c->tank.min[1]) / c->H;
-    return bem_basin_start(c, r->resolution, &f->surface);
+    return bem_basin_start(c, shore, f);
   }
   f->level = wide * high / tank;
   if (!wave) return start_column(wide, high, f);
@@ -186,8 +186,8 @@ static enum status start_in_tank_at_rest(const struct case_file *c, const struct
 }
 
 enum status bem_start_surface(const struct case_file *c, const struct case_run *r,
-                              struct bem_flow *f) {
-  TRY(start_in_tank_at_rest(c, r, f));
+                              struct bem_shore *shore, struct bem_flow *f) {
+  TRY(start_in_tank_at_rest(c, r, shore, f));
   if (f->motion.frame) start_moving(f);
   return OK;
 }

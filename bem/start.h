@@ -1,6 +1,6 @@
 /* From the case to the surface at t = 0, and what this solver cannot start from. */
 #pragma once
-#include "bem/flow.h"
+#include "bem/shore.h"
 #include "common/case/case.h"
 
 void bem_start_check(const struct case_file *c, const struct case_run *r,
@@ -8,4 +8,4 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
 
 /* Sets f->surface, f->mesh.resolution and f->level. */
 enum status bem_start_surface(const struct case_file *c, const struct case_run *r,
-                              struct bem_flow *f);
+                              struct bem_shore *shore, struct bem_flow *f);

@@ -11,9 +11,10 @@ static const char still[] = "title: tank at rest\n"
                             "time: {end: 4.6, every: 4.6, sample: 0.23}\n"
                             "probes: [{name: slope, at: [%s], size: 0.02}]\n"
                             "gauges: [{name: middle, x: 1.5}]\n"
-                            "runs: [{name: bem, solver: bem, resolution: 20}]\n";
+                            "runs: [{name: bem, solver: bem, resolution: 20, tolerance: 1e-9}]\n";
 
-/* For 20 sqrt(H/g): rounding alone moves it. */
+/* For 20 sqrt(H/g): rounding alone moves it, up to the tolerance, as steps are as long as damping
+ * stands them. */
 static void test_still_water_stays_still_in_any_tank(void) {
   static const struct {
     const char *name, *walls, *probe;
@@ -43,7 +44,7 @@ static void test_still_water_stays_still_in_any_tank(void) {
            "%.1e m\n",
            tank[i].name, speed, change, pressure, level);
     EXPECT(f && f->n_energy == 21);
-    EXPECT(speed < 1e-10 && change < 1e-10 && pressure < 1e-11 && level < 1e-11);
+    EXPECT(speed < 1e-8 && change < 1e-9 && pressure < 1e-9 && level < 1e-9);
     result_file_destroy(f);
   }
 }
@@ -143,24 +144,38 @@ static void test_a_wave_over_a_bar_keeps_its_water_and_its_energy(void) {
   EXPECT(fine.volume < 5e-8 && fine.energy < 2e-4);
 }
 
-/* ---- the end ---- */
+/* ---- bends ---- */
 
-static void test_an_edge_that_comes_to_a_bend_ends_the_run(void) {
-  struct result_file *f =
-      run_bem("title: bend\n"
-              "fluid: {density: 1, gravity: 1}\n"
-              "scales: {H: 1}\n"
-              "tank: {walls: [[[-1, 2], [-1, 0], [1, 0], [2.01, 1.01], [2.01, 2]]]}\n"
-              "water: {wave: {kind: standing, amplitude: 0.05, wavelength: 6.02, depth: 0.97}}\n"
-              "time: {end: 20, every: 1, sample: 0.1}\n"
-              "runs: [{name: bem, solver: bem, resolution: 12}]\n");
-  if (!f) return;
-  const struct result_event_read bend = run_event(f, "bend");
-  printf("  at t = %.3f, (%.4f, %.4f)\n", bend.time, bend.x, bend.y);
-  EXPECT_NEAR(bend.x, 2.01, 0.01); /* a tenth of a panel short of it */
-  EXPECT_NEAR(bend.y, 1.01, 0.01);
-  EXPECT(strstr(f->ended, "came to a bend of the wall") != NULL);
-  result_file_destroy(f);
+/* Edges run up a slope to where it becomes steeper, or gentler, and on. */
+static void test_an_edge_passes_bends(void) {
+  static const struct {
+    const char *name, *slopes;
+    double wavelength, x; /* of the bend */
+  } tank[] = {{"steeper", "[2, 1], [3, 2]", 7.8, 2}, {"gentler", "[1.01, 1.01], [4, 2]", 6, 1.01}};
+  for (size_t i = 0; i < sizeof tank / sizeof *tank; i++) {
+    char text[500];
+    snprintf(text, sizeof text,
+             "title: bend\n"
+             "fluid: {density: 1, gravity: 1}\n"
+             "scales: {H: 1}\n"
+             "tank: {walls: [[[-2, 2], [-2, 0], [0, 0], %s]]}\n"
+             "water: {wave: {kind: standing, amplitude: 0.05, wavelength: %g, depth: 0.98}}\n"
+             "time: {end: 4, every: 4, sample: 0.2}\n"
+             "runs: [{name: bem, solver: bem, resolution: 12}]\n",
+             tank[i].slopes, tank[i].wavelength);
+    struct result_file *f = run_bem(text);
+    if (!f) continue;
+    const struct result_event_read bend = run_event(f, "bend");
+    const struct result_energy *last = f->energy + f->n_energy - 1;
+    const double wave = 0.05 * 0.05 * tank[i].wavelength / 8, first = f->energy[0].total;
+    const double energy = (last->total + last->term[0] + last->removed - first) / wave;
+    const double volume = f->steps[f->n_energy - 1].volume / f->steps[0].volume - 1;
+    printf("  %s: at t = %.3f, x = %.4f; energy changed by %.1e of the wave's, volume by %.1e\n",
+           tank[i].name, bend.time, bend.x, energy, volume);
+    EXPECT(last->time > 3.99 && bend.x > tank[i].x && bend.x < tank[i].x + 0.02);
+    EXPECT(fabs(energy) < 0.02 && fabs(volume) < 1e-4);
+    result_file_destroy(f);
+  }
 }
 
 int main(void) {
@@ -168,6 +183,6 @@ int main(void) {
   RUN(test_water_in_a_wedge_sloshes_as_theory_says);
   RUN(test_water_may_begin_anywhere_on_a_slope);
   RUN(test_a_wave_over_a_bar_keeps_its_water_and_its_energy);
-  RUN(test_an_edge_that_comes_to_a_bend_ends_the_run);
+  RUN(test_an_edge_passes_bends);
   return TEST_RESULT;
 }

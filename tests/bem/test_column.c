@@ -39,7 +39,7 @@ static struct column release(int resolution) {
   EXPECT(c);
   if (!c) return out;
   EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 0}, &f.solve));
-  EXPECT_OK(bem_start_surface(c, &c->runs[0], &f));
+  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
   const size_t n = f.surface.n;
   EXPECT_OK(bem_flow_reserve(&f, n));
   EXPECT_OK(bem_flow_solve(&f, f.surface.state, 1));
