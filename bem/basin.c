@@ -238,7 +238,7 @@ void bem_basin_check(const struct case_file *c, const struct case_run *r, struct
   if (status == ERR_MEMORY) problems->out_of_memory = true;
   if (status == ERR_SOLVER)
     refuse(r, problems, status_message(), "walls of which the conformal map is found");
-  if (!flow_is_wave(c->flow) && (c->velocity[0] != 0 || c->velocity[1] != 0))
+  if (!flow_is_wave(c->flow) && case_water_moves(c))
     refuse(r, problems, "moving water", "water at rest at t = 0");
   if (status == OK) {
     check_probes(c, r, m, problems);

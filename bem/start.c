@@ -60,7 +60,7 @@ static void check_regions(const struct case_file *c, const struct case_run *r,
         "runs.%s.solver: found 'bem' with other water; allowed: a rectangle that stands on "
         "the bed against the left wall; take another solver",
         r->name);
-  if (c->velocity[0] != 0 || c->velocity[1] != 0)
+  if (case_water_moves(c))
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' with moving water; allowed: water at rest at t = 0; "
                  "remove water.velocity",

@@ -107,6 +107,11 @@ struct geo_box geo_lines_box(const struct geo_lines *l) {
 }
 
 bool geo_lines_contain(const struct geo_lines *l, double x, double y) {
+  size_t piece;
+  return geo_lines_find(l, x, y, &piece);
+}
+
+bool geo_lines_find(const struct geo_lines *l, double x, double y, size_t *piece) {
   for (size_t k = 0; k < l->pieces; k++) {
     if (!l->closed[k]) continue;
     bool inside = false;
@@ -116,6 +121,7 @@ bool geo_lines_contain(const struct geo_lines *l, double x, double y) {
       if ((p[1] > y) != (q[1] > y) && x < (q[0] - p[0]) * (y - p[1]) / (q[1] - p[1]) + p[0])
         inside = !inside;
     }
+    *piece = k;
     if (inside) return true;
   }
   return false;

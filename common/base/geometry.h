@@ -80,6 +80,8 @@ static inline double geo_segment_foot(const double a[2], const double b[2], cons
 
 /* Whether (x, y) is inside the union of the closed pieces (even-odd rule per piece). */
 bool geo_lines_contain(const struct geo_lines *l, double x, double y);
+/* Which closed piece it is in, the first of them; false: none. */
+bool geo_lines_find(const struct geo_lines *l, double x, double y, size_t *piece);
 
 /* Where a straight line runs through the union of closed pieces: spans of the coordinate along it,
  * in order. */

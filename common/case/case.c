@@ -149,9 +149,10 @@ static void print_kinds(FILE *out, const char *section, const struct flow_list *
 }
 
 void case_print_keys(FILE *out) {
-  const struct case_table *const lists[] = {case_section_tables, case_motion_tables,
-                                            case_run_tables, case_signal_tables};
-  for (size_t i = 0; i < 4; i++)
+  const struct case_table *const lists[] = {case_section_tables, case_line_tables,
+                                            case_motion_tables, case_run_tables,
+                                            case_signal_tables};
+  for (size_t i = 0; i < 5; i++)
     for (const struct case_table *t = lists[i]; t->name; t++) {
       print_section(out, t->name, t->params, t->n);
       if (!strcmp(t->name, "water.wave")) print_kinds(out, t->name, &flow_waves);
@@ -172,6 +173,7 @@ void case_destroy(struct case_file *c) {
   free(c->title);
   case_release_form(c);
   case_release_motions(c);
+  free(c->velocities);
   geo_lines_destroy(&c->walls);
   geo_lines_destroy(&c->water);
   for (size_t i = 0; i < c->n_probes; i++) free(c->probes[i].name);

@@ -133,7 +133,9 @@ struct case_file {
   const struct flow *flow; /* the water at t = 0 (common/flow/flow.h) */
   void *form;              /* what the case says of it, in a struct of its own; owned */
   struct geo_lines water;  /* closed counter-clockwise regions, or the outline of the wave */
-  double velocity[2];      /* of the regions at t = 0, m/s */
+  double velocity[2];      /* of the regions at t = 0, m/s, that have none of their own */
+  bool regions_differ;     /* some have */
+  double (*velocities)[2]; /* of each region, [water.pieces], owned; NULL: there are none */
 
   double end;    /* s, last output time */
   double every;  /* s: surfaces and particles are written at exactly the multiples of it */
@@ -243,6 +245,8 @@ void case_fingerprint(const struct case_file *c, const struct case_run *r, char 
 /* Identifies what results must share to be compared at all: the tank, the water at t = 0, the fluid
  * and the scales, whatever solves them how finely for how long (hex digits, 32 + NUL). */
 void case_water_fingerprint(const struct case_file *c, char out[33]);
+
+bool case_water_moves(const struct case_file *c); /* regions, at t = 0 */
 
 double case_water_area(const struct case_file *c); /* m^2, at t = 0 */
 

@@ -6,6 +6,7 @@
 #include "common/base/geometry_check.h"
 #include "common/case/case_draft.h"
 #include "common/flow/flow.h"
+#include "common/tank/room.h"
 
 enum { MOST_OUTPUTS = 100000, MOST_SAMPLES = 10000000 };
 
@@ -77,6 +78,19 @@ static void check_name(struct case_draft *d, int item, const char *path, const c
     }
 }
 
+/* Of a tank with periodic sides, which has no other wall. */
+static bool is_on_bed(const struct case_file *c, double x, double y) {
+  size_t first, last;
+  double nearest = INFINITY;
+  tank_find_bed(&c->walls, &first, &last);
+  for (size_t i = first; i < last; i++) {
+    double foot[2];
+    geo_segment_foot(c->walls.p[i], c->walls.p[i + 1], (double[2]){x, y}, foot);
+    nearest = fmin(nearest, hypot(x - foot[0], y - foot[1]));
+  }
+  return nearest <= 1e-6 * case_tank_size(c);
+}
+
 static void check_probe(struct case_draft *d, size_t i, int item, const char *path) {
   const struct case_file *c = d->c;
   const struct case_probe *p = &c->probes[i];
@@ -84,7 +98,7 @@ static void check_probe(struct case_draft *d, size_t i, int item, const char *pa
   size_t piece = 0;
   char full[CASE_PATH + 8], found[96], todo[96];
   double distance = geo_lines_distance(&c->walls, p->x, p->y, nearest, &piece);
-  if (c->periodic[1] || (c->periodic[0] && p->y > c->tank.min[1] + case_near(c))) {
+  if (c->periodic[1] || (c->periodic[0] && !is_on_bed(c, p->x, p->y))) {
     snprintf(full, sizeof full, "%s.at", path);
     snprintf(found, sizeof found, "(%.6g, %.6g) m, where a periodic tank has no wall", p->x, p->y);
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "at"), full, found,
@@ -110,8 +124,18 @@ static void check_point(struct case_draft *d, size_t i, int item, const char *pa
   const struct case_point *p = &c->points[i];
   const struct geo_box *t = &c->tank;
   char full[CASE_PATH + 8], found[96], allowed[128];
-  if (p->x >= t->min[0] && p->x <= t->max[0] && p->y >= t->min[1] && p->y <= t->max[1]) return;
+  double nearest[2];
   snprintf(full, sizeof full, "%s.at", path);
+  if (p->x >= t->min[0] && p->x <= t->max[0] && p->y >= t->min[1] && p->y <= t->max[1]) {
+    const double inside = tank_distance(&c->walls, p->x, p->y, nearest);
+    if (inside >= -1e-6 * case_tank_size(c)) return;
+    snprintf(found, sizeof found, "(%.6g, %.6g) m, %.3g m behind a wall", p->x, p->y, -inside);
+    snprintf(allowed, sizeof allowed, "a point in the tank; the nearest is (%.6g, %.6g) m",
+             nearest[0], nearest[1]);
+    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "at"), full, found, allowed,
+                     "move the point");
+    return;
+  }
   snprintf(found, sizeof found, "(%.6g, %.6g) m", p->x, p->y);
   snprintf(allowed, sizeof allowed, "inside the tank, from (%.6g, %.6g) to (%.6g, %.6g) m",
            t->min[0], t->min[1], t->max[0], t->max[1]);

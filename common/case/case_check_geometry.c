@@ -7,7 +7,9 @@
 #include "common/base/geometry_check.h"
 #include "common/case/case_draft.h"
 #include "common/flow/edges.h"
-#include "common/tank/tank.h"
+#include "common/tank/room.h"
+
+static const double LEAST_GAP = 0.01; /* of the tank's size */
 
 /* ---- geometry ---- */
 
@@ -15,6 +17,10 @@ static int item_line(struct case_draft *d, int section, const char *key, size_t 
   int list = case_doc_member(&d->doc, section, key);
   return case_doc_line(&d->doc,
                        i < case_doc_size(&d->doc, list) ? case_doc_item(&d->doc, list, i) : list);
+}
+
+static int wall_line(struct case_draft *d, size_t k) {
+  return item_line(d, d->at.tank, "walls", d->wall_item[k]);
 }
 
 /* Two equal points in a row, and a piece that meets itself. True when there is neither. */
@@ -50,8 +56,8 @@ static bool check_vessel(struct case_draft *d, size_t k) {
   bool simple;
   double at[2] = {0};
   char path[CASE_PATH], found[128];
-  int line = item_line(d, d->at.tank, "walls", k);
-  snprintf(path, sizeof path, "tank.walls[%zu]", k);
+  int line = wall_line(d, k);
+  snprintf(path, sizeof path, "tank.walls[%zu]", d->wall_item[k]);
   if (geo_piece_simple(w, k, true, &simple, at) != OK) {
     d->doc.problems->out_of_memory = true;
     return false;
@@ -70,13 +76,45 @@ static bool check_vessel(struct case_draft *d, size_t k) {
   return false;
 }
 
+/* A gap that nobody sees is a slip of the pen; water leaves through wider ones. */
+static bool check_gaps(struct case_draft *d) {
+  const double least = LEAST_GAP * case_tank_size(d->c);
+  struct tank_gap gap;
+  char path[CASE_PATH], found[128], allowed[96];
+  if (!tank_find_gap(&d->c->walls, &gap) || gap.width >= least) return true;
+  snprintf(path, sizeof path, "tank.walls[%zu]", d->wall_item[gap.wall[1]]);
+  snprintf(found, sizeof found, "a gap of %.6g m to walls[%zu] at (%.6g, %.6g) m", gap.width,
+           d->wall_item[gap.wall[0]], gap.at[0], gap.at[1]);
+  snprintf(allowed, sizeof allowed, "walls that meet, or that are at least %.3g m apart", least);
+  case_doc_problem(&d->doc, wall_line(d, gap.wall[1]), path, found, allowed,
+                   "let one begin where the other ends");
+  return false;
+}
+
+/* A closed wall in the tank keeps water out. */
+static bool check_obstacles(struct case_draft *d) {
+  const struct geo_lines *w = &d->c->walls;
+  const size_t vessel = geo_lines_vessel(w);
+  char path[CASE_PATH];
+  for (size_t k = 0; k < w->pieces; k++) {
+    if (!w->closed[k] || vessel == w->pieces || geo_piece_area(w, k) < 0) continue;
+    snprintf(path, sizeof path, "tank.walls[%zu]", d->wall_item[k]);
+    case_doc_problem(&d->doc, wall_line(d, k), path, "a closed wall with its water inside",
+                     "in a tank that another wall makes: obstacles, with the water outside, "
+                     "clockwise",
+                     "reverse the order of its points");
+    return false;
+  }
+  return true;
+}
+
 static void check_walls(struct case_draft *d) {
   const struct geo_lines *w = &d->c->walls;
   char path[CASE_PATH], found[96];
   bool good = true;
   for (size_t k = 0; k < w->pieces; k++) {
-    snprintf(path, sizeof path, "tank.walls[%zu]", k);
-    good &= check_piece(d, w, k, item_line(d, d->at.tank, "walls", k), path, "wall");
+    snprintf(path, sizeof path, "tank.walls[%zu]", d->wall_item[k]);
+    good &= check_piece(d, w, k, wall_line(d, k), path, "wall");
   }
   for (size_t k = 1; good && k < w->pieces; k++)
     for (size_t j = 0; j < k; j++) {
@@ -84,9 +122,9 @@ static void check_walls(struct case_draft *d) {
       if (geo_pieces_cross(w, j, k, &cross) != OK)
         d->doc.problems->out_of_memory = true;
       else if (cross) {
-        snprintf(path, sizeof path, "tank.walls[%zu]", k);
-        snprintf(found, sizeof found, "a wall that crosses or covers walls[%zu]", j);
-        case_doc_problem(&d->doc, item_line(d, d->at.tank, "walls", k), path, found,
+        snprintf(path, sizeof path, "tank.walls[%zu]", d->wall_item[k]);
+        snprintf(found, sizeof found, "a wall that crosses or covers walls[%zu]", d->wall_item[j]);
+        case_doc_problem(&d->doc, wall_line(d, k), path, found,
                          "walls that meet at their ends at most", "correct its points");
         good = false;
       }
@@ -98,6 +136,7 @@ static void check_walls(struct case_draft *d) {
                      "a tank without width", "walls that span some width", "add the bed");
     good = false;
   }
+  if (good) good = check_obstacles(d) && check_gaps(d);
   d->good.tank = good;
 }
 
@@ -110,7 +149,9 @@ static void check_region_in_tank(struct case_draft *d, size_t k, int line, const
     snprintf(found, sizeof found, "water outside the tank, at (%.6g, %.6g) m for one", at[0],
              at[1]);
     case_doc_problem(&d->doc, line, path, found, "regions inside tank.walls",
-                     "move the region or the walls");
+                     c->walls.pieces > 1 && !c->walls.closed[0] && !c->walls.closed[1]
+                         ? "move the region, or join the walls to one round the water"
+                         : "move the region or the walls");
     return;
   }
   if (status == OK) status = geo_piece_crossed(&c->water, k, &c->walls, case_near(c), &part, at);
@@ -282,11 +323,11 @@ void case_check_geometry(struct case_draft *d) {
                      c->gravity > 0 ? "'periodic' with gravity" : "'periodic' between walls",
                      "a periodic bed between periodic sides, without gravity",
                      c->gravity > 0 ? "set fluid.gravity to 0" : "write sides: periodic");
-  if (d->good.tank && c->periodic[0] && !c->rectangular)
+  if (d->good.tank && c->periodic[0] && !tank_can_be_round(&c->walls, case_near(c)))
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.tank, "sides"), "tank.sides",
-                     "'periodic' in a tank that is not rectangular",
-                     "periodic sides of one wall: down the left side, along a flat bed, up the "
-                     "right side",
+                     "'periodic' with walls that do not go on at the other side",
+                     "one wall: down an upright left side, along a bed that ends as high as it "
+                     "begins and never goes back, up an upright right side",
                      "change tank.walls or write walls");
   if (d->good.water && c->flow->scale)
     check_form(d);

@@ -4,6 +4,8 @@
 
 #include "common/case/case_doc.h"
 
+enum { CASE_MOST_ITEMS = 1000 }; /* runs, probes, times ... in one list */
+
 struct case_draft {
   struct case_doc doc;
   struct case_file *c;
@@ -16,10 +18,10 @@ struct case_draft {
     bool scales, tank, water, time, probes, gauges, points, runs;
     bool shapes; /* tank and water make sense together */
   } good;
-  int pressure; /* water.pressure: place among the flows of regions */
+  size_t wall_item[CASE_MOST_ITEMS]; /* of tank.walls that each wall begins with: joined ones are
+                                        one */
+  int pressure;                      /* water.pressure: place among the flows of regions */
 };
-
-enum { CASE_MOST_ITEMS = 1000 }; /* runs, probes, times ... in one list */
 
 /* Table rows for a member of a struct that has the key's name. */
 #define ROWS(table) sizeof(table) / sizeof *(table)
@@ -39,24 +41,22 @@ enum { CASE_MOST_ITEMS = 1000 }; /* runs, probes, times ... in one list */
     .value = def, .help = text                                                                     \
   }
 
+struct case_table { /* what `plunge list` shows of a section; a NULL name ends a list of them */
+  const char *name;
+  const struct param *params;
+  size_t n;
+};
+
 /* case_sections.c: every section but runs and compare. */
 enum status case_read_sections(struct case_draft *d);
 bool case_read_section(struct case_draft *d, int node, const char *path, const struct param *rows,
                        size_t n, void *into);
-bool case_read_pair(struct case_doc *doc, int node, const char *path, const struct param *row,
-                    const char *what, double out[2]);
-bool case_read_point(struct case_doc *doc, int node, const char *path, double out[2]);
 void case_release_form(struct case_file *c);
 
 /* case_runs.c: runs, then compare, which names them. */
 enum status case_read_runs(struct case_draft *d);
 enum status case_read_compare(struct case_draft *d);
 
-struct case_table { /* what `plunge list` shows of a section; a NULL name ends a list of them */
-  const char *name;
-  const struct param *params;
-  size_t n;
-};
 extern const struct case_table case_section_tables[], case_run_tables[];
 
 size_t case_find_probe(struct case_draft *d, int node, const char *path); /* n_probes: none */
@@ -81,6 +81,15 @@ void case_check_window(struct case_draft *d);
 /* case_check_geometry.c: tank and water; what fails is no longer good. */
 void case_check_geometry(struct case_draft *d);
 
+/* case_lines.c: walls and regions, and what their points are made of. */
+bool case_read_pair(struct case_doc *doc, int node, const char *path, const struct param *row,
+                    const char *what, double out[2]);
+bool case_read_point(struct case_doc *doc, int node, const char *path, double out[2]);
+bool case_read_velocity(struct case_doc *doc, int node, const char *path, double out[2]);
+enum status case_read_walls(struct case_draft *d, int node);
+enum status case_read_regions(struct case_draft *d, int node);
+extern const struct case_table case_line_tables[];
+
 /* case_rows.c: two columns of numbers from a text file, its path relative to the case file, in SI
  * units. Adds problems; `line` and `path` are those of the key that names it. */
 struct case_columns {
@@ -100,6 +109,13 @@ void case_rows_destroy(struct case_rows *r);
 enum status case_read_motions(struct case_draft *d, int node);
 void case_check_motions(struct case_draft *d);
 void case_release_motions(struct case_file *c);
+/* A problem of motion i at one of its keys, or with all of it. */
+void case_motion_problem(struct case_draft *d, size_t i, const char *key, const char *found,
+                         const char *allowed, const char *todo);
+
+/* case_stroke.c: how far sides move. ERR_MEMORY. */
+enum status case_check_strokes(struct case_draft *d);
+
 extern const struct case_table case_motion_tables[];
 
 /* case_experiment.c: reads the data file of e, a path relative to the case file, into SI units.

@@ -27,6 +27,12 @@ static void write_motion(FILE *out, const struct tank_motion *m) {
   fputc('\n', out);
 }
 
+/* Of regions that have their own. */
+static void write_velocities(FILE *out, const struct case_file *c) {
+  for (size_t k = 0; c->regions_differ && k < c->water.pieces; k++)
+    fprintf(out, "moves %.12g %.12g\n", c->velocities[k][0] + 0.0, c->velocities[k][1] + 0.0);
+}
+
 static void write_inputs(FILE *out, const struct case_file *c, const struct case_run *r) {
   fprintf(out, "plunge %s %s\n", PLUNGE_VERSION, PLUNGE_REVISION);
   fprintf(out, "fluid %.17g %.17g\nH %.17g\ng %.17g\n", c->density, c->gravity, c->H, c->g);
@@ -37,6 +43,7 @@ static void write_inputs(FILE *out, const struct case_file *c, const struct case
   write_lines(out, "water", &c->water);
   fprintf(out, "velocity %.17g %.17g\nflow %s\n", c->velocity[0], c->velocity[1],
           flow_name(c->flow));
+  write_velocities(out, c);
   params_write(out, c->flow->params, c->flow->n_params, c->form);
   fprintf(out, "time %.17g %.17g %.17g\n", c->end, c->every, c->sample);
   for (size_t i = 0; i < c->n_probes; i++)
@@ -102,6 +109,7 @@ static void write_water(FILE *out, const struct case_file *c) {
   }
   write_rounded_lines(out, "water", &c->water);
   write_rounded(out, "velocity", 2, c->velocity);
+  write_velocities(out, c);
   fprintf(out, "pressure %zu\n", flow_place(c->flow));
 }
 

@@ -98,9 +98,8 @@ static int motion_node(struct case_draft *d, size_t i) {
   return case_doc_item(&d->doc, case_doc_member(&d->doc, d->at.tank, "motions"), i);
 }
 
-/* A problem of motion i at one of its keys, or with all of it. */
-static void motion_problem(struct case_draft *d, size_t i, const char *key, const char *found,
-                           const char *allowed, const char *todo) {
+void case_motion_problem(struct case_draft *d, size_t i, const char *key, const char *found,
+                         const char *allowed, const char *todo) {
   char path[CASE_PATH];
   int node = motion_node(d, i);
   motion_path(i, key, path);
@@ -126,10 +125,10 @@ static void check_sine(struct case_draft *d, size_t i, int node, const struct mo
   for (size_t k = 0; k < ROWS(keys); k++) {
     const bool given = case_doc_member(&d->doc, node, keys[k]);
     if (s->file && given)
-      motion_problem(d, i, keys[k], "a sine beside a file", "one of them", "remove the other");
+      case_motion_problem(d, i, keys[k], "a sine beside a file", "one of them", "remove the other");
     else if (!s->file && !given && k < 2)
-      motion_problem(d, i, keys[k], "nothing",
-                     "amplitude and period of a sine, or a file of positions", "add this key");
+      case_motion_problem(d, i, keys[k], "nothing",
+                          "amplitude and period of a sine, or a file of positions", "add this key");
   }
 }
 
@@ -145,7 +144,7 @@ static void check_gaps(struct case_draft *d, size_t i, const char *file, const s
     snprintf(found, sizeof found, "a hole from %.6g to %.6g s in %s", r->x[k], r->x[k + 1], shown);
     snprintf(allowed, sizeof allowed,
              "rows at most %g times as far apart as most, which are %.3g s", MOST_GAP, median);
-    motion_problem(d, i, "file", found, allowed, "add the rows that are missing");
+    case_motion_problem(d, i, "file", found, allowed, "add the rows that are missing");
     return;
   }
 }
@@ -157,7 +156,7 @@ static enum status judge_rows(struct case_draft *d, size_t i, const char *file,
     char found[128], allowed[64];
     snprintf(found, sizeof found, "%zu row%s", r->n, r->n == 1 ? "" : "s");
     snprintf(allowed, sizeof allowed, "at least %d rows 't, q'", TANK_LEAST_ROWS);
-    motion_problem(d, i, "file", found, allowed, "add rows");
+    case_motion_problem(d, i, "file", found, allowed, "add rows");
     return OK;
   }
   TRY(array_create(&gaps, r->n, "the motion of a wall"));
@@ -238,13 +237,13 @@ static void check_together(struct case_draft *d, size_t i) {
     const struct tank_motion *o = &d->c->motions[k];
     if (o->kind != m->kind) continue;
     if (m->kind == TANK_MOTION_roll && (o->about[0] != m->about[0] || o->about[1] != m->about[1])) {
-      motion_problem(d, i, "about", "a second point to roll about", "rolls about one point",
-                     "give both the same");
+      case_motion_problem(d, i, "about", "a second point to roll about", "rolls about one point",
+                          "give both the same");
       return;
     }
     if (m->kind == TANK_MOTION_flap && o->side == m->side && o->hinge != m->hinge) {
-      motion_problem(d, i, "hinge", "a second hinge of a side", "flaps of a side about one hinge",
-                     "give both the same");
+      case_motion_problem(d, i, "hinge", "a second hinge of a side",
+                          "flaps of a side about one hinge", "give both the same");
       return;
     }
   }
@@ -259,8 +258,8 @@ static void check_bed_of_piston(struct case_draft *d, size_t i, const struct tan
   if (fabs(next[1] - foot[1]) <= case_near(d->c) && (next[0] - foot[0]) * way > 0) return;
   snprintf(found, sizeof found, "a piston on a bed from (%.6g, %.6g) to (%.6g, %.6g) m", foot[0],
            foot[1], next[0], next[1]);
-  motion_problem(d, i, "side", found, "a piston whose piece of the bed is level",
-                 "put a level piece before it");
+  case_motion_problem(d, i, "side", found, "a piston whose piece of the bed is level",
+                      "put a level piece before it");
 }
 
 /* The wall bends at the hinge: a vertex more there, unless there is one. */
@@ -292,7 +291,7 @@ static void check_hinge(struct case_draft *d, size_t i, const struct tank_side *
   }
   snprintf(found, sizeof found, "a hinge at y = %.6g m", m->hinge);
   snprintf(allowed, sizeof allowed, "on its side, from %.6g m to below %.6g m", foot, top);
-  motion_problem(d, i, "hinge", found, allowed, "move it");
+  case_motion_problem(d, i, "hinge", found, allowed, "move it");
 }
 
 static void check_side(struct case_draft *d, size_t i) {
@@ -300,9 +299,9 @@ static void check_side(struct case_draft *d, size_t i) {
   struct tank_side s;
   char found[96];
   if (!tank_find_side(&d->c->walls, m->side, &s)) {
-    motion_problem(d, i, "side", "a side of walls that make no tank",
-                   "one open wall: down the left side, along the bed, up the right side",
-                   "change tank.walls");
+    case_motion_problem(d, i, "side", "a side of walls that make no tank",
+                        "one open wall: down the left side, along the bed, up the right side",
+                        "change tank.walls");
     return;
   }
   if (m->kind == TANK_MOTION_piston)
@@ -314,8 +313,8 @@ static void check_side(struct case_draft *d, size_t i) {
   if (fabs(q[0]) <= 1e-6 * (m->kind == TANK_MOTION_piston ? case_tank_size(d->c) : 1)) return;
   snprintf(found, sizeof found, "the %s at %.6g %s at t = 0", tank_motion_name(m), q[0],
            m->kind == TANK_MOTION_piston ? "m" : "rad");
-  motion_problem(d, i, m->file.n ? "file" : "ramp", found, "0 there, where tank.walls draw it",
-                 m->file.n ? "subtract it from the file's positions" : "give it a ramp");
+  case_motion_problem(d, i, m->file.n ? "file" : "ramp", found, "0 there, where tank.walls draw it",
+                      m->file.n ? "subtract it from the file's positions" : "give it a ramp");
 }
 
 static void check_periodic(struct case_draft *d, size_t i) {
@@ -323,8 +322,8 @@ static void check_periodic(struct case_draft *d, size_t i) {
   char found[96];
   if (!d->c->periodic[0] || m->kind == TANK_MOTION_sway || m->kind == TANK_MOTION_heave) return;
   snprintf(found, sizeof found, "'%s' with periodic sides", tank_motion_name(m));
-  motion_problem(d, i, "kind", found, "sway and heave of a tank without sides",
-                 "write tank.sides: walls");
+  case_motion_problem(d, i, "kind", found, "sway and heave of a tank without sides",
+                      "write tank.sides: walls");
 }
 
 /* A file has the whole time of the case. */
@@ -335,8 +334,8 @@ static void check_span(struct case_draft *d, size_t i) {
   if (r->t[0] <= 0 && r->t[r->n - 1] >= d->c->end * (1 - CASE_SAME)) return;
   snprintf(found, sizeof found, "rows from %.6g to %.6g s", r->t[0], r->t[r->n - 1]);
   snprintf(allowed, sizeof allowed, "rows from 0 to time.end, %.6g s", d->c->end);
-  motion_problem(d, i, "file", found, allowed,
-                 r->t[0] > 0 ? "add the first rows" : "add the last rows or end earlier");
+  case_motion_problem(d, i, "file", found, allowed,
+                      r->t[0] > 0 ? "add the first rows" : "add the last rows or end earlier");
 }
 
 void case_refuse_motions(const struct case_file *c, const struct case_run *r,
@@ -357,5 +356,7 @@ void case_check_motions(struct case_draft *d) {
     check_together(d, i);
     check_span(d, i);
   }
+  if (d->doc.faults == faults && d->good.shapes && d->good.time && case_check_strokes(d) != OK)
+    d->doc.problems->out_of_memory = true;
   d->good.shapes &= d->doc.faults == faults;
 }

@@ -10,68 +10,6 @@
 #include "common/flow/flow.h"
 #include "common/tank/tank.h"
 
-enum { MOST_POINTS = 20000 };
-
-static const struct param coordinate = {
-    .type = PARAM_REAL, .quantity = QTY_LENGTH, .min = -1e6, .max = 1e6};
-
-bool case_read_pair(struct case_doc *doc, int node, const char *path, const struct param *row,
-                    const char *what, double out[2]) {
-  bool good = case_doc_expect_list(doc, node, path, 2, 2, what);
-  for (size_t k = 0; good && k < 2; k++) {
-    char item[CASE_PATH + 64];
-    snprintf(item, sizeof item, "%s[%zu]", path, k);
-    good = case_doc_value(doc, case_doc_item(doc, node, k), item, row, &out[k]);
-  }
-  return good;
-}
-
-bool case_read_point(struct case_doc *doc, int node, const char *path, double out[2]) {
-  return case_read_pair(doc, node, path, &coordinate, "lengths [x, y]", out);
-}
-
-/* A list of polylines. A wall whose last point is its first is closed; a region always is. */
-static enum status read_lines(struct case_doc *doc, int node, const char *path, size_t n_min,
-                              bool regions, struct geo_lines *out) {
-  geo_lines_clear(out);
-  if (!case_doc_expect_list(doc, node, path, 1, CASE_MOST_ITEMS,
-                            regions ? "regions, each a list of points"
-                                    : "walls, each a list of points"))
-    return OK;
-  for (size_t k = 0; k < case_doc_size(doc, node); k++) {
-    int piece = case_doc_item(doc, node, k);
-    char name[CASE_PATH], item[CASE_PATH + 32];
-    snprintf(name, sizeof name, "%s[%zu]", path, k);
-    if (!case_doc_expect_list(doc, piece, name, n_min, MOST_POINTS, "points [x, y]")) continue;
-    if (!case_doc_is_list(doc, case_doc_item(doc, piece, 0))) {
-      case_doc_problem(doc, case_doc_line(doc, piece), name, "a list without points",
-                       "a list of points [x, y]", "put one more pair of brackets round the points");
-      return OK;
-    }
-    size_t n = case_doc_size(doc, piece);
-    TRY(geo_lines_begin(out, regions));
-    for (size_t i = 0; i < n; i++) {
-      double p[2];
-      snprintf(item, sizeof item, "%s[%zu]", name, i);
-      if (case_read_point(doc, case_doc_item(doc, piece, i), item, p))
-        TRY(geo_lines_add(out, p[0], p[1]));
-    }
-    if (out->points > MOST_POINTS) {
-      char found[64];
-      snprintf(found, sizeof found, "more than %d points", MOST_POINTS);
-      case_doc_problem(doc, case_doc_line(doc, node), path, found,
-                       "as few points as tell the shape", "leave points out");
-      return OK;
-    }
-    size_t a = out->first[out->pieces - 1], b = out->points;
-    if (b > a + 2 && out->p[a][0] == out->p[b - 1][0] && out->p[a][1] == out->p[b - 1][1]) {
-      out->first[out->pieces] = --out->points;
-      out->closed[out->pieces - 1] = 1;
-    }
-  }
-  return OK;
-}
-
 /* ---- the sections ---- */
 
 struct fluid_section {
@@ -129,10 +67,11 @@ struct water_section {
   int regions, wave, body, velocity, pressure;
 };
 static const struct param water_rows[] = {
-    NODE(struct water_section, regions, "", "a list of regions, each a list of points [x, y]"),
+    NODE(struct water_section, regions, "",
+         "a list of regions, each a list of points [x, y] or a mapping with points, velocity"),
     NODE(struct water_section, wave, "", "a mapping with kind and the keys of that kind"),
     NODE(struct water_section, body, "", "a mapping with kind and the keys of that kind"),
-    NODE(struct water_section, velocity, "", "a list of 2 velocities [u, v]"),
+    NODE(struct water_section, velocity, "", "a list of 2 velocities [u, v], of all regions"),
     {.key = "pressure",
      .type = PARAM_CHOICE,
      .offset = offsetof(struct water_section, pressure),
@@ -228,7 +167,7 @@ static enum status read_tank(struct case_draft *d) {
   struct tank_section s = {0};
   size_t faults = d->doc.faults;
   if (d->at.tank && case_read_section(d, d->at.tank, "tank", tank_rows, ROWS(tank_rows), &s))
-    TRY(read_lines(&d->doc, s.walls, "tank.walls", 2, false, &d->c->walls));
+    TRY(case_read_walls(d, s.walls));
   TRY(case_read_motions(d, s.motions));
   d->c->periodic[0] = s.sides == SIDES_PERIODIC;
   d->c->periodic[1] = s.bed == SIDES_PERIODIC;
@@ -264,26 +203,22 @@ static enum status read_form(struct case_draft *d, int node, const struct form_l
 static enum status read_water(struct case_draft *d) {
   struct water_section s = {0};
   struct case_file *c = d->c;
-  static const struct param speed = {
-      .type = PARAM_REAL, .quantity = QTY_VELOCITY, .min = -1e6, .max = 1e6};
   size_t faults = d->doc.faults;
   if (d->at.water && case_read_section(d, d->at.water, "water", water_rows, ROWS(water_rows), &s)) {
     d->pressure = s.pressure;
     c->flow = flow_regions.flow[s.pressure];
+    if (s.velocity) case_read_velocity(&d->doc, s.velocity, "water.velocity", c->velocity);
     const int given = !!s.regions + !!s.wave + !!s.body;
     if (given != 1)
       case_doc_problem(&d->doc, case_doc_line(&d->doc, d->at.water), "water",
                        given ? "more than one of regions, wave and body" : "no water",
                        "one of regions, wave and body", given ? "remove the others" : "add it");
     else if (s.regions)
-      TRY(read_lines(&d->doc, s.regions, "water.regions", 3, true, &c->water));
+      TRY(case_read_regions(d, s.regions));
     else if (s.wave)
       TRY(read_form(d, s.wave, &form_of_waves));
     else
       TRY(read_form(d, s.body, &form_of_bodies));
-    if (s.velocity)
-      case_read_pair(&d->doc, s.velocity, "water.velocity", &speed, "velocities [u, v]",
-                     c->velocity);
   }
   d->good.water = d->at.water && d->doc.faults == faults;
   return OK;

@@ -66,6 +66,13 @@ static double turned_potential(const struct case_file *c, double wanted) {
   return potential;
 }
 
+bool case_water_moves(const struct case_file *c) {
+  bool moves = c->velocity[0] != 0 || c->velocity[1] != 0;
+  for (size_t k = 0; c->regions_differ && k < c->water.pieces; k++)
+    moves |= c->velocities[k][0] != 0 || c->velocities[k][1] != 0;
+  return moves;
+}
+
 double case_rest_level(const struct case_file *c) {
   const double wanted = case_water_area(c);
   double level, area = 0, centre[2] = {0, 0};

@@ -2,11 +2,21 @@
 
 #include <math.h>
 
+#include "common/base/geometry_check.h"
+
 void flow_regions_velocity(const struct flow_water *w, double x, double y, double t,
                            double velocity[2]) {
-  (void)x, (void)y, (void)t;
-  velocity[0] = w->c->velocity[0];
-  velocity[1] = w->c->velocity[1];
+  const double *of = w->c->velocity;
+  (void)t;
+  if (w->c->regions_differ) {
+    double nearest[2];
+    size_t region = 0;
+    if (!geo_lines_find(&w->c->water, x, y, &region))
+      geo_lines_distance(&w->c->water, x, y, nearest, &region);
+    of = w->c->velocities[region];
+  }
+  velocity[0] = of[0];
+  velocity[1] = of[1];
 }
 
 bool flow_find_column(const struct case_file *c, struct flow_column *column) {

@@ -3,7 +3,7 @@
 #include "common/case/case.h"
 #include "common/flow/flow.h"
 
-/* Of every region alike: case_file.velocity. */
+/* Of the region that (x, y) is in, or nearest to. */
 void flow_regions_velocity(const struct flow_water *w, double x, double y, double t,
                            double velocity[2]);
 

@@ -195,7 +195,7 @@ static void turn_vertex(const double at[2], const double hinge[2], const double 
   for (int k = 0; k < 2; k++) {
     const double across = k ? -arm[0] : arm[1];
     out[0][i][k] = hinge[k] + arm[k];
-    out[1][i][k] = flap[1] * across;
+    if (out[1]) out[1][i][k] = flap[1] * across;
     if (out[2]) out[2][i][k] = flap[2] * across - flap[1] * flap[1] * arm[k];
   }
 }
@@ -216,8 +216,7 @@ void tank_side_move(const struct geo_lines *walls, const struct tank_side *side,
   }
 }
 
-/* The hinge of a side's flaps, which have one; m. */
-static double hinge_of(const struct tank_motion *motions, size_t n, int side) {
+double tank_hinge(const struct tank_motion *motions, size_t n, int side) {
   for (size_t i = 0; i < n; i++)
     if (motions[i].kind == TANK_MOTION_flap && motions[i].side == side) return motions[i].hinge;
   return INFINITY;
@@ -232,7 +231,7 @@ void tank_vertices_at(const struct geo_lines *walls, const struct tank_motion *m
   if (a) memset(a, 0, bytes);
   for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) {
     struct tank_side s;
-    struct tank_shift shift = {.hinge = hinge_of(motions, n, side)};
+    struct tank_shift shift = {.hinge = tank_hinge(motions, n, side)};
     tank_side_at(motions, n, TANK_MOTION_piston, side, t, shift.piston);
     tank_side_at(motions, n, TANK_MOTION_flap, side, t, shift.flap);
     if (tank_find_side(walls, side, &s)) tank_side_move(walls, &s, &shift, p, v, a);

@@ -88,7 +88,11 @@ bool tank_find_side(const struct geo_lines *walls, int side, struct tank_side *s
 void tank_side_at(const struct tank_motion *motions, size_t n, enum tank_motion_kind kind, int side,
                   double t, double q[3]);
 
-/* What `piston` and `flap` (displacement, velocity, acceleration each) make of a vertex. */
+/* The height of the hinge of a side's flaps, which have one, m; INFINITY: there are none. */
+double tank_hinge(const struct tank_motion *motions, size_t n, int side);
+
+/* What `piston` and `flap` (displacement, velocity, acceleration each) make of the vertices of a
+ * side: v and a may be NULL. */
 struct tank_shift {
   double piston[3], flap[3], hinge; /* m; rad; m */
 };

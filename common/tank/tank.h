@@ -1,6 +1,6 @@
-/* The tank of the water: upright sides up to their tops on a flat bed, open above; or without walls
- * along an axis, where what leaves through one end comes in through the other. Whatever asks where
- * a wall is asks here. */
+/* The box of the tank: upright sides up to their tops on a flat bed, open above (room.h has other
+ * walls); or without walls along an axis, where what leaves through one end comes in through the
+ * other. Whatever asks where a wall is asks here. */
 #pragma once
 #include <math.h>
 #include <stdbool.h>
@@ -50,7 +50,7 @@ struct geo_box tank_around(const struct tank *t, double reach);
 struct geo_box tank_walled(const struct tank *t);
 
 /* The walls alone, for whoever continues the water behind them: `walls` where nothing is periodic,
- * else the bed, on by `beyond` (m) at both ends, or nothing. ERR_MEMORY. */
+ * else the bed, which need not be flat, on by `beyond` (m) at both ends, or nothing. ERR_MEMORY. */
 enum status tank_walls(const struct tank *t, const struct geo_lines *walls, double beyond,
                        struct geo_lines *out);
 

@@ -424,6 +424,32 @@ static void test_theory_of_a_body_keeps_its_energy(void) {
   for_each(&flow_bodies, expect_energy);
 }
 
+/* Each region its own velocity, the others that of all; between two, that of the nearer one. */
+static void test_regions_move_as_they_say(void) {
+  static const char text[] =
+      "tank: {walls: [[[0, 2], [0, 0], [4, 0], [4, 2]]]}\n"
+      "water: {velocity: [0.5, 0], regions: [[[0, 0], [1, 0], [1, 1], [0, 1]],\n"
+      "  {points: [[1, 0], [2, 0], [2, 1], [1, 1]], velocity: [0, -2.385]},\n"
+      "  {points: [[3, 0], [4, 0], [4, 1], [3, 1]]}]}\n"
+      "time: {end: 1}\nruns: [{solver: sph, resolution: 20}]\n";
+  static const double at[][4] = {
+      {0.9, 0.5, 0.5, 0}, {1.1, 0.5, 0, -2.385}, {2.2, 0.5, 0, -2.385}, {2.8, 0.5, 0.5, 0}};
+  struct problems problems = {0};
+  struct case_file *c = NULL;
+  struct flow_water w;
+  EXPECT_OK(case_parse("regions", text, &fake_registry, &problems, &c));
+  EXPECT_OK(flow_open(c, (struct flow_use){0}, &w));
+  for (size_t i = 0; i < 4; i++) {
+    double velocity[2];
+    flow_velocity(&w, at[i][0], at[i][1], 0, velocity);
+    EXPECT_NEAR(velocity[0], at[i][2], 0);
+    EXPECT_NEAR(velocity[1], at[i][3], 0);
+  }
+  flow_close(&w);
+  problems_destroy(&problems);
+  case_destroy(c);
+}
+
 int main(void) {
   RUN(test_example_of_a_flow_is_that_flow);
   RUN(test_scales_of_a_wave_are_those_of_its_elevation);
@@ -439,5 +465,6 @@ int main(void) {
   RUN(test_outline_of_a_body_is_its_rim);
   RUN(test_theory_of_a_body_obeys_euler);
   RUN(test_theory_of_a_body_keeps_its_energy);
+  RUN(test_regions_move_as_they_say);
   return TEST_RESULT;
 }

@@ -1,0 +1,146 @@
+/* How far the sides of a tank move: a wavemaker stays in its tank, meets no other wall, and leaves
+ * room for the water. */
+#include <math.h>
+#include <string.h>
+
+#include "common/base/geometry_check.h"
+#include "common/case/case_draft.h"
+#include "common/tank/motion.h"
+#include "common/tank/tank.h"
+
+enum {
+  SAMPLES_PER_PERIOD = 64, /* the extreme is found within 1 - cos(pi/64), a thousandth */
+  MOST_SAMPLES = 200000,
+  STEPS = 16, /* between rest and the extreme, at which the walls are looked at */
+};
+
+/* What one side does at most: to the left and to the right, m and rad. */
+struct strokes {
+  double piston[2], flap[2];
+};
+
+static double shortest_time(const struct case_file *c, int side) {
+  double shortest = c->end;
+  for (size_t i = 0; i < c->n_motions; i++) {
+    const struct tank_motion *m = &c->motions[i];
+    if (!tank_motion_is_of_side(m) || m->side != side) continue;
+    for (size_t k = 0; k + 1 < m->file.n; k++)
+      shortest = fmin(shortest, 8 * (m->file.t[k + 1] - m->file.t[k]));
+    if (!m->file.n && m->sine.period > 0) shortest = fmin(shortest, m->sine.period);
+  }
+  return shortest;
+}
+
+static struct strokes find_strokes(const struct case_file *c, int side) {
+  struct strokes s = {{0, 0}, {0, 0}};
+  const double samples = c->end / shortest_time(c, side) * SAMPLES_PER_PERIOD;
+  const int n = (int)fmin(fmax(samples, SAMPLES_PER_PERIOD), MOST_SAMPLES);
+  for (int i = 0; i <= n; i++) {
+    double q[3], t = c->end * i / n;
+    tank_side_at(c->motions, c->n_motions, TANK_MOTION_piston, side, t, q);
+    s.piston[0] = fmin(s.piston[0], q[0]);
+    s.piston[1] = fmax(s.piston[1], q[0]);
+    tank_side_at(c->motions, c->n_motions, TANK_MOTION_flap, side, t, q);
+    s.flap[0] = fmin(s.flap[0], q[0]);
+    s.flap[1] = fmax(s.flap[1], q[0]);
+  }
+  return s;
+}
+
+/* What is wrong with walls in a place, or NULL; *status for want of memory. */
+static const char *judge_walls(const struct case_file *c, const struct geo_lines *w,
+                               const struct tank_side *s, enum status *status) {
+  const size_t vessel = geo_lines_vessel(&c->walls);
+  const double *foot = w->p[s->foot], *next = w->p[s->next], *was = c->walls.p[s->foot];
+  bool simple, cross;
+  double at[2], area = INFINITY;
+  if (s->next != s->foot && (next[0] - foot[0]) * (c->walls.p[s->next][0] - was[0]) < 0)
+    return "beyond the end of its level bed";
+  if ((*status = geo_piece_simple(w, vessel, true, &simple, at)) != OK) return NULL;
+  if (!simple) return "into another part of the wall";
+  for (size_t k = 0; k < w->pieces; k++) {
+    if (k == vessel) continue;
+    if ((*status = geo_pieces_cross(w, vessel, k, &cross)) != OK) return NULL;
+    if (cross) return "through another wall";
+  }
+  const size_t a = w->first[vessel], b = w->first[vessel + 1] - 1;
+  if ((*status = geo_area_below(w, fmin(w->p[a][1], w->p[b][1]), &area, at)) != OK) return NULL;
+  return area < case_water_area(c) * (1 - CASE_SAME) ? "until the water has no room" : NULL;
+}
+
+/* The same with a side that has gone `part` of its stroke to one end. */
+static const char *judge_part(const struct case_file *c, int side, const struct strokes *s, int end,
+                              double part, struct geo_lines *w, enum status *status) {
+  struct tank_side where;
+  struct tank_shift shift = {.piston = {part * s->piston[end]},
+                             .flap = {part * s->flap[end]},
+                             .hinge = tank_hinge(c->motions, c->n_motions, side)};
+  if (!tank_find_side(&c->walls, side, &where)) return NULL;
+  if ((*status = geo_lines_copy(w, &c->walls)) != OK) return NULL;
+  tank_side_move(&c->walls, &where, &shift, w->p, NULL, NULL);
+  return judge_walls(c, w, &where, status);
+}
+
+static size_t first_of_side(const struct case_file *c, int side, enum tank_motion_kind kind) {
+  size_t i = 0;
+  while (i < c->n_motions && (c->motions[i].kind != kind || c->motions[i].side != side)) i++;
+  return i;
+}
+
+static void say_stroke(struct case_draft *d, int side, const struct strokes *s, int end,
+                       double least, const char *why) {
+  const struct case_file *c = d->c;
+  const bool turns = fabs(s->flap[end]) > 0;
+  const size_t i = first_of_side(c, side, turns ? TANK_MOTION_flap : TANK_MOTION_piston);
+  const double stroke = turns ? s->flap[end] : s->piston[end];
+  const char *unit = turns ? "rad" : "m";
+  char found[160], allowed[96];
+  snprintf(found, sizeof found, "%.4g %s to the %s, %s", fabs(stroke), unit, end ? "right" : "left",
+           why);
+  snprintf(allowed, sizeof allowed, "up to %.3g %s", floor(least * fabs(stroke) * 1e4) / 1e4, unit);
+  case_motion_problem(d, i, c->motions[i].file.n ? "file" : "amplitude", found, allowed,
+                      "make the stroke smaller");
+}
+
+/* The first part of the stroke that does not go, and then between it and the last that does. */
+static enum status check_end(struct case_draft *d, int side, const struct strokes *s, int end,
+                             struct geo_lines *w) {
+  enum status status = OK;
+  const char *why = NULL, *then;
+  double good = 0, bad = 0;
+  if (s->piston[end] == 0 && s->flap[end] == 0) return OK;
+  for (int k = 1; k <= STEPS && !why && status == OK; k++) {
+    good = bad;
+    bad = (double)k / STEPS;
+    why = judge_part(d->c, side, s, end, bad, w, &status);
+  }
+  if (!why) return status;
+  for (int k = 0; k < 20 && status == OK; k++) {
+    const double middle = (good + bad) / 2;
+    if ((then = judge_part(d->c, side, s, end, middle, w, &status)) != NULL) {
+      bad = middle;
+      why = then;
+    } else {
+      good = middle;
+    }
+  }
+  if (status == OK) say_stroke(d, side, s, end, good, why);
+  return status;
+}
+
+static bool moves(const struct case_file *c, int side) {
+  return first_of_side(c, side, TANK_MOTION_piston) < c->n_motions ||
+         first_of_side(c, side, TANK_MOTION_flap) < c->n_motions;
+}
+
+enum status case_check_strokes(struct case_draft *d) {
+  struct geo_lines w = {0};
+  enum status status = OK;
+  for (int side = TANK_LEFT; side <= TANK_RIGHT && status == OK; side++) {
+    if (!moves(d->c, side)) continue;
+    const struct strokes s = find_strokes(d->c, side);
+    for (int end = 0; end < 2 && status == OK; end++) status = check_end(d, side, &s, end, &w);
+  }
+  geo_lines_destroy(&w);
+  return status;
+}
