@@ -161,6 +161,7 @@ void case_print_keys(FILE *out) {
 }
 
 void case_release_form(struct case_file *c) {
+  if (c->form && c->flow->release) c->flow->release(c->form);
   if (c->form) params_release(c->flow->params, c->flow->n_params, c->form);
   free(c->form);
   c->form = NULL;

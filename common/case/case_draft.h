@@ -10,7 +10,7 @@ struct case_draft {
   struct case_doc doc;
   struct case_file *c;
   const struct registry *registry;
-  bool read_data; /* experiments are read from their files */
+  bool read_data; /* what is in files of its own is read: experiments, motions, surfaces */
   struct {        /* the nodes of the sections, 0 when absent */
     int fluid, scales, tank, water, time, probes, gauges, points, runs, compare;
   } at;
@@ -90,19 +90,25 @@ enum status case_read_walls(struct case_draft *d, int node);
 enum status case_read_regions(struct case_draft *d, int node);
 extern const struct case_table case_line_tables[];
 
-/* case_rows.c: two columns of numbers from a text file, its path relative to the case file, in SI
- * units. Adds problems; `line` and `path` are those of the key that names it. */
+/* case_rows.c: two or three columns of numbers from a text file, its path relative to the case
+ * file, in SI units. Adds problems; `line` and `path` are those of the key that names it. */
+enum { CASE_MOST_COLUMNS = 3 };
 struct case_columns {
-  const char *what; /* "time, value" */
-  double unit[2];   /* of the file's numbers, SI */
+  const char *what;               /* "time, value" */
+  size_t most;                    /* 2, or 3: the third may be missing in all lines */
+  double unit[CASE_MOST_COLUMNS]; /* of the file's numbers, SI */
   enum { CASE_ROWS_ANY, CASE_ROWS_DO_NOT_FALL, CASE_ROWS_RISE } order; /* of the first one */
+  const char *ordered, *si; /* "times that increase"; SI unit of the first one */
 };
 struct case_rows {
-  size_t n;
-  double *x, *y; /* [n], owned */
+  size_t n, columns;
+  double *x, *y, *z; /* [n], owned; z NULL: two columns */
 };
 enum status case_read_rows(struct case_draft *d, const char *file, int line, const char *path,
                            const struct case_columns *columns, struct case_rows *r);
+/* Rows that a spline shall go through: enough of them, and no hole. */
+enum status case_check_rows(struct case_draft *d, const char *file, int line, const char *path,
+                            const struct case_columns *columns, const struct case_rows *r);
 void case_rows_destroy(struct case_rows *r);
 
 /* case_motion.c: tank.motions, behind the walls; what they are checked for when all is read. */

@@ -37,8 +37,12 @@ enum status case_read_experiment(struct case_draft *d, struct case_experiment *e
   const struct case_file *c = d->c;
   enum target target = find_target(c, e->target);
   const double unit = target == TARGET_PRESSURE ? c->density * c->g * c->H : c->H;
-  const struct case_columns columns = {
-      "time, value", {sqrt(c->H / c->g), unit}, CASE_ROWS_DO_NOT_FALL};
+  const struct case_columns columns = {"time, value",
+                                       2,
+                                       {sqrt(c->H / c->g), unit},
+                                       CASE_ROWS_DO_NOT_FALL,
+                                       "times that do not decrease",
+                                       "s"};
   struct case_rows rows;
   if (target == TARGET_UNKNOWN) report_target(d, e, line, path);
   enum status status = case_read_rows(d, file, line, path, &columns, &rows);

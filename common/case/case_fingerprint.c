@@ -45,6 +45,7 @@ static void write_inputs(FILE *out, const struct case_file *c, const struct case
           flow_name(c->flow));
   write_velocities(out, c);
   params_write(out, c->flow->params, c->flow->n_params, c->form);
+  if (c->flow->write) c->flow->write(out, c->form);
   fprintf(out, "time %.17g %.17g %.17g\n", c->end, c->every, c->sample);
   for (size_t i = 0; i < c->n_probes; i++)
     fprintf(out, "probe %s %.17g %.17g %.17g\n", c->probes[i].name, c->probes[i].x, c->probes[i].y,
@@ -89,7 +90,9 @@ static void write_form(FILE *out, const struct flow *flow, const void *form) {
       fprintf(out, " %.12g", *(const double *)((const char *)form + flow->params[i].offset) + 0.0);
   fputc('\n', out);
   for (size_t i = 0; i < flow->n_params; i++)
-    if (flow->params[i].type != PARAM_REAL) params_write(out, &flow->params[i], 1, form);
+    if (flow->params[i].type != PARAM_REAL && flow->params[i].type != PARAM_TEXT)
+      params_write(out, &flow->params[i], 1, form);
+  if (flow->write) flow->write(out, form);
 }
 
 /* Waves and bodies by their parameters: an outline is only as fine as this version draws it. */

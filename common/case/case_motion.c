@@ -9,8 +9,6 @@
 #include "common/tank/motion.h"
 #include "common/tank/tank.h"
 
-static const double MOST_GAP = 10; /* over the median one: beyond it a row is missing */
-
 struct motion_section {
   int kind, side, about;
   char *file;
@@ -132,50 +130,19 @@ static void check_sine(struct case_draft *d, size_t i, int node, const struct mo
   }
 }
 
-static void check_gaps(struct case_draft *d, size_t i, const char *file, const struct case_rows *r,
-                       double *gaps) {
-  char found[256], shown[96], allowed[96];
-  for (size_t k = 0; k + 1 < r->n; k++) gaps[k] = r->x[k + 1] - r->x[k];
-  qsort(gaps, r->n - 1, sizeof *gaps, array_ascending);
-  const double median = gaps[(r->n - 1) / 2];
-  for (size_t k = 0; k + 1 < r->n; k++) {
-    if (r->x[k + 1] - r->x[k] <= MOST_GAP * median) continue;
-    case_quote(file, strlen(file), shown, sizeof shown);
-    snprintf(found, sizeof found, "a hole from %.6g to %.6g s in %s", r->x[k], r->x[k + 1], shown);
-    snprintf(allowed, sizeof allowed,
-             "rows at most %g times as far apart as most, which are %.3g s", MOST_GAP, median);
-    case_motion_problem(d, i, "file", found, allowed, "add the rows that are missing");
-    return;
-  }
-}
-
-static enum status judge_rows(struct case_draft *d, size_t i, const char *file,
-                              const struct case_rows *r) {
-  double *gaps;
-  if (r->n < TANK_LEAST_ROWS) {
-    char found[128], allowed[64];
-    snprintf(found, sizeof found, "%zu row%s", r->n, r->n == 1 ? "" : "s");
-    snprintf(allowed, sizeof allowed, "at least %d rows 't, q'", TANK_LEAST_ROWS);
-    case_motion_problem(d, i, "file", found, allowed, "add rows");
-    return OK;
-  }
-  TRY(array_create(&gaps, r->n, "the motion of a wall"));
-  check_gaps(d, i, file, r, gaps);
-  free(gaps);
-  return OK;
-}
-
 static enum status read_record(struct case_draft *d, size_t i, const char *file,
                                struct tank_record *record) {
-  static const struct case_columns columns = {"t, q", {1, 1}, CASE_ROWS_RISE};
+  static const struct case_columns columns = {
+      "t, q", 2, {1, 1}, CASE_ROWS_RISE, "times that increase", "s"};
   char path[CASE_PATH];
   struct case_rows rows;
   size_t faults = d->doc.faults;
   motion_path(i, "file", path);
-  enum status status = case_read_rows(
-      d, file, case_doc_member_line(&d->doc, motion_node(d, i), "file"), path, &columns, &rows);
+  const int line = case_doc_member_line(&d->doc, motion_node(d, i), "file");
+  enum status status = case_read_rows(d, file, line, path, &columns, &rows);
   *record = (struct tank_record){.n = rows.n, .t = rows.x, .q = rows.y};
-  if (status == OK && d->doc.faults == faults) status = judge_rows(d, i, file, &rows);
+  if (status == OK && d->doc.faults == faults)
+    status = case_check_rows(d, file, line, path, &columns, &rows);
   if (status == OK && d->doc.faults == faults) return tank_record_finish(record);
   tank_record_destroy(record);
   return status;

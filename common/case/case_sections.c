@@ -196,8 +196,9 @@ static enum status read_form(struct case_draft *d, int node, const struct form_l
   if (!c->form) return ERR_MEMORY;
   struct case_block blocks[] = {{l->rows, 1, &s, NULL},
                                 {flow->params, flow->n_params, c->form, NULL}};
-  case_doc_read(&d->doc, node, l->path, case_doc_line(&d->doc, node), ROWS(blocks), blocks);
-  return OK;
+  if (!case_doc_read(&d->doc, node, l->path, case_doc_line(&d->doc, node), ROWS(blocks), blocks))
+    return OK;
+  return flow->read && d->read_data ? flow->read(d, node) : OK;
 }
 
 static enum status read_water(struct case_draft *d) {

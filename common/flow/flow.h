@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include "common/base/geometry.h"
 #include "common/base/params.h"
@@ -72,6 +73,13 @@ struct flow {
   /* Whether it makes sense, alone and, if case_file.rectangular, in the tank: case_flow_problem. */
   void (*check)(const struct case_file *c, struct case_draft *d);
 
+  /* Of a form that a file of its own describes, or NULL: reads it into case_file.form, adding
+   * problems (not of a case that is read from a result file: then the water is level); releases
+   * what was read; and writes that for fingerprints, which have no paths. */
+  enum status (*read)(struct case_draft *d, int node);
+  void (*release)(void *form);
+  void (*write)(FILE *out, const void *form);
+
   /* What the functions below need besides, into w->own; both or neither. After a create that failed
    * destroy is called, too. */
   enum status (*create)(struct flow_water *w);
@@ -133,7 +141,8 @@ struct flow {
   X(stream, "exact steady waves of any height that run to the right, round the same")              \
   X(stokes, "a wave of second order that runs to the right, round the same")                       \
   X(hump, "a hump or a hollow of Gaussian shape, at rest")                                         \
-  X(bore, "a smooth step between two levels that runs to a side of a flat tank")
+  X(bore, "a smooth step between two levels that runs to a side of a flat tank")                   \
+  X(file, "a surface from a file, at rest or with the potential on it")
 #define FLOWS_OF_BODIES(X)                                                                         \
   X(patch, "a square that turns like a rigid body: u = rate y, v = -rate x from its middle")       \
   X(drop,                                                                                          \

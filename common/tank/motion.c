@@ -42,7 +42,7 @@ static void sine_at(const struct tank_motion *m, double t, double q[3]) {
 }
 
 /* Hermite's cubic between two rows; beyond the ends the nearest one goes on. */
-static void record_at(const struct tank_record *r, double t, double q[3]) {
+void tank_record_at(const struct tank_record *r, double t, double q[3]) {
   size_t low = 0, high = r->n - 1;
   while (high - low > 1) {
     const size_t middle = (low + high) / 2;
@@ -63,7 +63,7 @@ static void record_at(const struct tank_record *r, double t, double q[3]) {
 void tank_motion_at(const struct tank_motion *m, double t, double q[3]) {
   q[0] = q[1] = q[2] = 0;
   if (m->file.n)
-    record_at(&m->file, t, q);
+    tank_record_at(&m->file, t, q);
   else if (m->sine.amplitude != 0 && t >= 0)
     sine_at(m, t, q);
 }
@@ -97,13 +97,13 @@ static void spline_rows(const struct tank_record *r, double *lower, double *diag
 
 enum status tank_record_finish(struct tank_record *r) {
   double *bands = NULL;
-  TRY(array_create(&r->q_t, r->n, "the motion of a wall"));
-  TRY(array_create(&bands, 3 * r->n, "the motion of a wall"));
+  TRY(array_create(&r->q_t, r->n, "a spline"));
+  TRY(array_create(&bands, 3 * r->n, "a spline"));
   spline_rows(r, bands, bands + r->n, bands + 2 * r->n, r->q_t);
   lapack_int n = (lapack_int)r->n, one = 1, failed;
   LAPACK_dgtsv(&n, &one, bands, bands + r->n, bands + 2 * r->n, r->q_t, &n, &failed);
   free(bands);
-  CHECK(!failed, ERR_INPUT, "no smooth motion goes through the rows");
+  CHECK(!failed, ERR_INPUT, "no spline goes through the rows");
   return OK;
 }
 

@@ -54,6 +54,8 @@ void tank_motion_at(const struct tank_motion *m, double t, double q[3]);
 
 /* q_t from t and q. ERR_MEMORY. */
 enum status tank_record_finish(struct tank_record *r);
+/* q and its first two derivatives; needs rows. */
+void tank_record_at(const struct tank_record *r, double t, double q[3]);
 void tank_record_destroy(struct tank_record *r);
 
 /* Where the tank is in the frame of the laboratory: its point p is at `at` + R(angle) p, R turning
