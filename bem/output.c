@@ -121,7 +121,8 @@ void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double ti
   double start = time - dt,
          loss = -bem_surface_power(&f->surface, f->level, f->psi, f->u, f->v, f->damping);
   o->damped.until += o->damped.rate * (start - o->damped.start);
-  o->damped.rate = 0.5 * (o->damped.last + loss);
+  o->damped.rate = o->damped.changed ? loss : 0.5 * (o->damped.last + loss);
+  o->damped.changed = false;
   o->damped.last = loss;
   o->damped.start = start;
 }
@@ -178,12 +179,25 @@ enum status bem_output_given(struct bem_output *o, const struct bem_flow *f,
   return OK;
 }
 
+void bem_output_changed(struct bem_output *o) {
+  o->damped.changed = true;
+}
+
+static double damped_until(const struct bem_output *o, double time) {
+  return o->damped.until + o->damped.rate * (time - o->damped.start);
+}
+
+double bem_output_budget(const struct bem_output *o, const struct bem_flow *f, double time) {
+  const struct bem_totals t = bem_surface_totals(&f->surface, f->psi);
+  return t.kinetic + t.potential + damped_until(o, time) + given_until(o, 0, time) +
+         given_until(o, 1, time) + o->removed_energy;
+}
+
 static struct result_energy energy_of(struct bem_output *o, double seconds,
                                       const struct bem_totals *t) {
   const struct case_file *c = o->c;
-  double damped = o->damped.until + o->damped.rate * (seconds / o->time_scale - o->damped.start);
-  const double time = seconds / o->time_scale, frame = given_until(o, 0, time),
-               sides = given_until(o, 1, time);
+  const double time = seconds / o->time_scale, damped = damped_until(o, time),
+               frame = given_until(o, 0, time), sides = given_until(o, 1, time);
   double energy = t->kinetic + t->potential + damped + frame + sides + o->removed_energy;
   if (seconds == 0) o->first_energy = energy;
   o->drift = o->first_energy != 0 ? energy / o->first_energy - 1 : 0;
@@ -251,6 +265,10 @@ static enum status write_row(struct bem_output *o, const struct bem_stepper *ste
   return record_row(o->file, c, &r);
 }
 
+bool bem_output_touches(struct bem_sides *w, const struct bem_surface *s) {
+  return bem_breaker_touches(w, s, s->state, CLOSEST);
+}
+
 enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
                            struct bem_stepper *stepper, double time, double dt) {
   const struct case_file *c = o->c;
@@ -262,8 +280,7 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
     TRY(look(o, f, stepper, seconds / o->time_scale, sampled && wants_pressure(o)));
     if (shown) TRY(write_surface(o, output));
     TRY(bem_sides_reserve(&o->sides, o->view.surface.n));
-    const struct bem_surface *s = &o->view.surface; /* near a contact psi is wrong */
-    if (sampled && !bem_breaker_touches(&o->sides, s, s->state, CLOSEST))
+    if (sampled && !bem_output_touches(&o->sides, &o->view.surface))
       TRY(write_row(o, stepper, sample, dt));
     o->next_output += shown;
     o->next_sample += sampled;

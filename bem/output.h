@@ -21,6 +21,7 @@ struct bem_output {
     double start;                        /* of the last step, sqrt(H/g) */
     double until;                        /* what it was until then */
     double rate, last;                   /* mean during the step; at its end */
+    bool changed;                        /* the water, since: `last` is of another shape */
   } damped;
   struct {              /* energy given to the moving tank, and to sides that move, rho g H^3 */
     double start, dt;   /* of the last step, sqrt(H/g) */
@@ -48,8 +49,17 @@ void bem_output_destroy(struct bem_output *o);
 enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
                            struct bem_stepper *stepper, double time, double dt);
 
+/* Whether the surface is so near a contact that psi is wrong. w: scratch, with room for it. */
+bool bem_output_touches(struct bem_sides *w, const struct bem_surface *s);
+
 /* Counts what filter and smoothing take out of the energy during the step that ended at `time`. */
 void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double time, double dt);
+
+/* The water has another shape from now on. */
+void bem_output_changed(struct bem_output *o);
+
+/* The energy and all that was taken out of it until the end of the last step, with psi of it. */
+double bem_output_budget(const struct bem_output *o, const struct bem_flow *f, double time);
 
 /* Counts what the water gives to a tank and to sides that move during the step that ended at
  * `time`.

@@ -1,5 +1,6 @@
 #include "bem/pace.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,6 +8,7 @@
 
 static const double SHORTEST = 1e-9; /* sqrt(H/g), steps that lead nowhere */
 static const double CRAWL = 0.002;   /* sqrt(H/g) in a stretch: a hundredth of the usual pace */
+static const double RUNAWAY = 3e-4;  /* of the energy, in as long as a stretch that crawls */
 enum {
   PATIENCE = 50, /* steps */
   STRETCH = 200,
@@ -30,10 +32,21 @@ enum status bem_pace_add(struct bem_pace *p, double time, double dt) {
 
 void bem_pace_restarted(struct bem_pace *p) {
   p->since = 0;
+  p->watch.set = false;
 }
 
 bool bem_pace_is_lost(struct bem_pace *p, double time) {
   return p->tiny >= PATIENCE || (p->steps > 0 && p->steps % STRETCH == 0 && time - p->mark < CRAWL);
+}
+
+bool bem_pace_runs_away(struct bem_pace *p, double time, double energy, double whole) {
+  const bool away = p->watch.set && fabs(energy - p->watch.energy) > RUNAWAY * fabs(whole);
+  if (p->watch.set && time - p->watch.time < CRAWL) return away;
+  const bool crawled = p->watch.set && time - p->watch.time < 2 * CRAWL;
+  p->watch.set = true;
+  p->watch.time = time;
+  p->watch.energy = energy;
+  return crawled && away;
 }
 
 double bem_pace_cut(const struct bem_pace *p) {

@@ -12,6 +12,10 @@ struct bem_pace {
   size_t since;                /* steps since the integrator was last started */
   size_t tiny;                 /* steps in a row that lead nowhere */
   double mark;                 /* time at the start of the current stretch, sqrt(H/g) */
+  struct {
+    bool set;
+    double time, energy;
+  } watch; /* what the energy was a short time ago */
 };
 
 void bem_pace_destroy(struct bem_pace *p);
@@ -22,6 +26,10 @@ void bem_pace_restarted(struct bem_pace *p);
 
 /* Whether the last steps lead nowhere, or so slowly that the end is out of reach. */
 bool bem_pace_is_lost(struct bem_pace *p, double time);
+
+/* Whether the energy, rho g H^3, has changed in a short time by more than any flow changes its
+ * budget: the surface is winding up where it cannot be followed. whole: the energy at the start. */
+bool bem_pace_runs_away(struct bem_pace *p, double time, double energy, double whole);
 
 /* Settled steps that were more than ten times shorter than the median of all settled ones. */
 double bem_pace_cut(const struct bem_pace *p);

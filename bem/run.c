@@ -57,6 +57,7 @@ static enum status book(struct bem_run *r, const struct bem_totals *before, doub
   struct bem_totals after;
   TRY(bem_run_restart(r));
   TRY(measure(&r->flow, &after));
+  bem_output_changed(&r->output);
   *volume = before->volume - after.volume;
   r->output.removed_volume += *volume;
   r->output.removed_energy += before->kinetic + before->potential - after.kinetic - after.potential;

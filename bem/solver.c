@@ -117,6 +117,15 @@ static enum status rescue(struct bem_run *r, enum status status) {
   return bem_run_rescue(r);
 }
 
+/* At an event psi is not of the state, which lies within the step; near a contact it is wrong. */
+static bool runs_away(struct bem_run *r, const int *found) {
+  for (int i = 0; i < bem_events_roots.n; i++)
+    if (found[i]) return false;
+  return bem_pace_runs_away(&r->pace, r->time, bem_output_budget(&r->output, &r->flow, r->time),
+                            r->output.first_energy) &&
+         !bem_output_touches(&r->sides, &r->flow.surface);
+}
+
 static enum status advance(struct bem_run *r, struct progress *progress) {
   double end = r->c->end / r->output.time_scale, work = 0;
   const int *found;
@@ -135,8 +144,11 @@ static enum status advance(struct bem_run *r, struct progress *progress) {
                   work, "node", r->output.drift);
     if (progress_stop_requested()) return status_raise(INTERRUPTED, "stopped");
     if (r->time > end) break; /* what the last step found lies beyond the case */
+    const bool away = runs_away(r, found);
     TRY(act(r, found));
-    if (!r->ended && bem_pace_is_lost(&r->pace, r->time)) TRY(bem_run_rescue(r));
+    const bool helped = r->pace.since == 0;
+    if (!r->ended && (bem_pace_is_lost(&r->pace, r->time) || (away && !helped)))
+      TRY(bem_run_rescue(r));
     CHECK(step < MOST_STEPS, ERR_SOLVER, "%d time steps have not led to the end", MOST_STEPS);
   }
   return OK;
