@@ -35,8 +35,13 @@ void bem_pace_restarted(struct bem_pace *p) {
   p->watch.set = false;
 }
 
-bool bem_pace_is_lost(struct bem_pace *p, double time) {
-  return p->tiny >= PATIENCE || (p->steps > 0 && p->steps % STRETCH == 0 && time - p->mark < CRAWL);
+bool bem_pace_leads_nowhere(const struct bem_pace *p) {
+  return p->tiny >= PATIENCE;
+}
+
+bool bem_pace_is_lost(const struct bem_pace *p, double time) {
+  return bem_pace_leads_nowhere(p) ||
+         (p->steps > 0 && p->steps % STRETCH == 0 && time - p->mark < CRAWL);
 }
 
 bool bem_pace_runs_away(struct bem_pace *p, double time, double energy, double whole) {

@@ -126,6 +126,12 @@ static bool runs_away(struct bem_run *r, const int *found) {
          !bem_output_touches(&r->sides, &r->flow.surface);
 }
 
+/* Steps shrink with the gap before a contact, which is near then. */
+static bool is_lost(struct bem_run *r) {
+  return bem_pace_is_lost(&r->pace, r->time) &&
+         (bem_pace_leads_nowhere(&r->pace) || !bem_output_touches(&r->sides, &r->flow.surface));
+}
+
 static enum status advance(struct bem_run *r, struct progress *progress) {
   double end = r->c->end / r->output.time_scale, work = 0;
   const int *found;
@@ -147,8 +153,7 @@ static enum status advance(struct bem_run *r, struct progress *progress) {
     const bool away = runs_away(r, found);
     TRY(act(r, found));
     const bool helped = r->pace.since == 0;
-    if (!r->ended && (bem_pace_is_lost(&r->pace, r->time) || (away && !helped)))
-      TRY(bem_run_rescue(r));
+    if (!r->ended && (is_lost(r) || (away && !helped))) TRY(bem_run_rescue(r));
     CHECK(step < MOST_STEPS, ERR_SOLVER, "%d time steps have not led to the end", MOST_STEPS);
   }
   return OK;
