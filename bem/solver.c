@@ -94,7 +94,7 @@ static const struct param params[] = {
          "1976)"},
 };
 
-/* Of the filter's rate is enough where no thin sheet is: standing waves with ka = 0.01 to 0.3 live
+/* Of the filter's rate is enough where no thin sheet is: standing waves with ka = 0.01 to 0.1 live
  * on for a hundred periods with one per radian (tests/bem/verify_standing_waves.c). */
 static const double GENTLE = 1. / 30;
 static const double SHOWN = 1e-6; /* residual that is enough for outputs */

