@@ -207,6 +207,7 @@ static enum status read_water(struct case_draft *d) {
   size_t faults = d->doc.faults;
   if (d->at.water && case_read_section(d, d->at.water, "water", water_rows, ROWS(water_rows), &s)) {
     d->pressure = s.pressure;
+    case_release_form(c); /* by the flow that it is of */
     c->flow = flow_regions.flow[s.pressure];
     if (s.velocity) case_read_velocity(&d->doc, s.velocity, "water.velocity", c->velocity);
     const int given = !!s.regions + !!s.wave + !!s.body;
