@@ -8,7 +8,7 @@
  * distance of its surface below the film from that of 140 nodes per H, at t = 6 sqrt(H/g), over H.
  * Waves: by the surface of gentle standing waves of half a wavelength's depth after ten periods,
  * over their amplitude; where they are shallow, eight depths count for a wavelength. */
-static const double COLUMN_NODES = 34, COLUMN_AT = 1e-4;    /* per H; the accuracy that they give */
+static const double COLUMN_NODES = 36, COLUMN_AT = 1e-4;    /* per H; the accuracy that they give */
 static const double COLUMN_FINE = 2.6, COLUMN_COARSE = 3.6; /* order of more and of fewer nodes */
 static const double WAVE_NODES = 40, WAVE_AT = 1e-4, WAVE_ORDER = 4; /* per wavelength */
 static const double DEPTHS = 8;

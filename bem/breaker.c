@@ -114,10 +114,10 @@ static bool find_struck(const struct bem_surface *s, const double *state, struct
 }
 
 double bem_breaker_gap(const struct bem_sides *w, const struct bem_surface *s, const double *state,
-                       struct bem_near *near) {
+                       double reach, struct bem_near *near) {
   bem_sides_set(w, s, state);
   if (!find_closed(w, s, state, near) && !find_struck(s, state, near))
-    bem_sides_narrowest(w, s, state, BEM_AIR, 1, near);
+    bem_sides_narrowest(w, s, state, BEM_AIR, reach, near);
   return near->distance;
 }
 
@@ -125,7 +125,7 @@ double bem_breaker_gap(const struct bem_sides *w, const struct bem_surface *s, c
 bool bem_breaker_touches(const struct bem_sides *w, const struct bem_surface *s,
                          const double *state, double little) {
   struct bem_near near;
-  bem_breaker_gap(w, s, state, &near);
+  bem_breaker_gap(w, s, state, little, &near);
   return near.distance < little && near.around > CAVITY * near.distance;
 }
 

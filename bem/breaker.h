@@ -16,9 +16,10 @@ double bem_breaker_tangent(const struct bem_surface *s, const double *state, enu
 double bem_breaker_upright(const struct bem_surface *s, const double *state, double where);
 
 /* Distance (H) across air of the surface from itself or a wall, least of all, and where; negative
- * once they cross; 1 while nothing comes as near. Scratch: *w. */
+ * once they cross; `reach` while nothing comes as near, which is dear to look for far away.
+ * Scratch: *w. */
 double bem_breaker_gap(const struct bem_sides *w, const struct bem_surface *s, const double *state,
-                       struct bem_near *near);
+                       double reach, struct bem_near *near);
 
 /* Whether a cavity is closed but for so little. */
 bool bem_breaker_touches(const struct bem_sides *w, const struct bem_surface *s,

@@ -12,6 +12,8 @@
 static const double SPILL = 0.05;     /* H */
 static const double SPILLABLE = 0.01; /* of the volume of the water */
 
+static const double WIDE = 0.05; /* H: gaps that are no matter yet */
+
 static const double LEANING = 0.05; /* rad from the vertical */
 
 static bool always(const struct bem_run *r) {
@@ -124,13 +126,13 @@ static enum status falling_act(struct bem_run *r, const struct bem_event *e, dou
 /* The surface meets itself or a wall. */
 static double contact_value(const struct bem_run *r, const double *state) {
   struct bem_near near;
-  return bem_breaker_gap(&r->sides, &r->flow.surface, state, &near);
+  return bem_breaker_gap(&r->sides, &r->flow.surface, state, WIDE, &near);
 }
 
 static void contact_place(const struct bem_run *r, double at[2]) {
   const struct bem_surface *s = &r->flow.surface;
   struct bem_near near;
-  bem_breaker_gap(&r->sides, s, s->state, &near);
+  bem_breaker_gap(&r->sides, s, s->state, WIDE, &near);
   at[0] = near.x;
   at[1] = near.y;
 }
@@ -138,7 +140,7 @@ static void contact_place(const struct bem_run *r, double at[2]) {
 static enum status contact_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
   const struct bem_surface *s = &r->flow.surface;
   struct bem_near near;
-  bem_breaker_gap(&r->sides, s, s->state, &near);
+  bem_breaker_gap(&r->sides, s, s->state, WIDE, &near);
   const bool falls = bem_breaker_falls(s, s->state, &near);
   TRY(bem_output_event(&r->output, falls ? "touchdown" : e->name, r->time, x, y));
   return bem_run_end(r, x, y,

@@ -94,8 +94,9 @@ static double cross(double complex a, double complex b) {
 static double distance_to(double complex z, double complex a, double complex b, double *part) {
   const double complex way = b - a;
   const double u = creal((z - a) * conj(way)) / creal(way * conj(way));
-  *part = fmin(fmax(u, 0), 1);
-  return cabs(z - a - *part * way);
+  *part = u > 0 ? (u < 1 ? u : 1) : 0;
+  const double complex off = z - a - *part * way;
+  return sqrt(creal(off) * creal(off) + cimag(off) * cimag(off)); /* no length here overflows */
 }
 
 /* Out of the water, at a node that is not an end of the surface. */

@@ -49,7 +49,7 @@ static void test_a_cavity_is_as_narrow_as_it_is_to_either_side(void) {
       struct bem_near near;
       shape_create(&q, 4);
       put_jet(&q, mirrored, gap, 0.1);
-      EXPECT_NEAR(bem_breaker_gap(&q.sides, &q.surface, q.state, &near), gap, 1e-6);
+      EXPECT_NEAR(bem_breaker_gap(&q.sides, &q.surface, q.state, 1, &near), gap, 1e-6);
       EXPECT(!near.wall && bem_breaker_falls(&q.surface, q.state, &near));
       bem_sides_destroy(&q.sides);
     }
@@ -93,14 +93,14 @@ static void test_loops_hold_what_the_surface_runs_round(void) {
     shape_create(&q, 4);
     put_jet(&q, mirrored, 0.3, 0.1);
     for (size_t k = 540; k <= 560; k++) q.state[N + (mirrored ? N - 1 - k : k)] = 0.45;
-    EXPECT(bem_breaker_gap(&q.sides, &q.surface, q.state, &near) < 0);
+    EXPECT(bem_breaker_gap(&q.sides, &q.surface, q.state, 1, &near) < 0);
     EXPECT(bem_breaker_falls(&q.surface, q.state, &near));
     EXPECT(bem_sides_cross(&q.sides, &q.surface, q.state, 0, &c) && c.area < -0.2);
     put_jet(&q, mirrored, 0.3, 0.1);
     for (size_t k = 440; k <= 460; k++) q.state[N + (mirrored ? N - 1 - k : k)] += 0.25;
     bem_sides_set(&q.sides, &q.surface, q.state);
     EXPECT(bem_sides_cross(&q.sides, &q.surface, q.state, 0, &c) && c.area > 0.05);
-    EXPECT(bem_breaker_gap(&q.sides, &q.surface, q.state, &near) > 0);
+    EXPECT(bem_breaker_gap(&q.sides, &q.surface, q.state, 1, &near) > 0);
     bem_sides_destroy(&q.sides);
   }
 }
@@ -113,7 +113,7 @@ static void test_a_jet_strikes_a_wall_through_air(void) {
   for (size_t k = 0; k < 300; k++) put(&q, k, false, 1.92 + 1.08 * (double)k / 300, 0.5);
   for (size_t k = 0; k < N; k++) q.state[k] -= 1.92;
   q.surface.tank -= 1.92;
-  EXPECT(bem_breaker_gap(&q.sides, &q.surface, q.state, &near) < 0);
+  EXPECT(bem_breaker_gap(&q.sides, &q.surface, q.state, 1, &near) < 0);
   EXPECT(near.wall && !bem_breaker_falls(&q.surface, q.state, &near));
   EXPECT_NEAR(near.distance, -0.02, 1e-3);
   EXPECT_NEAR(near.y, 0.9, 0.01);
