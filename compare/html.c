@@ -68,7 +68,7 @@ static bool has_diagnostics(const struct comparison *c) {
   X(pressure, "Pressure", has_probes)                                                              \
   X(gauges, "Water height", has_gauges)                                                            \
   X(spectra, "Spectra", has_spectra)                                                               \
-  X(diagnostics, "Noise and momenta", has_diagnostics)                                             \
+  X(diagnostics, "Noise, momenta and forces", has_diagnostics)                                     \
   X(runs, "Runs and provenance", has_always)                                                       \
   X(method, "How it is measured", has_always)
 

@@ -9,9 +9,10 @@ struct form {
 };
 
 static const struct param rows[] = {
-    ROUND_LENGTH(struct form, amplitude, "height of the crest above the water at rest"),
-    ROUND_LENGTH(struct form, wavelength, "wavelength along the surface"),
-    ROUND_LENGTH(struct form, depth, "depth of the water at rest"),
+    FLOW_LENGTH(struct form, amplitude, PARAM_ABOVE_0,
+                "height of the crest above the water at rest"),
+    FLOW_LENGTH(struct form, wavelength, PARAM_ABOVE_0, "wavelength along the surface"),
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0, "depth of the water at rest"),
     {.key = "number",
      .type = PARAM_INT,
      .offset = offsetof(struct form, number),

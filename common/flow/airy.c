@@ -20,9 +20,10 @@ static const char *const profile_helps[] = {
     "exp kY, that of water without a bed, which flows through it"};
 
 static const struct param rows[] = {
-    ROUND_LENGTH(struct form, amplitude, "height of the crest above the water at rest"),
-    ROUND_LENGTH(struct form, wavelength, "wavelength"),
-    ROUND_LENGTH(struct form, depth, "depth of the water at rest"),
+    FLOW_LENGTH(struct form, amplitude, PARAM_ABOVE_0,
+                "height of the crest above the water at rest"),
+    FLOW_LENGTH(struct form, wavelength, PARAM_ABOVE_0, "wavelength"),
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0, "depth of the water at rest"),
     {.key = "profile",
      .type = PARAM_CHOICE,
      .offset = offsetof(struct form, profile),

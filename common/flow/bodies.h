@@ -3,12 +3,7 @@
 #include "common/case/case.h"
 #include "common/flow/flow.h"
 
-/* Rows of a struct that has a length or a rate of the key's name. */
-#define BODY_LENGTH(struct_, member, text)                                                         \
-  {                                                                                                \
-    .key = #member, .type = PARAM_REAL, .quantity = QTY_LENGTH,                                    \
-    .offset = offsetof(struct_, member), .min = PARAM_ABOVE_0, .max = 1e6, .help = text            \
-  }
+/* A row of a struct that has a rate of the key's name. */
 #define BODY_RATE(struct_, member, least, first, text)                                             \
   {                                                                                                \
     .key = #member, .type = PARAM_REAL, .quantity = QTY_RATE, .offset = offsetof(struct_, member), \

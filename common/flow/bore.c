@@ -21,30 +21,17 @@ struct form {
   int direction;
 };
 
-static const char *const direction_names[] = {"right", "left", NULL};
-static const char *const direction_helps[] = {"to greater x", "to smaller x"};
-
-#define LENGTH(member, low, text)                                                                  \
-  {                                                                                                \
-    .key = #member, .type = PARAM_REAL, .quantity = QTY_LENGTH,                                    \
-    .offset = offsetof(struct form, member), .min = low, .max = 1e6, .help = text                  \
-  }
 static const struct param rows[] = {
-    LENGTH(height, PARAM_ABOVE_0,
-           "of the level behind it above the water at rest; it breaks from "
-           "0.28 depths on, below it becomes undular"),
-    LENGTH(depth, PARAM_ABOVE_0, "h0 of the water at rest ahead"),
-    LENGTH(width, PARAM_ABOVE_0,
-           "of the step, at least 1.5 (depth + height): its height is height/(1 + exp(2 s)), s the "
-           "way ahead over this"),
-    LENGTH(x, -1e6, "where half of its height is at t = 0"),
-    {.key = "direction",
-     .type = PARAM_CHOICE,
-     .offset = offsetof(struct form, direction),
-     .choices = direction_names,
-     .value = "right",
-     .help = "where it runs",
-     .helps = direction_helps},
+    FLOW_LENGTH(struct form, height, PARAM_ABOVE_0,
+                "of the level behind it above the water at rest; it breaks from "
+                "0.28 depths on, below it becomes undular"),
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0, "h0 of the water at rest ahead"),
+    FLOW_LENGTH(
+        struct form, width, PARAM_ABOVE_0,
+        "of the step, at least 1.5 (depth + height): its height is height/(1 + exp(2 s)), s the "
+        "way ahead over this"),
+    FLOW_LENGTH(struct form, x, -1e6, "where half of its height is at t = 0"),
+    FLOW_DIRECTION(struct form, direction),
 };
 
 static double sense(const struct case_file *c) {

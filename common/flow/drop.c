@@ -17,7 +17,7 @@ struct form {
 };
 
 static const struct param rows[] = {
-    BODY_LENGTH(struct form, radius, "radius of the disc"),
+    FLOW_LENGTH(struct form, radius, PARAM_ABOVE_0, "radius of the disc"),
     BODY_RATE(struct form, strain, PARAM_ABOVE_0, NULL,
               "A at t = 0, which draws it out along x: u = A x, v = -A y"),
     BODY_RATE(struct form, pull, 0, "0",

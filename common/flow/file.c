@@ -23,13 +23,7 @@ struct form {
 };
 
 static const struct param rows[] = {
-    {.key = "depth",
-     .type = PARAM_REAL,
-     .quantity = QTY_LENGTH,
-     .offset = offsetof(struct form, depth),
-     .min = PARAM_ABOVE_0,
-     .max = 1e6,
-     .help = "of the water at rest, above which eta counts"},
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0, "of the water at rest, above which eta counts"),
     TEXT(struct form, file, 1000, NULL,
          "lines 'x, eta' in m of water at rest, or 'x, eta, phi' in m and m^2/s with the potential "
          "on the surface, from side to side; relative to the case; a cubic spline goes through "

@@ -42,6 +42,9 @@ size_t flow_place(const struct flow *f) {
   return i;
 }
 
+const char *const flow_direction_names[] = {"right", "left", NULL};
+const char *const flow_direction_helps[] = {"to greater x", "to smaller x"};
+
 const char *flow_name(const struct flow *f) {
   const char *const *names = flow_is_wave(f)   ? flow_wave_names
                              : flow_is_body(f) ? flow_body_names

@@ -154,6 +154,20 @@ FLOWS_OF_WAVES(X)
 FLOWS_OF_BODIES(X)
 #undef X
 
+/* Rows of a struct: a length of the key's name, m, and which way a wave runs. */
+#define FLOW_LENGTH(struct_, member, least, text)                                                  \
+  {                                                                                                \
+    .key = #member, .type = PARAM_REAL, .quantity = QTY_LENGTH,                                    \
+    .offset = offsetof(struct_, member), .min = least, .max = 1e6, .help = text                    \
+  }
+#define FLOW_DIRECTION(struct_, member)                                                            \
+  {                                                                                                \
+    .key = #member, .type = PARAM_CHOICE, .offset = offsetof(struct_, member),                     \
+    .choices = flow_direction_names, .value = "right", .help = "where it runs",                    \
+    .helps = flow_direction_helps                                                                  \
+  }
+extern const char *const flow_direction_names[], *const flow_direction_helps[];
+
 struct flow_list {
   size_t n;
   const struct flow *const *flow; /* [n] */

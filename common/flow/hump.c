@@ -15,16 +15,13 @@ struct form {
   double height, width, depth, x; /* m */
 };
 
-#define LENGTH(member, low, text)                                                                  \
-  {                                                                                                \
-    .key = #member, .type = PARAM_REAL, .quantity = QTY_LENGTH,                                    \
-    .offset = offsetof(struct form, member), .min = low, .max = 1e6, .help = text                  \
-  }
 static const struct param rows[] = {
-    LENGTH(height, -1e6, "of its middle above the water at rest; of a hollow below 0"),
-    LENGTH(width, PARAM_ABOVE_0, "way from its middle to where it is 1/e of the height"),
-    LENGTH(depth, PARAM_ABOVE_0, "of the water at rest around it"),
-    LENGTH(x, -1e6, "where its middle is"),
+    FLOW_LENGTH(struct form, height, -1e6,
+                "of its middle above the water at rest; of a hollow below 0"),
+    FLOW_LENGTH(struct form, width, PARAM_ABOVE_0,
+                "way from its middle to where it is 1/e of the height"),
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0, "of the water at rest around it"),
+    FLOW_LENGTH(struct form, x, -1e6, "where its middle is"),
 };
 
 static double width_of(const struct case_file *c) {

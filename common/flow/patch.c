@@ -17,7 +17,7 @@ struct form {
 };
 
 static const struct param rows[] = {
-    BODY_LENGTH(struct form, side, "side of the square"),
+    FLOW_LENGTH(struct form, side, PARAM_ABOVE_0, "side of the square"),
     BODY_RATE(struct form, rate, PARAM_ABOVE_0, NULL,
               "omega, at which it turns clockwise: u = omega y, v = -omega x"),
 };

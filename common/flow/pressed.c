@@ -15,10 +15,11 @@ struct form {
 };
 
 static const struct param rows[] = {
-    ROUND_LENGTH(struct form, strength, "q, of the pressure at the surface over rho g"),
-    ROUND_LENGTH(struct form, wavelength, "wavelength along the surface"),
-    ROUND_LENGTH(struct form, depth, "depth of the water at rest"),
-    ROUND_LENGTH(struct form, decay, "depth in which it falls by a factor e"),
+    FLOW_LENGTH(struct form, strength, PARAM_ABOVE_0,
+                "q, of the pressure at the surface over rho g"),
+    FLOW_LENGTH(struct form, wavelength, PARAM_ABOVE_0, "wavelength along the surface"),
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0, "depth of the water at rest"),
+    FLOW_LENGTH(struct form, decay, PARAM_ABOVE_0, "depth in which it falls by a factor e"),
 };
 
 static struct flow_scale scale(const struct case_file *c) {

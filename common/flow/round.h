@@ -4,12 +4,6 @@
 #include "common/flow/flow.h"
 #include "common/flow/modes.h"
 
-/* A row of a struct that has a length of the key's name. */
-#define ROUND_LENGTH(struct_, member, text)                                                        \
-  {                                                                                                \
-    .key = #member, .type = PARAM_REAL, .quantity = QTY_LENGTH,                                    \
-    .offset = offsetof(struct_, member), .min = PARAM_ABOVE_0, .max = 1e6, .help = text            \
-  }
 /* A whole number of wavelengths round the tank. */
 void wave_round_check(const struct case_file *c, struct case_draft *d, double wavelength);
 

@@ -18,39 +18,14 @@ struct form {
   int direction;
 };
 
-static const char *const direction_names[] = {"right", "left", NULL};
-static const char *const direction_helps[] = {"to greater x", "to smaller x"};
-
 static const struct param rows[] = {
-    {.key = "amplitude",
-     .type = PARAM_REAL,
-     .quantity = QTY_LENGTH,
-     .offset = offsetof(struct form, amplitude),
-     .min = PARAM_ABOVE_0,
-     .max = 1e6,
-     .help = "height A of the crest above the water at rest, up to 0.8 depths"},
-    {.key = "depth",
-     .type = PARAM_REAL,
-     .quantity = QTY_LENGTH,
-     .offset = offsetof(struct form, depth),
-     .min = PARAM_ABOVE_0,
-     .max = 1e6,
-     .help = "depth h of the water at rest; the wave's tails fall like exp(-k |x|), tan(k h) = "
-             "F^2 k h, where F sqrt(g h) is its speed"},
-    {.key = "x",
-     .type = PARAM_REAL,
-     .quantity = QTY_LENGTH,
-     .offset = offsetof(struct form, x),
-     .min = -1e6,
-     .max = 1e6,
-     .help = "where its crest is at t = 0"},
-    {.key = "direction",
-     .type = PARAM_CHOICE,
-     .offset = offsetof(struct form, direction),
-     .choices = direction_names,
-     .value = "right",
-     .help = "where it runs",
-     .helps = direction_helps},
+    FLOW_LENGTH(struct form, amplitude, PARAM_ABOVE_0,
+                "height A of the crest above the water at rest, up to 0.8 depths"),
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0,
+                "depth h of the water at rest; the wave's tails fall like exp(-k |x|), tan(k h) = "
+                "F^2 k h, where F sqrt(g h) is its speed"),
+    FLOW_LENGTH(struct form, x, -1e6, "where its crest is at t = 0"),
+    FLOW_DIRECTION(struct form, direction),
 };
 
 /* A refused one is drawn all the same: as the highest. */

@@ -12,15 +12,11 @@ struct form {
   int order;
 };
 
-#define LENGTH(member, text)                                                                       \
-  {                                                                                                \
-    .key = #member, .type = PARAM_REAL, .quantity = QTY_LENGTH,                                    \
-    .offset = offsetof(struct form, member), .min = PARAM_ABOVE_0, .max = 1e6, .help = text        \
-  }
 static const struct param rows[] = {
-    LENGTH(amplitude, "of the cosine: height of the crest above the water at rest, at order 1"),
-    LENGTH(wavelength, "wavelength"),
-    LENGTH(depth, "depth of the water at rest"),
+    FLOW_LENGTH(struct form, amplitude, PARAM_ABOVE_0,
+                "of the cosine: height of the crest above the water at rest, at order 1"),
+    FLOW_LENGTH(struct form, wavelength, PARAM_ABOVE_0, "wavelength"),
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0, "depth of the water at rest"),
     {.key = "order",
      .type = PARAM_INT,
      .offset = offsetof(struct form, order),

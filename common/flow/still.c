@@ -7,13 +7,8 @@ struct form {
 };
 
 static const struct param rows[] = {
-    {.key = "depth",
-     .type = PARAM_REAL,
-     .quantity = QTY_LENGTH,
-     .offset = offsetof(struct form, depth),
-     .min = PARAM_ABOVE_0,
-     .max = 1e6,
-     .help = "of the water above the lowest point of the walls"},
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0,
+                "of the water above the lowest point of the walls"),
 };
 
 static struct flow_scale scale(const struct case_file *c) {

@@ -14,9 +14,9 @@ struct form {
 };
 
 static const struct param rows[] = {
-    ROUND_LENGTH(struct form, amplitude, "half of its height from trough to crest"),
-    ROUND_LENGTH(struct form, wavelength, "wavelength"),
-    ROUND_LENGTH(struct form, depth, "mean depth"),
+    FLOW_LENGTH(struct form, amplitude, PARAM_ABOVE_0, "half of its height from trough to crest"),
+    FLOW_LENGTH(struct form, wavelength, PARAM_ABOVE_0, "wavelength"),
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0, "mean depth"),
 };
 
 struct wave {

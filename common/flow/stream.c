@@ -7,18 +7,19 @@
 #include "common/flow/crest.h"
 #include "common/flow/round.h"
 
-#define DEEPEST 6 /* wavelengths: below, exp(-2 pi 6) of the velocity at the surface is rounding   \
-                   */
+#define DEEPEST                                                                                    \
+  6 /* wavelengths: below, exp(-2 pi 6) of the velocity at the surface is rounding                 \
+     */
 
 struct form {
   double height, wavelength, depth; /* m */
 };
 
 static const struct param rows[] = {
-    ROUND_LENGTH(struct form, height,
-                 "height of the crest above the trough, up to 98 % of the highest"),
-    ROUND_LENGTH(struct form, wavelength, "wavelength, up to 50 depths"),
-    ROUND_LENGTH(struct form, depth, "mean depth"),
+    FLOW_LENGTH(struct form, height, PARAM_ABOVE_0,
+                "height of the crest above the trough, up to 98 % of the highest"),
+    FLOW_LENGTH(struct form, wavelength, PARAM_ABOVE_0, "wavelength, up to 50 depths"),
+    FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0, "mean depth"),
 };
 
 /* Of the water that the wave moves, m. */

@@ -6,7 +6,6 @@ struct tank tank_of(const struct geo_lines *walls, const bool periodic[2]) {
   struct tank t = {.box = geo_lines_box(walls), .periodic = {periodic[0], periodic[1]}};
   t.top[TANK_LEFT] = t.periodic[0] ? INFINITY : walls->p[0][1];
   t.top[TANK_RIGHT] = t.periodic[0] ? INFINITY : walls->p[walls->points - 1][1];
-  t.lowest_top = fmin(t.top[0], t.top[1]);
   return t;
 }
 

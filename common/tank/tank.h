@@ -11,9 +11,9 @@
 enum { TANK_LEFT, TANK_RIGHT };
 
 struct tank {
-  struct geo_box box;        /* m */
-  bool periodic[2];          /* along x: the sides are no walls; along y: the bed is none */
-  double top[2], lowest_top; /* m: y of the upper ends of the sides; of the lower one */
+  struct geo_box box; /* m */
+  bool periodic[2];   /* along x: the sides are no walls; along y: the bed is none */
+  double top[2];      /* m: y of the upper ends of the sides */
 };
 
 /* From walls that run down the left side, along the bed, up the right side. */

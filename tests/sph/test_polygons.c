@@ -165,7 +165,7 @@ static struct geo_lines rectangle(double x0, double x1, double y1) {
  * are not those of the lattice. `from`: where the column's wall, or its middle, is. */
 static double released_error(double x0, double x1, double from, double side, double spacing) {
   const double H = 0.873;
-  struct tank tank = {.box = {{0, 0}, {4, 3}}, .top = {3, 3}, .lowest_top = 3};
+  struct tank tank = {.box = {{0, 0}, {4, 3}}, .top = {3, 3}};
   struct geo_lines water = rectangle(x0, x1, H);
   struct release *r;
   EXPECT_OK(release_create(&water, &tank, spacing, 1e-9, &weight, &r));
@@ -201,7 +201,7 @@ static void test_sparse_solve_converges_to_the_column(void) {
  * errors of the stencils cut by the surface, of second order, have opposite signs in x and y here.
  * Largest error. */
 static double triangle_error(double spacing) {
-  struct tank tank = {.box = {{0, 0}, {4, 3}}, .top = {3, 3}, .lowest_top = 3};
+  struct tank tank = {.box = {{0, 0}, {4, 3}}, .top = {3, 3}};
   struct case_file *c = water_of("regions: [[[0, 0], [1, 0], [0, 1]]], pressure: released", 20);
   struct release *r;
   EXPECT_OK(release_create(&c->water, &tank, spacing, 1e-9, &weight, &r));
@@ -237,7 +237,7 @@ static void test_regions_that_touch_are_one_water(void) {
                "[0.97, 0.27]]], pressure: released",
                20)};
   struct release *r[2];
-  struct tank tank = {.box = c[0]->tank, .top = {3, 3}, .lowest_top = 3};
+  struct tank tank = {.box = c[0]->tank, .top = {3, 3}};
   for (int k = 0; k < 2; k++)
     EXPECT_OK(release_create(&c[k]->water, &tank, 0.05, 1e-9, &weight, &r[k]));
   double worst = 0, most = 0;
