@@ -320,12 +320,15 @@ void cmp_html_provenance(struct page *p, const struct comparison *c) {
   for (size_t i = 0; i <= c->n_runs; i++) statistics_list(p, c, i == 0 ? SIZE_MAX : i - 1);
   for (size_t i = 0; i <= c->n_runs; i++) case_text(p, c, i == 0 ? SIZE_MAX : i - 1);
   const struct result_file *f = c->ref.data.file;
-  if (f->n_experiments) {
+  if (f->n_experiments || f->n_profiles) {
     cmp_page_element(p, "h3", NULL, "Experiments");
     cmp_page_open(p, "ul", NULL);
     for (size_t k = 0; k < f->n_experiments; k++)
       cmp_page_element(p, "li", NULL, "%s (%s): %s", f->experiments[k].label,
                        f->experiments[k].target, f->experiments[k].source);
+    for (size_t k = 0; k < f->n_profiles; k++)
+      cmp_page_element(p, "li", NULL, "%s (surface): %s", f->profiles[k].label,
+                       f->profiles[k].source);
     cmp_page_close(p);
   }
 }

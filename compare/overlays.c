@@ -9,6 +9,7 @@
 #include "compare/cloud.h"
 #include "compare/outline.h"
 #include "compare/polyline.h"
+#include "compare/profiles.h"
 #include "compare/text.h"
 
 enum { WIDTH = 900, LEFT = 74, RIGHT = 100, TOP = 8, TITLE = 24, BOTTOM = 52, GAP = 26 };
@@ -49,6 +50,24 @@ static void lines_write(FILE *data, size_t id, const char *name, const struct ge
   }
 }
 
+/* Series n_runs + 2: a point a row. */
+static void profiles_write(const struct comparison *c, FILE *data, size_t time) {
+  const struct result_file *f = c->ref.data.file;
+  for (size_t k = 0; k < f->n_profiles; k++)
+    for (size_t i = 0; i < f->profiles[k].n && cmp_profile_is_at(c, k, time); i++) {
+      fprintf(data, "%zu,", c->n_runs + 2);
+      cmp_csv_string(data, f->profiles[k].label);
+      fprintf(data, ",%zu,%.8g,%.8g\n", k, f->profiles[k].x[i] / c->scales.H,
+              f->profiles[k].y[i] / c->scales.H);
+    }
+}
+
+static bool any_profile(const struct comparison *c, size_t time) {
+  size_t k = 0;
+  while (k < c->ref.data.file->n_profiles && !cmp_profile_is_at(c, k, time)) k++;
+  return k < c->ref.data.file->n_profiles;
+}
+
 /* Of the runs picked when there is room for `most`. Walls are series n_runs + 1, the reference
  * n_runs, run r is r. */
 static enum status surfaces_write(const struct comparison *c, struct cmp_figures *f,
@@ -57,6 +76,7 @@ static enum status surfaces_write(const struct comparison *c, struct cmp_figures
   TRY(cmp_figure_data(f, fig, "-surfaces.csv", &data));
   fputs("series,name,piece,x [H],y [H]\n", data);
   lines_write(data, c->n_runs + 1, "tank", &c->ref.data.walls);
+  profiles_write(c, data, time);
   bool reference = false;
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_at *at = &c->run[r].at[time];
@@ -220,6 +240,11 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
     surface_plot(fig, c->n_runs, "linewidth 2.6 linecolor '#ffffff'");
     surface_plot(fig, c->n_runs, "linewidth 1.2 linecolor '#000000'");
   }
+  if (any_profile(c, time))
+    fprintf(s,
+            ", \\\n  '%s-surfaces.csv' skip 1 using ($1==%zu?$4:NaN):5 with points pointtype 6 "
+            "pointsize 0.7 linecolor '#0072b2' notitle",
+            fig->name, c->n_runs + 2);
   fputc('\n', s);
 }
 
@@ -248,6 +273,27 @@ static bool any_particles(const struct comparison *c, const struct cmp_cloud *cl
   return false;
 }
 
+/* What was measured, and how far each run picked is from it. */
+static void profiles_say(const struct comparison *c, size_t time, struct cmp_figure *fig) {
+  const struct result_file *f = c->ref.data.file;
+  const size_t room = sizeof fig->caption;
+  for (size_t k = 0; k < f->n_profiles; k++) {
+    if (!cmp_profile_is_at(c, k, time)) continue;
+    size_t at = strlen(fig->caption);
+    snprintf(fig->caption + at, room - at, " Circles: %.60s; mean distance from",
+             f->profiles[k].label);
+    for (size_t r = 0, shown = 0; r < c->n_runs; r++) {
+      const struct cmp_value v = cmp_profile_distance(c, &c->run[r], k, time);
+      if (!cmp_run_is_picked(c, r, CMP_PANELS) || !cmp_known(&v)) continue;
+      at = strlen(fig->caption);
+      snprintf(fig->caption + at, room - at, "%s %.30s %.2g H", shown++ ? "," : "",
+               c->run[r].data.label, v.value);
+    }
+    at = strlen(fig->caption);
+    snprintf(fig->caption + at, room - at, ".");
+  }
+}
+
 static void overlay_caption(const struct comparison *c, size_t time, bool particles,
                             struct cmp_figure *fig) {
   snprintf(fig->caption, sizeof fig->caption,
@@ -258,6 +304,7 @@ static void overlay_caption(const struct comparison *c, size_t time, bool partic
                ? "Particles coloured by pressure (the same colours for every run), the run's own"
                : "The run's",
            c->ref.data.label);
+  profiles_say(c, time, fig);
   size_t used = strlen(fig->caption);
   cmp_picked_say(c, CMP_PANELS, "have no panel", fig->caption + used, sizeof fig->caption - used);
 }

@@ -112,6 +112,13 @@ struct case_experiment { /* a measured series laid over a probe's or a gauge's p
   double *t, *value; /* s, and Pa or m, [n], owned */
 };
 
+struct case_profile { /* a measured surface at an instant, laid over those of the runs */
+  char *label, *source;
+  double time; /* s */
+  size_t n;
+  double *x, *y; /* m, [n], owned */
+};
+
 struct case_file {
   char *path; /* as given by the user, "stdin" for "-"; "" when read from a result file */
   char *text; /* the case as run: the file with the overrides applied, still valid YAML */
@@ -163,6 +170,8 @@ struct case_file {
     struct case_spectrum *spectra;
     size_t n_experiments;
     struct case_experiment *experiments;
+    size_t n_profiles;
+    struct case_profile *profiles;
   } compare;
 };
 
@@ -188,6 +197,8 @@ int case_run_line(const struct case_run *r, const char *key);
 /* For the check of a solver whose walls do not move: refuses tank.motions. */
 void case_refuse_motions(const struct case_file *c, const struct case_run *r,
                          struct problems *problems);
+
+void case_profile_destroy(struct case_profile *p); /* what it owns */
 
 /* Whether a run has value `key` itself, not from a named scheme or the solver's table. */
 bool case_run_gives(const struct case_run *r, const char *key);

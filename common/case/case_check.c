@@ -313,6 +313,7 @@ void case_check(struct case_draft *d) {
   check_no_gauges(d);
   check_run_names(d);
   if (d->good.time) check_times(d);
+  if (d->good.time) case_check_profiles(d);
   if (d->good.time && d->good.runs) case_check_tolerances(d);
   if (d->good.time) {
     case_check_averages(d, d->c->end, "time.end");

@@ -124,6 +124,11 @@ enum status case_check_strokes(struct case_draft *d);
 
 extern const struct case_table case_motion_tables[];
 
+/* case_profile.c: compare.profiles; their times are among compare.times. */
+enum status case_read_profiles(struct case_draft *d, int node);
+void case_check_profiles(struct case_draft *d);
+extern const struct case_table case_profile_tables[];
+
 /* case_experiment.c: reads the data file of e, a path relative to the case file, into SI units.
  * Adds problems; `line` and `path` are those of the key `file`. */
 enum status case_read_experiment(struct case_draft *d, struct case_experiment *e, const char *file,

@@ -135,7 +135,7 @@ enum status case_read_runs(struct case_draft *d) {
 /* ---- compare ---- */
 
 struct compare_section {
-  int reference, times, window, tolerances, averages, filters, spectra, experiments;
+  int reference, times, window, tolerances, averages, filters, spectra, experiments, profiles;
 };
 static const struct param compare_rows[] = {
     NODE(struct compare_section, reference, "", "the name of a run; default: the first"),
@@ -148,6 +148,7 @@ static const struct param compare_rows[] = {
          "a list of filters of probes, shown beside what is compared"),
     NODE(struct compare_section, spectra, "", "a list of spectra of series"),
     NODE(struct compare_section, experiments, "", "a list of experiments"),
+    NODE(struct compare_section, profiles, "", "a list of measured surfaces at instants"),
 };
 
 static const char *run_name(const struct case_file *c, size_t i) {
@@ -407,6 +408,7 @@ enum status case_read_compare(struct case_draft *d) {
   if (s.averages) TRY(read_averages(d, s.averages));
   if (s.filters) TRY(case_read_filters(d, s.filters));
   if (s.spectra) TRY(case_read_spectra(d, s.spectra));
+  if (s.profiles && d->read_data) TRY(case_read_profiles(d, s.profiles));
   if (!s.experiments || !d->read_data ||
       !case_doc_expect_list(doc, s.experiments, "compare.experiments", 0, CASE_MOST_ITEMS,
                             "experiments"))

@@ -187,6 +187,8 @@ struct result_file {
   struct result_series *diagnostics; /* on the same times; units are their own */
   struct result_event_read *events;
   struct case_experiment *experiments;
+  size_t n_profiles;
+  struct case_profile *profiles;
   struct result_statistic_read *statistics;
   size_t n_outputs; /* of points */
   double *output_time;

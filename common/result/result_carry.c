@@ -87,6 +87,15 @@ static enum status carry_experiment(struct carrier *c, void *element) {
   return carry_same(c, e->n, &e->value);
 }
 
+static enum status carry_profile(struct carrier *c, void *element) {
+  struct case_profile *p = element;
+  TRY(carry_word(c, &p->label));
+  TRY(carry_word(c, &p->source));
+  TRY(carry_bytes(c, &p->time, sizeof p->time));
+  TRY(carry_array(c, &p->n, &p->x));
+  return carry_same(c, p->n, &p->y);
+}
+
 static enum status carry_statistic(struct carrier *c, void *element) {
   struct result_statistic_read *s = element;
   TRY(carry_word(c, &s->name));
@@ -133,6 +142,7 @@ static enum status carry_tables(struct carrier *c, struct result_file *f) {
   TRY(carry_each(c, &f->n_diagnostics, &f->diagnostics, carry_series));
   TRY(carry_each(c, &f->n_events, &f->events, carry_event));
   TRY(carry_each(c, &f->n_experiments, &f->experiments, carry_experiment));
+  TRY(carry_each(c, &f->n_profiles, &f->profiles, carry_profile));
   return carry_each(c, &f->n_statistics, &f->statistics, carry_statistic);
 }
 

@@ -131,10 +131,38 @@ static enum status write_experiments(hid_t file, const struct case_file *c) {
   return status;
 }
 
+static enum status write_profile(hid_t parent, size_t number, const struct case_profile *p) {
+  char name[32];
+  snprintf(name, sizeof name, "profile_%zu", number);
+  hid_t group = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_group_create(parent, name, &group));
+  ATTEMPT(hdf_set_string(group, "label", p->label));
+  ATTEMPT(hdf_set_string(group, "source", p->source));
+  ATTEMPT(hdf_set_number(group, "time", p->time));
+  ATTEMPT(hdf_put(group, "x", H5T_NATIVE_DOUBLE, p->n, 0, p->x, "m", "place"));
+  ATTEMPT(
+      hdf_put(group, "y", H5T_NATIVE_DOUBLE, p->n, 0, p->y, "m", "height of the surface there"));
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
+static enum status write_profiles(hid_t file, const struct case_file *c) {
+  hid_t group = -1;
+  if (!c->compare.n_profiles) return OK;
+  enum status status = hdf_group_create(file, "profiles", &group);
+  for (size_t i = 0; i < c->compare.n_profiles && status == OK; i++)
+    status = write_profile(group, i + 1, &c->compare.profiles[i]);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
 enum status result_header_write(hid_t file, const struct case_file *c, const struct case_run *r) {
   TRY(write_attributes(file, c, r));
   TRY(hdf_put_string(file, "case", c->text, "the case file as run, with overrides applied"));
   TRY(write_parameters(file, r));
   TRY(write_walls(file, &c->walls));
-  return write_experiments(file, c);
+  TRY(write_experiments(file, c));
+  return write_profiles(file, c);
 }

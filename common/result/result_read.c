@@ -248,6 +248,24 @@ done:
   return status;
 }
 
+static enum status read_profile(hid_t parent, const char *link, void *element) {
+  struct case_profile *p = element;
+  hid_t group = -1;
+  size_t n_y = 0;
+  enum status status = OK;
+  ATTEMPT(hdf_open_group(parent, link, &group));
+  ATTEMPT(hdf_get_string(group, "label", &p->label));
+  ATTEMPT(hdf_get_string(group, "source", &p->source));
+  ATTEMPT(hdf_get_number(group, "time", &p->time));
+  ATTEMPT(hdf_get_all(group, "x", H5T_NATIVE_DOUBLE, 0, &p->n, &p->x));
+  ATTEMPT(hdf_get_all(group, "y", H5T_NATIVE_DOUBLE, 0, &n_y, &p->y));
+  if (n_y != p->n)
+    status = status_raise(ERR_INPUT, "its profile %s has columns of different lengths", link);
+done:
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
 static enum status read_statistic(hid_t group, const char *link, void *element) {
   struct result_statistic_read *s = element;
   TRY(hdf_get_scalar(group, link, H5T_NATIVE_DOUBLE, &s->value));
@@ -334,6 +352,9 @@ static enum status read_all(hid_t file, struct result_file *f) {
   TRY(array_lend(&f->experiments,
                  result_read_members(file, "experiments", sizeof *f->experiments, read_experiment,
                                      &f->n_experiments, &memory_)));
+  if (hdf_has(file, "profiles")) /* of few runs, and of no older file */
+    TRY(array_lend(&f->profiles, result_read_members(file, "profiles", sizeof *f->profiles,
+                                                     read_profile, &f->n_profiles, &memory_)));
   TRY(array_lend(&f->statistics, result_read_members(file, "statistics", sizeof *f->statistics,
                                                      read_statistic, &f->n_statistics, &memory_)));
   return read_outputs(file, f);
@@ -404,6 +425,8 @@ void result_file_destroy(struct result_file *f) {
     free(f->experiments[i].value);
   }
   free(f->experiments);
+  for (size_t i = 0; i < f->n_profiles; i++) case_profile_destroy(&f->profiles[i]);
+  free(f->profiles);
   for (size_t i = 0; i < f->n_statistics; i++) {
     free(f->statistics[i].name);
     free(f->statistics[i].help);
@@ -413,83 +436,6 @@ void result_file_destroy(struct result_file *f) {
   free(f->output_points);
   hdf_list_destroy(f->n_fields, f->fields);
   free(f);
-}
-
-struct points_request {
-  const char *path, *field;
-  size_t n;
-  const size_t *output;       /* [n] */
-  struct result_cloud *cloud; /* [n] */
-};
-
-static enum status read_points(hid_t file, const char *field, size_t output,
-                               struct result_cloud *q) {
-  int64_t *first = NULL, *count = NULL;
-  double(*xyz)[3] = NULL;
-  hid_t data = -1;
-  enum status status = OK;
-  ATTEMPT(hdf_get_rows(file, "VTKHDF/Steps/PointOffsets", H5T_NATIVE_INT64, 0, output, 1, &first));
-  ATTEMPT(hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, output, 1, &count));
-  if (*first < 0 || *count < 0) {
-    status = status_raise(ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
-    goto done;
-  }
-  q->n = (size_t)*count;
-  ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first, q->n, &xyz));
-  ATTEMPT(hdf_open_group(file, "VTKHDF/PointData", &data));
-  ATTEMPT(hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, 0, (hsize_t)*first, q->n, &q->value));
-  q->p = malloc((q->n + 1) * sizeof *q->p);
-  if (!q->p) {
-    status = status_raise(ERR_MEMORY, "no memory for %zu points", q->n);
-    goto done;
-  }
-  for (size_t i = 0; i < q->n; i++) {
-    q->p[i][0] = xyz[i][0];
-    q->p[i][1] = xyz[i][1];
-  }
-done:
-  free(first);
-  free(count);
-  free(xyz);
-  if (data >= 0) H5Gclose(data);
-  return status;
-}
-
-static enum status read_points_file(const hid_t *file, void *data) {
-  struct points_request *q = data;
-  for (size_t k = 0; k < q->n; k++) {
-    enum status status = read_points(*file, q->field, q->output[k], &q->cloud[k]);
-    if (status != OK) return status_context(status, "%s, output %zu: ", q->path, q->output[k]);
-  }
-  return OK;
-}
-
-static enum status carry_points(struct carrier *c, void *data) {
-  struct points_request *q = data;
-  for (size_t k = 0; k < q->n; k++) {
-    struct result_cloud *cloud = &q->cloud[k];
-    size_t n = cloud->n;
-    TRY(carry_array(c, &cloud->n, &cloud->p));
-    TRY(carry_array(c, &n, &cloud->value));
-    CHECK(n == cloud->n, ERR_INPUT, "%s, output %zu, is inconsistent", q->path, q->output[k]);
-  }
-  return OK;
-}
-
-void result_cloud_free(struct result_cloud *cloud) {
-  free(cloud->p);
-  free(cloud->value);
-  *cloud = (struct result_cloud){0};
-}
-
-enum status result_read_points(const char *path, const char *field, size_t n, const size_t *output,
-                               struct result_cloud *cloud) {
-  struct points_request q = {path, field, n, output, cloud};
-  for (size_t k = 0; k < n; k++) cloud[k] = (struct result_cloud){0};
-  enum status status = result_read_safely(&(struct result_request){
-      1, {path}, .data = &q, .read = read_points_file, .carry = carry_points});
-  for (size_t k = 0; k < n && status != OK; k++) result_cloud_free(&cloud[k]);
-  return status;
 }
 
 struct current_request {

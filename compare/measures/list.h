@@ -54,7 +54,9 @@
   X(experiment_probe_rms, "rho g H", ONCE, NONE, CHECKS,                                           \
     "rms difference from measured pressures, worst experiment")                                    \
   X(experiment_gauge_rms, "H", ONCE, NONE, CHECKS,                                                 \
-    "rms difference from measured water heights or fronts, worst experiment")
+    "rms difference from measured water heights or fronts, worst experiment")                      \
+  X(profile_distance, "H", AT, LENGTH, CHECKS,                                                     \
+    "mean distance of the measured surface's points from the run's surface, worst profile")
 
 enum {
 #define X(name, units, when, noise, section, help) CMP_MEASURE_##name,

@@ -1,5 +1,6 @@
 /* Distances between the free surfaces. */
 #include "compare/measures/look.h"
+#include "compare/profiles.h"
 
 struct cmp_value cmp_measure_mean_distance(struct cmp_look *l) {
   return l->at->mean;
@@ -15,6 +16,21 @@ struct cmp_value cmp_measure_largest_distance(struct cmp_look *l) {
   if (cmp_known(&l->at->largest))
     snprintf(l->detail, l->detail_room, "at x = %.3g, y = %.3g", l->at->where[0], l->at->where[1]);
   return l->at->largest;
+}
+
+struct cmp_value cmp_measure_profile_distance(struct cmp_look *l) {
+  const struct comparison *c = l->c;
+  struct cmp_value worst = cmp_unknown("no surface measured at this time");
+  size_t time = 0;
+  while (time < c->n_times && c->times[time] != l->t) time++;
+  for (size_t k = 0; time < c->n_times && k < c->ref.data.file->n_profiles; k++) {
+    if (!cmp_profile_is_at(c, k, time)) continue;
+    const struct cmp_value v = cmp_profile_distance(c, l->run, k, time);
+    if (cmp_known(&v) && cmp_known(&worst) && v.value <= worst.value) continue;
+    worst = v;
+    snprintf(l->detail, l->detail_room, "%s", c->ref.data.file->profiles[k].label);
+  }
+  return worst;
 }
 
 struct cmp_value cmp_measure_hausdorff(struct cmp_look *l) {

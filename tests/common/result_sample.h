@@ -48,6 +48,10 @@ static double sample_t[] = {0.1, 0.30000000000000004, 7},
 static struct case_experiment sample_experiments[] = {
     {"Büchner 2002, digitisation “a”", "a/b & <c>", "P/1", 3, sample_t, sample_value}};
 
+static double sample_profile_x[] = {0.1, 0.2}, sample_profile_y[] = {-1e-300, 0.30000000000000004};
+static struct case_profile sample_profiles[] = {
+    {"photograph “b”", "c <d>", 0.30000000000000004, 2, sample_profile_x, sample_profile_y}};
+
 /* The caller destroys it with sample_case_destroy. */
 static inline struct case_file *sample_case(void) {
   struct case_file *c = calloc(1, sizeof *c);
@@ -80,6 +84,8 @@ static inline struct case_file *sample_case(void) {
   c->compare.reference = 1;
   c->compare.n_experiments = 1;
   c->compare.experiments = sample_experiments;
+  c->compare.n_profiles = 1;
+  c->compare.profiles = sample_profiles;
   return c;
 }
 

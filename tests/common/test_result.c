@@ -54,6 +54,12 @@ static void test_header_comes_back(void) {
   EXPECT_STR(f->experiments[0].source, sample_experiments[0].source);
   EXPECT_STR(f->experiments[0].target, "P/1");
   EXPECT(!memcmp(f->experiments[0].value, sample_value, sizeof sample_value));
+  EXPECT(f->n_profiles == 1 && f->profiles[0].n == 2);
+  EXPECT_STR(f->profiles[0].label, sample_profiles[0].label);
+  EXPECT_STR(f->profiles[0].source, sample_profiles[0].source);
+  EXPECT_SAME(f->profiles[0].time, sample_profiles[0].time);
+  EXPECT(!memcmp(f->profiles[0].x, sample_profile_x, sizeof sample_profile_x));
+  EXPECT(!memcmp(f->profiles[0].y, sample_profile_y, sizeof sample_profile_y));
   result_file_destroy(f);
   sample_case_destroy(c);
 }

@@ -181,7 +181,8 @@ static void settings_make(struct case_file *c) {
   for (size_t m = 0; m < CMP_N_MEASURES; m++) {
     if (cmp_measure_sections[m] == CMP_SECTION_JET ||
         cmp_measure_sections[m] == CMP_SECTION_FRONT || m == CMP_MEASURE_budget_before_impact ||
-        m == CMP_MEASURE_experiment_probe_rms || m == CMP_MEASURE_experiment_gauge_rms)
+        m == CMP_MEASURE_experiment_probe_rms || m == CMP_MEASURE_experiment_gauge_rms ||
+        m == CMP_MEASURE_profile_distance)
       continue;
     everything[c->compare.n_tolerances++] =
         (struct case_tolerance){.measure = text(cmp_measures[m].name), .at = NAN, .max = 1e-12};

@@ -1,0 +1,84 @@
+/* The particles of a few outputs of a result, one field at a time. */
+#include <stdlib.h>
+
+#include "common/result/carry.h"
+#include "common/result/result.h"
+#include "common/result/result_hdf.h"
+#include "common/result/result_open.h"
+
+struct points_request {
+  const char *path, *field;
+  size_t n;
+  const size_t *output;       /* [n] */
+  struct result_cloud *cloud; /* [n] */
+};
+
+static enum status read_points(hid_t file, const char *field, size_t output,
+                               struct result_cloud *q) {
+  int64_t *first = NULL, *count = NULL;
+  double(*xyz)[3] = NULL;
+  hid_t data = -1;
+  enum status status = OK;
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/Steps/PointOffsets", H5T_NATIVE_INT64, 0, output, 1, &first));
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, output, 1, &count));
+  if (*first < 0 || *count < 0) {
+    status = status_raise(ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
+    goto done;
+  }
+  q->n = (size_t)*count;
+  ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first, q->n, &xyz));
+  ATTEMPT(hdf_open_group(file, "VTKHDF/PointData", &data));
+  ATTEMPT(hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, 0, (hsize_t)*first, q->n, &q->value));
+  q->p = malloc((q->n + 1) * sizeof *q->p);
+  if (!q->p) {
+    status = status_raise(ERR_MEMORY, "no memory for %zu points", q->n);
+    goto done;
+  }
+  for (size_t i = 0; i < q->n; i++) {
+    q->p[i][0] = xyz[i][0];
+    q->p[i][1] = xyz[i][1];
+  }
+done:
+  free(first);
+  free(count);
+  free(xyz);
+  if (data >= 0) H5Gclose(data);
+  return status;
+}
+
+static enum status read_points_file(const hid_t *file, void *data) {
+  struct points_request *q = data;
+  for (size_t k = 0; k < q->n; k++) {
+    enum status status = read_points(*file, q->field, q->output[k], &q->cloud[k]);
+    if (status != OK) return status_context(status, "%s, output %zu: ", q->path, q->output[k]);
+  }
+  return OK;
+}
+
+static enum status carry_points(struct carrier *c, void *data) {
+  struct points_request *q = data;
+  for (size_t k = 0; k < q->n; k++) {
+    struct result_cloud *cloud = &q->cloud[k];
+    size_t n = cloud->n;
+    TRY(carry_array(c, &cloud->n, &cloud->p));
+    TRY(carry_array(c, &n, &cloud->value));
+    CHECK(n == cloud->n, ERR_INPUT, "%s, output %zu, is inconsistent", q->path, q->output[k]);
+  }
+  return OK;
+}
+
+void result_cloud_free(struct result_cloud *cloud) {
+  free(cloud->p);
+  free(cloud->value);
+  *cloud = (struct result_cloud){0};
+}
+
+enum status result_read_points(const char *path, const char *field, size_t n, const size_t *output,
+                               struct result_cloud *cloud) {
+  struct points_request q = {path, field, n, output, cloud};
+  for (size_t k = 0; k < n; k++) cloud[k] = (struct result_cloud){0};
+  enum status status = result_read_safely(&(struct result_request){
+      1, {path}, .data = &q, .read = read_points_file, .carry = carry_points});
+  for (size_t k = 0; k < n && status != OK; k++) result_cloud_free(&cloud[k]);
+  return status;
+}
