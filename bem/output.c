@@ -279,7 +279,7 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
     bool shown = output - seconds < near, sampled = sample - seconds < near;
     TRY(look(o, f, stepper, seconds / o->time_scale, sampled && wants_pressure(o)));
     if (shown) TRY(write_surface(o, output));
-    TRY(bem_sides_reserve(&o->sides, o->view.surface.n));
+    TRY(bem_sides_reserve(&o->sides, &o->view.surface));
     if (sampled && !bem_output_touches(&o->sides, &o->view.surface))
       TRY(write_row(o, stepper, sample, dt));
     o->next_output += shown;

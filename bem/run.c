@@ -14,7 +14,7 @@ enum {
 
 enum status bem_run_restart(struct bem_run *r) {
   bem_pace_restarted(&r->pace);
-  TRY(bem_sides_reserve(&r->sides, r->flow.surface.n));
+  TRY(bem_sides_reserve(&r->sides, &r->flow.surface));
   return bem_stepper_restart(r->stepper, r->time);
 }
 

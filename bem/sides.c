@@ -13,15 +13,21 @@ static const double AROUND = 3;
 static const double FACING = 0.3; /* cosine between the normal and the way over */
 static const double FAR = 1e3;    /* H: walls go on for ever */
 
-enum status bem_sides_reserve(struct bem_sides *w, size_t n) {
-  if (n <= w->room) return OK;
-  TRY(array_resize(&w->arc, n, "lengths along a surface"));
-  w->room = n;
+enum status bem_sides_reserve(struct bem_sides *w, const struct bem_surface *s) {
+  const size_t stretches = bem_stretches_count(s);
+  if (stretches > w->stretch_room) {
+    TRY(array_resize(&w->stretch, stretches, "stretches of a surface"));
+    w->stretch_room = stretches;
+  }
+  if (s->n <= w->room) return OK;
+  TRY(array_resize(&w->arc, s->n, "lengths along a surface"));
+  w->room = s->n;
   return OK;
 }
 
 void bem_sides_destroy(struct bem_sides *w) {
   free(w->arc);
+  free(w->stretch);
   *w = (struct bem_sides){0};
 }
 
@@ -30,6 +36,7 @@ void bem_sides_set(const struct bem_sides *w, const struct bem_surface *s, const
   w->arc[0] = 0;
   for (size_t k = 1; k < s->n; k++)
     w->arc[k] = w->arc[k - 1] + hypot(x[k] - x[k - 1], y[k] - y[k - 1]);
+  bem_stretches_set(s, state, w->stretch);
 }
 
 /* ---- walls ---- */
@@ -69,15 +76,6 @@ void bem_sides_wall(const struct bem_surface *s, size_t wall, double complex *a,
 
 /* ---- distances ---- */
 
-/* A closed chain goes on for a period on either side of the nodes 0 to n - 1. */
-static ptrdiff_t first_panel(const struct bem_surface *s) {
-  return bem_surface_is_closed(s) ? 1 - (ptrdiff_t)s->n : 0;
-}
-
-static ptrdiff_t behind_panels(const struct bem_surface *s) {
-  return (bem_surface_is_closed(s) ? 2 : 1) * ((ptrdiff_t)s->n - 1);
-}
-
 static double complex node(const struct bem_surface *s, const double *state, ptrdiff_t k) {
   return CMPLX(bem_period_value(state, s->n, k), bem_period_value(state + s->n, s->n, k));
 }
@@ -110,40 +108,44 @@ static bool faces(double complex normal, enum bem_between between, double comple
   return (between == BEM_AIR ? out : -out) >= FACING * cabs(over);
 }
 
-/* The first panel after j that may be nearer than `by` less than panel j is. */
-static ptrdiff_t skip(const struct bem_sides *w, const struct bem_surface *s, ptrdiff_t j,
-                      double by) {
-  const double until = length_to(w, s, j + 1) + by;
-  ptrdiff_t low = j + 1, high = behind_panels(s);
-  while (low < high) {
-    const ptrdiff_t middle = low + (high - low) / 2;
-    if (length_to(w, s, middle + 1) > until)
-      high = middle;
-    else
-      low = middle + 1;
+/* The same of the panels from j to `to`; *near: only what is nearer than that. */
+static bool panels_across(const struct bem_sides *w, const struct bem_surface *s,
+                          const double *state, size_t k, enum bem_between between, ptrdiff_t j,
+                          ptrdiff_t to, double *reach, struct bem_near *near) {
+  const ptrdiff_t own = (ptrdiff_t)k;
+  const double complex z = node(s, state, own), normal = outward(s, state, own);
+  bool found = false;
+  for (; j < to; j++) {
+    const double complex a = node(s, state, j), b = node(s, state, j + 1);
+    double part, d = distance_to(z, a, b, &part);
+    if (d >= *reach || j == own || j + 1 == own) continue;
+    const double before = length_to(w, s, j), behind = length_to(w, s, j + 1);
+    const double along = fabs(before + part * (behind - before) - w->arc[k]);
+    const double complex foot = a + part * (b - a);
+    if (along < AROUND * d || !faces(normal, between, foot - z)) continue;
+    *near =
+        (struct bem_near){d, along, k, bem_period_node(s->n, j), false, creal(foot), cimag(foot)};
+    *reach = d;
+    found = true;
   }
-  return low;
+  return found;
 }
 
 bool bem_sides_across(const struct bem_sides *w, const struct bem_surface *s, const double *state,
                       size_t k, enum bem_between between, double reach, struct bem_near *near) {
-  const ptrdiff_t own = (ptrdiff_t)k;
-  const double complex z = node(s, state, own), normal = outward(s, state, own);
+  const size_t last = s->n - 2, own = bem_stretches_of(s, (ptrdiff_t)(k < last ? k : last));
+  const struct bem_stretch *mine = w->stretch + own;
+  const double at[2] = {state[k], state[s->n + k]};
   bool found = false;
-  for (ptrdiff_t j = first_panel(s); j < behind_panels(s);) {
-    const double complex a = node(s, state, j), b = node(s, state, j + 1);
-    double part, d = distance_to(z, a, b, &part);
-    const double from = length_to(w, s, j), to = length_to(w, s, j + 1);
-    const double along = fabs(from + part * (to - from) - w->arc[k]);
-    const double complex foot = a + part * (b - a);
-    if (d < reach && along >= AROUND * d && (j > own || j + 1 < own) &&
-        faces(normal, between, foot - z)) {
-      *near =
-          (struct bem_near){d, along, k, bem_period_node(s->n, j), false, creal(foot), cimag(foot)};
-      reach = d;
-      found = true;
+  if (reach <= mine->clear) return false;
+  for (size_t i = 0, count = bem_stretches_count(s); i < count; i++) {
+    if (i == mine->from && mine->to > i) {
+      i = mine->to - 1;
+      continue;
     }
-    j = skip(w, s, j, d - reach);
+    if (bem_stretches_apart(at, at, w->stretch + i) >= reach * reach) continue;
+    found |= panels_across(w, s, state, k, between, bem_stretches_from(s, i),
+                           bem_stretches_to(s, i), &reach, near);
   }
   return found;
 }
@@ -224,28 +226,48 @@ static double loop_area(const struct bem_surface *s, const double *state, ptrdif
   return -0.5 * twice;
 }
 
+/* Panel i with those from j to `to`. */
+static bool cross_panels(const struct bem_surface *s, const double *state, ptrdiff_t i, ptrdiff_t j,
+                         ptrdiff_t to, struct bem_crossing *c) {
+  const double complex a = node(s, state, i), b = node(s, state, i + 1);
+  for (; j < to; j++) {
+    double part;
+    if (!ways_cross(a, b, node(s, state, j), node(s, state, j + 1), &part)) continue;
+    const double complex at = a + part * (b - a);
+    *c = (struct bem_crossing){(size_t)i, (size_t)j, creal(at), cimag(at),
+                               loop_area(s, state, i, j, at)};
+    return true;
+  }
+  return false;
+}
+
+static ptrdiff_t later(ptrdiff_t a, ptrdiff_t b) {
+  return a > b ? a : b;
+}
+
+static ptrdiff_t sooner(ptrdiff_t a, ptrdiff_t b) {
+  return a < b ? a : b;
+}
+
+/* Panel i of a stretch with those behind it. */
 static bool cross_panel(const struct bem_sides *w, const struct bem_surface *s, const double *state,
                         ptrdiff_t i, struct bem_crossing *c) {
-  const double complex a = node(s, state, i), b = node(s, state, i + 1);
-  const double length = length_to(w, s, i + 1) - length_to(w, s, i);
-  const ptrdiff_t behind = bem_surface_is_closed(s) ? i + (ptrdiff_t)s->n - 2 : behind_panels(s);
-  for (ptrdiff_t j = i + 2; j < behind;) {
-    const double complex p = node(s, state, j), q = node(s, state, j + 1);
-    double part, d = distance_to(a, p, q, &part);
-    if (d <= length && ways_cross(a, b, p, q, &part)) {
-      const double complex at = a + part * (b - a);
-      *c = (struct bem_crossing){(size_t)i, (size_t)j, creal(at), cimag(at),
-                                 loop_area(s, state, i, j, at)};
+  const struct bem_stretch *mine = w->stretch + bem_stretches_of(s, i);
+  const ptrdiff_t behind =
+      bem_surface_is_closed(s) ? i + (ptrdiff_t)s->n - 2 : bem_stretches_behind(s);
+  for (size_t k = mine->to, count = bem_stretches_count(s); k < count; k++)
+    if (bem_stretches_apart(mine->low, mine->high, w->stretch + k) == 0 &&
+        cross_panels(s, state, i, later(i + 2, bem_stretches_from(s, k)),
+                     sooner(behind, bem_stretches_to(s, k)), c))
       return true;
-    }
-    j = skip(w, s, j, d - length);
-  }
   return false;
 }
 
 bool bem_sides_cross(const struct bem_sides *w, const struct bem_surface *s, const double *state,
                      size_t from, struct bem_crossing *c) {
   for (size_t i = from; i + 1 < s->n; i++)
-    if (cross_panel(w, s, state, (ptrdiff_t)i, c)) return true;
+    if (w->stretch[bem_stretches_of(s, (ptrdiff_t)i)].clear == 0 &&
+        cross_panel(w, s, state, (ptrdiff_t)i, c))
+      return true;
   return false;
 }

@@ -5,6 +5,7 @@
 #pragma once
 #include <complex.h>
 
+#include "bem/stretches.h"
 #include "bem/surface.h"
 
 enum { BEM_BUBBLE = 12 }; /* panels round less air or water than is worth following */
@@ -12,6 +13,8 @@ enum { BEM_BUBBLE = 12 }; /* panels round less air or water than is worth follow
 struct bem_sides {
   size_t room;
   double *arc; /* along the surface to every node, H, [room], owned */
+  size_t stretch_room;
+  struct bem_stretch *stretch; /* [stretch_room], owned */
 };
 
 enum bem_between { BEM_WATER, BEM_AIR };
@@ -41,10 +44,10 @@ size_t bem_sides_held(const struct bem_surface *s,
                       bool right); /* that an end of the surface is on */
 void bem_sides_wall(const struct bem_surface *s, size_t wall, double complex *a, double complex *b);
 
-enum status bem_sides_reserve(struct bem_sides *w, size_t n);
+enum status bem_sides_reserve(struct bem_sides *w, const struct bem_surface *s);
 void bem_sides_destroy(struct bem_sides *w);
 
-/* Takes over a state (x[n], y[n]) of a surface like *s: the lengths along it. */
+/* Takes over a state (x[n], y[n]) of a surface like *s: the lengths along it, its stretches. */
 void bem_sides_set(const struct bem_sides *w, const struct bem_surface *s, const double *state);
 
 /* The other side of node k within `reach`, of the surface alone; false: there is none. */

@@ -44,7 +44,7 @@ static void test_a_sheet_is_cut_where_it_is_thick_enough(void) {
   EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-10, 0}, &f.solve));
   EXPECT_OK(bem_flow_reserve(&f, N));
   EXPECT_OK(bem_flow_solve(&f, f.surface.state, 0));
-  EXPECT_OK(bem_sides_reserve(&w, N));
+  EXPECT_OK(bem_sides_reserve(&w, &f.surface));
   bem_sides_set(&w, &f.surface, f.surface.state);
   EXPECT(bem_cuts_find_sheet(&w, &f.surface, 1, &p));
   const double wide = f.surface.state[p.last] - f.surface.state[p.first];
@@ -62,7 +62,7 @@ static void test_a_sheet_is_cut_where_it_is_thick_enough(void) {
   EXPECT_OK(bem_flow_reserve(&f, f.surface.n));
   const double lost = before - bem_surface_totals(&f.surface, f.psi).volume;
   EXPECT(lost > 0 && lost < 0.4 * wide);
-  EXPECT_OK(bem_sides_reserve(&w, f.surface.n));
+  EXPECT_OK(bem_sides_reserve(&w, &f.surface));
   bem_sides_set(&w, &f.surface, f.surface.state);
   EXPECT(!bem_cuts_find_sheet(&w, &f.surface, 1, &p));
   bem_sides_destroy(&w);
@@ -75,7 +75,7 @@ static void test_water_that_is_thick_enough_is_not_cut(void) {
   struct bem_piece p;
   flow_open_box(&f);
   put(&f.surface, 0.3, 0);
-  EXPECT_OK(bem_sides_reserve(&w, N));
+  EXPECT_OK(bem_sides_reserve(&w, &f.surface));
   bem_sides_set(&w, &f.surface, f.surface.state);
   EXPECT(!bem_cuts_find_sheet(&w, &f.surface, 1, &p));
   EXPECT(!bem_cuts_find_loop(&w, &f.surface, &p));
@@ -95,7 +95,7 @@ static void test_a_drop_that_has_come_off_goes(void) {
     x[k] = 1.002;
     x[N - 1 - k] = 0.998;
   }
-  EXPECT_OK(bem_sides_reserve(&w, N));
+  EXPECT_OK(bem_sides_reserve(&w, &f.surface));
   bem_sides_set(&w, &f.surface, f.surface.state);
   EXPECT(bem_cuts_find_loop(&w, &f.surface, &p));
   EXPECT(p.first >= 82 && p.first < 88 && p.last > N - 90);

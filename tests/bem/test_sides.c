@@ -1,5 +1,8 @@
 /* Where a surface comes near itself or a wall, on shapes of which that is known. Water is on the
  * right of the way along the nodes. */
+#include <complex.h>
+#include <stdlib.h>
+
 #include "bem/breaker.h"
 #include "tests/test.h"
 
@@ -14,7 +17,7 @@ struct shape {
 static void shape_create(struct shape *q, double tank) {
   *q = (struct shape){
       .surface = {.n = N, .right = BEM_END_WALL, .tank = tank, .length = tank, .depth = 0.5}};
-  EXPECT_OK(bem_sides_reserve(&q->sides, N));
+  EXPECT_OK(bem_sides_reserve(&q->sides, &q->surface));
   q->surface.state = q->state;
 }
 
@@ -120,11 +123,78 @@ static void test_a_jet_strikes_a_wall_through_air(void) {
   bem_sides_destroy(&q.sides);
 }
 
+/* Distance of node k from the nearest place that is three times as far along and faces it. */
+static double across_by_all(const struct shape *q, size_t k, enum bem_between between,
+                            double reach) {
+  const double *x = q->state, *y = x + N, *arc = q->sides.arc;
+  const double complex z = CMPLX(x[k], y[k]);
+  double complex out = I * (CMPLX(x[k + 1], y[k + 1]) - CMPLX(x[k - 1], y[k - 1]));
+  out *= (between == BEM_AIR ? 1 : -1) / cabs(out);
+  for (size_t j = 0; j + 1 < N; j++) {
+    const double complex a = CMPLX(x[j], y[j]), way = CMPLX(x[j + 1], y[j + 1]) - a;
+    const double u = creal((z - a) * conj(way)) / creal(way * conj(way));
+    const double part = fmin(fmax(u, 0), 1);
+    const double complex over = a + part * way - z;
+    if (j != k && j + 1 != k && cabs(over) < reach && creal(over * conj(out)) >= 0.3 * cabs(over) &&
+        fabs(arc[j] + part * (arc[j + 1] - arc[j]) - arc[k]) >= 3 * cabs(over))
+      reach = cabs(over);
+  }
+  return reach;
+}
+
+static bool cross_by_all(const struct shape *q, struct bem_crossing *c) {
+  const double *x = q->state, *y = x + N;
+  for (size_t i = 0; i + 1 < N; i++)
+    for (size_t j = i + 2; j + 1 < N; j++) {
+      const double ax = x[i + 1] - x[i], ay = y[i + 1] - y[i], bx = x[j + 1] - x[j],
+                   by = y[j + 1] - y[j], cx = x[j] - x[i], cy = y[j] - y[i],
+                   over = ax * by - ay * bx, u = (cx * by - cy * bx) / over,
+                   v = (cx * ay - cy * ax) / over;
+      *c = (struct bem_crossing){.first = i, .last = j};
+      if (over != 0 && u >= 0 && u < 1 && v >= 0 && v < 1) return true;
+    }
+  return false;
+}
+
+/* Of a closed chain nothing else is asked: its images are panels like all others. */
+static void test_stretches_that_are_passed_over_hide_nothing(void) {
+  struct shape q;
+  unsigned short seed[3] = {3, 1, 4};
+  int near = 0, crossed = 0;
+  for (int trial = 0; trial < 40; trial++) {
+    shape_create(&q, 4);
+    double x = 0, y = 1, way = 0, bend = 0;
+    for (size_t k = 0; k < N; k++) { /* a worm, whose panels are of all lengths */
+      const double step = 4. / N * pow(30, erand48(seed) - 1 + (k / 100 % 2));
+      bend = 0.9 * bend + 0.03 * (trial + 1) / 10 * (erand48(seed) - 0.5);
+      way += bend;
+      put(&q, k, false, x += step * cos(way), y += step * sin(way));
+    }
+    bem_sides_set(&q.sides, &q.surface, q.state);
+    for (size_t k = 1; k + 1 < N; k++) {
+      struct bem_near found = {.distance = 0.05};
+      bem_sides_across(&q.sides, &q.surface, q.state, k, trial % 2, 0.05, &found);
+      EXPECT_NEAR(found.distance, across_by_all(&q, k, trial % 2, 0.05), 1e-12);
+      near += found.distance < 0.05;
+    }
+    struct bem_crossing by_all, c;
+    const bool cross = cross_by_all(&q, &by_all);
+    EXPECT(bem_sides_cross(&q.sides, &q.surface, q.state, 0, &c) == cross);
+    EXPECT(!cross || (c.first == by_all.first && c.last == by_all.last));
+    crossed += cross;
+    bem_sides_destroy(&q.sides);
+  }
+  printf("  %d of %d nodes have another side, %d of 40 surfaces cross themselves\n", near, 40 * N,
+         crossed);
+  EXPECT(near > 500 && crossed > 5 && crossed < 35);
+}
+
 int main(void) {
   RUN(test_a_cavity_is_as_narrow_as_it_is_to_either_side);
   RUN(test_a_sheet_is_as_thick_as_it_is_and_its_tip_is_none);
   RUN(test_faces_that_hang_over_have_the_side_to_which_they_break);
   RUN(test_loops_hold_what_the_surface_runs_round);
   RUN(test_a_jet_strikes_a_wall_through_air);
+  RUN(test_stretches_that_are_passed_over_hide_nothing);
   return TEST_RESULT;
 }
