@@ -5,11 +5,17 @@
 
 static const double PANELS = 4; /* what is wider than so many panels is no trouble */
 
-static const char *wall_name(const struct bem_surface *s, size_t wall) {
+static void name_wall(const struct bem_run *r, size_t wall, char name[20]) {
+  const struct bem_surface *s = &r->flow.surface;
+  const bool right = wall + 1 == bem_sides_walls(s);
   double complex a, b;
   bem_sides_wall(s, wall, &a, &b);
-  if (fabs(creal(b - a)) > fabs(cimag(b - a))) return "the bed";
-  return wall == 0 ? "the left wall" : wall + 1 == bem_sides_walls(s) ? "the right wall" : "a wall";
+  if (fabs(creal(b - a)) > fabs(cimag(b - a)))
+    snprintf(name, 20, "the bed");
+  else if (wall == 0 || right)
+    snprintf(name, 20, "the %s wall", bem_output_side(&r->output, right));
+  else
+    snprintf(name, 20, "a wall");
 }
 
 /* The narrowest place in panels, across water or air. */
@@ -37,6 +43,7 @@ static bool narrowest(const struct bem_run *r, enum bem_between between, struct 
 static void describe(const struct bem_run *r, char what[200], double *x, double *y) {
   const struct bem_surface *s = &r->flow.surface;
   const double millimetre = 1000 * r->c->H;
+  char wall[20] = "";
   struct bem_near near;
   double panels = PANELS;
   bem_sides_set(&r->sides, s, s->state);
@@ -50,11 +57,12 @@ static void describe(const struct bem_run *r, char what[200], double *x, double 
   }
   *x = near.x;
   *y = near.y;
+  if (near.wall) name_wall(r, near.panel, wall);
   snprintf(what, 200, "%s%s is %.2g mm %s and can no longer be followed",
            air         ? "the air between the surface and "
            : near.wall ? "the film on "
                        : "a sheet of water",
-           near.wall ? wall_name(s, near.panel)
+           near.wall ? wall
            : air     ? "itself"
                      : "",
            millimetre * near.distance, air ? "wide" : "thin");

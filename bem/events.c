@@ -1,6 +1,7 @@
 #include "bem/events.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "bem/breaker.h"
 #include "bem/contact.h"
@@ -176,9 +177,16 @@ static enum status record_first(struct bem_run *r, const struct bem_event *e, do
 static const char RAISE[] =
     "the boundary solver has no water outside the tank: raise the wall, or take sph from there on";
 
+static enum status end_over(struct bem_run *r, double x, double y, bool right) {
+  char what[80];
+  snprintf(what, sizeof what, "water passed the top of the %s wall",
+           bem_output_side(&r->output, right));
+  return bem_run_end(r, x, y, what, RAISE);
+}
+
 static enum status over_left_act(struct bem_run *r, const struct bem_event *e, double x, double y) {
   TRY(record_first(r, e, x, y));
-  return bem_run_end(r, x, y, "water passed the top of the left wall", RAISE);
+  return end_over(r, x, y, false);
 }
 
 static enum status over_right_act(struct bem_run *r, const struct bem_event *e, double x,
@@ -188,7 +196,7 @@ static enum status over_right_act(struct bem_run *r, const struct bem_event *e, 
   if (s->tip > 0 && bem_contact_thickness(s, r->top[1]) < SPILL &&
       r->output.spilled_volume < SPILLABLE * r->flow.level * s->tank)
     return bem_run_cut(r, &(struct bem_cut){.kind = BEM_CUT_TOP});
-  return bem_run_end(r, x, y, "water passed the top of the right wall", RAISE);
+  return end_over(r, x, y, true);
 }
 
 /* The film beyond the right wall is thick enough: the surface is cut there. */

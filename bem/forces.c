@@ -83,6 +83,15 @@ enum status bem_forces_find(const struct bem_pressure *p, const struct bem_flow 
   return OK;
 }
 
+void bem_forces_turn(struct bem_forces *f) {
+  const double left = f->force_left;
+  f->force_left = -f->force_right;
+  f->force_right = -left;
+  f->force_x = -f->force_x;
+  f->moment = -f->moment;
+  f->momentum_x = -f->momentum_x;
+}
+
 /* u = d psi/dy and v = -d psi/dx; on the sides psi is their speed times the height. */
 void bem_forces_momentum(const struct bem_flow *f, const double *state, double momentum[2]) {
   const struct bem_surface *s = &f->surface;

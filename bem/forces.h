@@ -31,6 +31,9 @@ enum status bem_forces_on_sides(const struct bem_pressure *p, const struct bem_f
 enum status bem_forces_find(const struct bem_pressure *p, const struct bem_flow *f,
                             const double *state, struct bem_forces *out);
 
+/* As they are seen in an upright mirror through the middle of the tank. */
+void bem_forces_turn(struct bem_forces *f);
+
 /* Integral of the velocity in the frame of the tank over the water, H^2 sqrt(gH). */
 void bem_forces_momentum(const struct bem_flow *f, const double *state, double momentum[2]);
 

@@ -6,6 +6,7 @@
 
 #include "bem/breaker.h"
 #include "bem/forces.h"
+#include "bem/mirror.h"
 #include "common/base/array.h"
 #include "common/base/gauge.h"
 #include "common/result/record.h"
@@ -34,6 +35,16 @@ static enum status reserve(struct bem_output *o, size_t n) {
   TRY(array_resize(&o->field, 5 * n, "numbers of an output"));
   o->room = n;
   return OK;
+}
+
+void bem_output_place(const struct bem_output *o, double x, double y, double at[2]) {
+  at[0] = o->c->tank.min[0] + o->c->H * x;
+  at[1] = o->c->tank.min[1] + o->c->H * y;
+  if (o->mirrored) at[0] = bem_mirror_x(o->c, at[0]);
+}
+
+const char *bem_output_side(const struct bem_output *o, bool right) {
+  return right == o->mirrored ? "left" : "right";
 }
 
 /* The surface of water without sides in SI units, cut where it goes through the tank's. */
@@ -70,6 +81,16 @@ static enum status polyline(struct bem_output *o) {
   return OK;
 }
 
+/* What is seen in the mirror as the case has it, from left to right. */
+static void turn_line(const struct case_file *c, struct geo_lines *l) {
+  for (size_t i = 0, k = l->points; i < k--; i++) {
+    const double a[2] = {bem_mirror_x(c, l->p[i][0]), l->p[i][1]},
+                 b[2] = {bem_mirror_x(c, l->p[k][0]), l->p[k][1]};
+    memcpy(l->p[i], b, sizeof b);
+    memcpy(l->p[k], a, sizeof a);
+  }
+}
+
 static enum status write_surface(struct bem_output *o, double seconds) {
   const struct case_file *c = o->c;
   const struct bem_flow *f = &o->view;
@@ -79,11 +100,14 @@ static enum status write_surface(struct bem_output *o, double seconds) {
   TRY(reserve(o, n));
   double *x = o->field, *y = x + n, *phi = y + n, *u = phi + n, *v = u + n;
   for (size_t k = 0; k < n; k++) {
-    x[k] = c->tank.min[0] + c->H * state[k];
-    y[k] = c->tank.min[1] + c->H * state[n + k];
-    phi[k] = c->H * velocity * state[2 * n + k];
-    u[k] = velocity * f->u[k];
-    v[k] = velocity * f->v[k];
+    const size_t i = o->mirrored ? n - 1 - k : k;
+    double at[2];
+    bem_output_place(o, state[k], state[n + k], at);
+    x[i] = at[0];
+    y[i] = at[1];
+    phi[i] = c->H * velocity * state[2 * n + k];
+    u[i] = o->mirrored ? -velocity * f->u[k] : velocity * f->u[k];
+    v[i] = velocity * f->v[k];
   }
   const struct result_field fields[] = {
       {"velocity", "m/s", "velocity of the water", u, v},
@@ -92,6 +116,7 @@ static enum status write_surface(struct bem_output *o, double seconds) {
   TRY(result_points(o->file, seconds, n, x, y, RESULT_LINE, sizeof fields / sizeof *fields,
                     fields));
   TRY(polyline(o));
+  if (o->mirrored) turn_line(c, &o->line);
   TRY(result_surface(o->file, seconds, &o->line));
   return result_flush(o->file);
 }
@@ -239,6 +264,7 @@ static enum status write_forces(struct bem_output *o, double seconds) {
   struct bem_forces forces;
   double value[BEM_FORCE_COUNT];
   TRY(bem_forces_find(&o->pressure, f, f->surface.state, &forces));
+  if (o->mirrored) bem_forces_turn(&forces);
   bem_forces_in_si(o->c, &forces, value);
   return result_diagnostics(o->file, seconds, value);
 }
@@ -289,9 +315,9 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
 
 enum status bem_output_event(struct bem_output *o, const char *name, double time, double x,
                              double y) {
-  const struct case_file *c = o->c;
-  return result_event(o->file, name, time * o->time_scale, c->tank.min[0] + c->H * x,
-                      c->tank.min[1] + c->H * y);
+  double at[2];
+  bem_output_place(o, x, y, at);
+  return result_event(o->file, name, time * o->time_scale, at[0], at[1]);
 }
 
 enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f,
@@ -304,7 +330,7 @@ enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f
     const char *units, *help;
   } all[] = {
       {"spilled_volume", o->c->H * o->c->H * o->spilled_volume, "m^2",
-       "cut from the thin film that passed the top of the right wall"},
+       "cut from the thin film that passed the top of the wall that the water runs to"},
       {"steps_cut", steps_cut, "1",
        "time steps more than ten times shorter than the median, those just after a new start of "
        "the integrator left out"},

@@ -11,6 +11,7 @@
 struct bem_output {
   const struct case_file *c;
   struct result *file;
+  bool mirrored;     /* `c` is what a mirror shows of the case that is written (mirror.h) */
   bool forces;       /* on the walls are written */
   double start;      /* of the run on the wall clock, s */
   double time_scale; /* sqrt(H/g), s */
@@ -66,6 +67,12 @@ double bem_output_budget(const struct bem_output *o, const struct bem_flow *f, d
  */
 enum status bem_output_given(struct bem_output *o, const struct bem_flow *f,
                              struct bem_stepper *stepper, double time, double dt);
+
+/* Where a place of the solver (H) is in the case, m. */
+void bem_output_place(const struct bem_output *o, double x, double y, double at[2]);
+
+/* What the case calls the solver's left or right side. */
+const char *bem_output_side(const struct bem_output *o, bool right);
 
 enum status bem_output_event(struct bem_output *o, const char *name, double time, double x,
                              double y);

@@ -140,11 +140,11 @@ enum status bem_run_pass_bends(struct bem_run *r) {
 }
 
 enum status bem_run_end(struct bem_run *r, double x, double y, const char *what, const char *then) {
-  const struct case_file *c = r->c;
+  double at[2];
   char why[300];
   r->ended = true;
+  bem_output_place(&r->output, x, y, at);
   snprintf(why, sizeof why, "%s at t = %.5g s (%.4f sqrt(H/g)), x = %.4g m, y = %.4g m; %s", what,
-           r->time * r->output.time_scale, r->time, c->tank.min[0] + c->H * x,
-           c->tank.min[1] + c->H * y, then);
+           r->time * r->output.time_scale, r->time, at[0], at[1], then);
   return result_ended(r->output.file, why);
 }

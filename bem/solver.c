@@ -10,6 +10,7 @@
 #include "bem/estimate.h"
 #include "bem/events.h"
 #include "bem/forces.h"
+#include "bem/mirror.h"
 #include "bem/options.h"
 #include "bem/run.h"
 #include "bem/start.h"
@@ -161,7 +162,6 @@ static enum status advance(struct bem_run *r, struct progress *progress) {
 
 /* Says when and where a run failed: where two nodes are closest, the step is shortest. */
 static enum status locate(const struct bem_run *r, enum status status) {
-  const struct case_file *c = r->c;
   const struct bem_surface *s = &r->flow.surface;
   const double *x = s->state, *y = x + s->n;
   size_t at = 0;
@@ -173,11 +173,15 @@ static enum status locate(const struct bem_run *r, enum status status) {
   if (least == HUGE_VAL || status == INTERRUPTED || status == ERR_IO)
     return status_context(
         status, "at t = %.6g s (%.5g sqrt(H/g)): ", r->time * r->output.time_scale, r->time);
+  const bool film = bem_surface_importance(s, x[at], y[at]) < 0.5;
+  double place[2];
+  bem_output_place(&r->output, x[at], y[at], place);
   return status_context(
-      status, "at t = %.6g s (%.5g sqrt(H/g)), on the %s near (%.4g, %.4g) m, nodes %.2g m apart: ",
-      r->time * r->output.time_scale, r->time,
-      bem_surface_importance(s, x[at], y[at]) < 0.5 ? "film up the right wall" : "surface",
-      c->tank.min[0] + c->H * x[at], c->tank.min[1] + c->H * y[at], c->H * least);
+      status,
+      "at t = %.6g s (%.5g sqrt(H/g)), on the %s%s%s near (%.4g, %.4g) m, nodes %.2g m apart: ",
+      r->time * r->output.time_scale, r->time, film ? "film up the " : "surface",
+      film ? bem_output_side(&r->output, true) : "", film ? " wall" : "", place[0], place[1],
+      r->c->H * least);
 }
 
 /* What is known at the end, however the run ended; returns its status and keeps its message. */
@@ -230,11 +234,13 @@ static enum status begin(struct bem_run *r, const struct case_run *cr) {
   return bem_output_due(&r->output, &r->flow, NULL, 0, 0);
 }
 
-static enum status run_once(const struct case_file *c, const struct case_run *cr,
+static enum status run_seen(const struct bem_mirror *seen, const struct case_run *cr,
                             struct result *out, struct progress *progress) {
   const struct bem_options *o = cr->options;
+  const struct case_file *c = &seen->c;
   struct bem_run r = {.c = c,
                       .output = {.c = c,
+                                 .mirrored = seen->turned,
                                  .file = out,
                                  .forces = o->forces,
                                  .start = progress_wall_clock(),
@@ -252,6 +258,15 @@ static enum status run_once(const struct case_file *c, const struct case_run *cr
   bem_sides_destroy(&r.sides);
   bem_flow_destroy(&r.flow);
   bem_shore_destroy(r.shore);
+  return status;
+}
+
+static enum status run_once(const struct case_file *c, const struct case_run *cr,
+                            struct result *out, struct progress *progress) {
+  struct bem_mirror seen;
+  enum status status = bem_mirror_create(c, &seen);
+  if (status == OK) status = run_seen(&seen, cr, out, progress);
+  bem_mirror_destroy(&seen);
   return status;
 }
 
