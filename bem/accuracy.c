@@ -44,6 +44,7 @@ void bem_accuracy_coarsen(const struct case_file *c, const struct case_run *r,
   o->tolerance *= error;
   o->gmres *= error;
   o->film = fmin(BEM_COARSER * o->film, fmax(o->film, 0.99 * BEM_IMPACT * c->H));
+  o->rounding *= BEM_COARSER;
   o->filter *= BEM_COARSER;
   o->smoothing *= BEM_COARSER;
 }

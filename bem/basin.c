@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bem/outline.h"
 #include "common/base/array.h"
-#include "common/base/geometry_check.h"
 #include "common/flow/edges.h"
 
 enum { REPEATS = 4 }; /* of placing the nodes, of which each depends on its neighbours */
@@ -50,36 +50,29 @@ enum status bem_basin_shore(const struct case_file *c, struct bem_shore **s) {
 
 /* ---- where the surface is ---- */
 
-static bool on_wall(const struct case_file *c, double x, double y) {
-  double nearest[2];
-  size_t piece;
-  return geo_lines_distance(&c->walls, x, y, nearest, &piece) <= case_near(c);
-}
+/* The surface: of regions, its outline; a straight one is placed as that of a wave. */
+struct lie {
+  struct bem_outline outline;
+  double at[2][2]; /* of its left and its right edge, m */
+  bool straight;
+};
 
-/* The one side of a region that is not along the walls; its water lies on its left, so that it
- * begins at the right edge. */
-static const char *find_region_edges(const struct case_file *c, double at[2][2]) {
-  const struct geo_lines *w = &c->water;
-  size_t free_sides = 0;
-  if (w->pieces != 1) return "several regions of water";
-  for (size_t i = 0; i < geo_piece_segments(w, 0); i++) {
-    const double *a = w->p[i], *b = geo_segment_end(w, 0, i);
-    const bool ends = on_wall(c, a[0], a[1]) && on_wall(c, b[0], b[1]);
-    if (ends && on_wall(c, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2)) continue;
-    if (!ends || free_sides++) return "water whose surface is not one straight line between walls";
-    memcpy(at[1], a, sizeof at[1]);
-    memcpy(at[0], b, sizeof at[0]);
-  }
-  return free_sides ? NULL : "water without a free surface";
-}
-
-static const char *find_edges(const struct case_file *c, const struct flow_water *w,
-                              double at[2][2]) {
+static enum status find_lie(const struct case_file *c, const struct flow_water *w, struct lie *l,
+                            const char **problem) {
   struct flow_edges e;
-  if (!flow_is_wave(c->flow)) return find_region_edges(c, at);
-  const char *problem = flow_find_edges(w, &e);
-  if (!problem) memcpy(at, e.at, sizeof e.at);
-  return problem;
+  *l = (struct lie){.straight = true};
+  if (flow_is_wave(c->flow)) {
+    *problem = flow_find_edges(w, &e);
+    if (!*problem) memcpy(l->at, e.at, sizeof e.at);
+    return OK;
+  }
+  TRY(bem_outline_find(c, &l->outline, problem));
+  const struct geo_lines *chain = &l->outline.chain;
+  if (*problem) return OK;
+  memcpy(l->at[0], chain->p[0], sizeof l->at[0]);
+  memcpy(l->at[1], chain->p[chain->points - 1], sizeof l->at[1]);
+  l->straight = chain->points == 2 && !l->outline.toe[0] && !l->outline.toe[1];
+  return OK;
 }
 
 static void set_node(const struct flow_water *w, const double p[2], struct bem_surface *s,
@@ -127,21 +120,28 @@ done:
   return status;
 }
 
-static enum status start(const struct flow_water *w, struct bem_shore *shore, struct bem_flow *f) {
-  double at[2][2];
-  const char *problem = find_edges(w->c, w, at);
-  CHECK(!problem, ERR_SOLVER, "%s", problem);
-  const double complex edge[2] = {in_H(w->c, at[0]), in_H(w->c, at[1])};
-  TRY(bem_shore_place(shore, edge, &f->surface));
-  return place(w, at, f);
+static enum status start(const struct flow_water *w, const struct case_run *r,
+                         struct bem_shore *shore, struct bem_flow *f) {
+  struct lie l;
+  const char *problem = NULL;
+  enum status status = find_lie(w->c, w, &l, &problem);
+  ATTEMPT(status);
+  if (problem) status = status_raise(ERR_SOLVER, "%s", problem);
+  ATTEMPT(status);
+  const double complex edge[2] = {in_H(w->c, l.at[0]), in_H(w->c, l.at[1])};
+  ATTEMPT(bem_shore_place(shore, edge, &f->surface));
+  ATTEMPT(l.straight ? place(w, l.at, f) : bem_outline_start(&l.outline, w->c, r, f));
+done:
+  bem_outline_destroy(&l.outline);
+  return status;
 }
 
-enum status bem_basin_start(const struct case_file *c, struct bem_shore *shore,
-                            struct bem_flow *f) {
+enum status bem_basin_start(const struct case_file *c, const struct case_run *r,
+                            struct bem_shore *shore, struct bem_flow *f) {
   struct flow_water w;
   enum status status = flow_open(c, (struct flow_use){0}, &w);
   f->surface.right = BEM_END_WALL;
-  if (status == OK) status = start(&w, shore, f);
+  if (status == OK) status = start(&w, r, shore, f);
   flow_close(&w);
   return status;
 }
@@ -203,30 +203,35 @@ static void check_probes(const struct case_file *c, const struct case_run *r,
   }
 }
 
-static void check_water(const struct case_file *c, const struct case_run *r,
-                        const struct bem_conformal *m, struct problems *problems, double *length) {
-  struct flow_water w;
-  double at[2][2];
-  const char *problem = NULL;
-  if (flow_open(c, (struct flow_use){0}, &w) == OK)
-    problem = find_edges(c, &w, at);
-  else
-    problems->out_of_memory = true;
-  flow_close(&w);
-  if (problem || problems->out_of_memory) {
-    if (problem)
-      refuse(r, problems, problem,
-             "one body of water between the walls, under one straight line or a wave");
-    return;
-  }
+static void check_edges(const struct case_file *c, const struct case_run *r,
+                        const struct bem_conformal *m, const struct lie *l,
+                        struct problems *problems, double *length) {
   for (int end = 0; end < 2; end++)
     for (size_t k = 0; k < m->n; k++)
-      if (cabs(in_H(c, at[end]) - m->point[k + 1]) * c->H <= case_near(c)) {
+      if (cabs(in_H(c, l->at[end]) - m->point[k + 1]) * c->H <= case_near(c)) {
         refuse(r, problems, "the water's edge on a bend of the walls",
                "an edge beside it, which has one wall to slide along");
         return;
       }
-  *length = hypot(at[1][0] - at[0][0], at[1][1] - at[0][1]);
+  *length = l->straight ? hypot(l->at[1][0] - l->at[0][0], l->at[1][1] - l->at[0][1])
+                        : bem_outline_length(&l->outline);
+}
+
+static void check_water(const struct case_file *c, const struct case_run *r,
+                        const struct bem_conformal *m, struct problems *problems, double *length) {
+  struct flow_water w;
+  struct lie l = {0};
+  const char *problem = NULL;
+  enum status status = flow_open(c, (struct flow_use){0}, &w);
+  if (status == OK) status = find_lie(c, &w, &l, &problem);
+  flow_close(&w);
+  if (status != OK)
+    problems->out_of_memory = true;
+  else if (problem)
+    bem_outline_refuse(r, problems, problem);
+  else
+    check_edges(c, r, m, &l, problems, length);
+  bem_outline_destroy(&l.outline);
 }
 
 void bem_basin_check(const struct case_file *c, const struct case_run *r, struct problems *problems,
@@ -238,8 +243,6 @@ void bem_basin_check(const struct case_file *c, const struct case_run *r, struct
   if (status == ERR_MEMORY) problems->out_of_memory = true;
   if (status == ERR_SOLVER)
     refuse(r, problems, status_message(), "walls of which the conformal map is found");
-  if (!flow_is_wave(c->flow) && case_water_moves(c))
-    refuse(r, problems, "moving water", "water at rest at t = 0");
   if (status == OK) {
     check_probes(c, r, m, problems);
     check_water(c, r, m, problems, length);

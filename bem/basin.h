@@ -14,4 +14,5 @@ void bem_basin_check(const struct case_file *c, const struct case_run *r, struct
                      double *length);
 
 /* Sets the surface of f from wall to wall, and its map; phi in H sqrt(gH). */
-enum status bem_basin_start(const struct case_file *c, struct bem_shore *shore, struct bem_flow *f);
+enum status bem_basin_start(const struct case_file *c, const struct case_run *r,
+                            struct bem_shore *shore, struct bem_flow *f);

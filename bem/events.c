@@ -193,7 +193,7 @@ static enum status over_right_act(struct bem_run *r, const struct bem_event *e, 
                                   double y) {
   const struct bem_surface *s = &r->flow.surface;
   TRY(record_first(r, e, x, y));
-  if (s->tip > 0 && bem_contact_thickness(s, r->top[1]) < SPILL &&
+  if (s->tip > 0 && !s->walls && bem_contact_thickness(s, r->top[1]) < SPILL &&
       r->output.spilled_volume < SPILLABLE * r->flow.level * s->tank)
     return bem_run_cut(r, &(struct bem_cut){.kind = BEM_CUT_TOP});
   return end_over(r, x, y, true);

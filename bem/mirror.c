@@ -3,16 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bem/outline.h"
 #include "common/base/array.h"
 #include "common/flow/flow.h"
-#include "common/flow/regions.h"
 #include "common/tank/tank.h"
-
-bool bem_mirror_is_needed(const struct case_file *c) {
-  struct flow_column column;
-  return c->rectangular && !c->periodic[0] && !flow_is_wave(c->flow) &&
-         flow_find_column(c, &column) && column.right && !column.left;
-}
 
 /* The points of each piece the other way round: the water stays on the same side. */
 static enum status turn_lines(const struct case_file *c, const struct geo_lines *from,
@@ -62,6 +56,7 @@ static enum status turn_motion(const struct case_file *c, const struct tank_moti
 static enum status turn(const struct case_file *c, struct case_file *m) {
   m->probes = NULL, m->gauges = NULL, m->motions = NULL;
   m->walls = m->water = (struct geo_lines){0};
+  m->velocity[0] = -c->velocity[0];
   TRY(duplicate(c->probes, c->n_probes, sizeof *c->probes, (void **)&m->probes));
   TRY(duplicate(c->gauges, c->n_gauges, sizeof *c->gauges, (void **)&m->gauges));
   TRY(array_create(&m->motions, c->n_motions, "motions in a mirror"));
@@ -73,8 +68,20 @@ static enum status turn(const struct case_file *c, struct case_file *m) {
   return OK;
 }
 
+static enum status find_need(const struct case_file *c, bool *needed) {
+  struct bem_outline o;
+  const char *problem;
+  *needed = false;
+  if (flow_is_wave(c->flow) || c->periodic[0]) return OK;
+  const enum status status = bem_outline_find(c, &o, &problem);
+  *needed = status == OK && !problem && o.toe[0];
+  bem_outline_destroy(&o);
+  return status;
+}
+
 enum status bem_mirror_create(const struct case_file *c, struct bem_mirror *m) {
-  *m = (struct bem_mirror){.c = *c, .turned = bem_mirror_is_needed(c)};
+  *m = (struct bem_mirror){.c = *c};
+  TRY(find_need(c, &m->turned));
   return m->turned ? turn(c, &m->c) : OK;
 }
 

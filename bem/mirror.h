@@ -1,5 +1,5 @@
-/* A column at the right wall is solved for as it is seen in an upright mirror through the middle of
- * the tank, where it stands at the left one. */
+/* Water that is to run out to the left, such as a column at the right wall, is solved for as it is
+ * seen in an upright mirror through the middle of the tank, where it runs to the right. */
 #pragma once
 #include "common/case/case.h"
 
@@ -8,9 +8,6 @@ struct bem_mirror {
   bool turned;        /* it is what the mirror shows; walls, water, probes, gauges and motions are
                          owned then */
 };
-
-/* Whether the case is to be seen in the mirror. */
-bool bem_mirror_is_needed(const struct case_file *c);
 
 /* ERR_MEMORY; destroy *m even then. */
 enum status bem_mirror_create(const struct case_file *c, struct bem_mirror *m);

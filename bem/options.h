@@ -9,6 +9,7 @@ struct bem_options {
   double gmres;             /* relative residual of the boundary system */
   int dense;                /* nodes solved by dense factorisation */
   double film;              /* thickness below which the film on the wall is cut, m */
+  double rounding;          /* radius of the arcs at kinks of the water's outline, m */
   bool forces;              /* on the walls are written */
   double filter, smoothing; /* rates, 1/sqrt(H/g) */
 };

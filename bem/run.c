@@ -75,7 +75,7 @@ enum status bem_run_cut(struct bem_run *r, const struct bem_cut *cut) {
 }
 
 static bool film_on_wall(const struct bem_surface *s) {
-  return s->tip > 0 && s->right == BEM_END_WALL;
+  return s->tip > 0 && !s->walls && s->right == BEM_END_WALL;
 }
 
 /* coarse: see bem_cuts_find_sheet. */

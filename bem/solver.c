@@ -67,6 +67,16 @@ static const struct param params[] = {
      .max = HUGE_VAL,
      .value = "0.005 H",
      .help = "the film on the wall is cut where it is thinner than this"},
+    {.key = "rounding",
+     .type = PARAM_REAL,
+     .quantity = QTY_LENGTH,
+     KEY(rounding),
+     .min = PARAM_ABOVE_0,
+     .max = HUGE_VAL,
+     .value = "0.02 H",
+     .help =
+         "radius of the arcs that kinks of the water's outline at t = 0 become, but for the top "
+         "of a column; smaller where the sides beside one are short"},
     {.key = "filter",
      .type = PARAM_REAL,
      .quantity = QTY_NUMBER,

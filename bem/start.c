@@ -4,11 +4,11 @@
 
 #include "bem/basin.h"
 #include "bem/options.h"
+#include "bem/outline.h"
 #include "common/flow/flow.h"
 #include "common/flow/regions.h"
 
-static const double TOE = 0.15; /* of the released column, see struct bem_surface */
-enum { FEWEST = 8 };            /* nodes that a surface needs */
+enum { FEWEST = 8 }; /* nodes that a surface needs */
 
 /* `length` of the surface in H. */
 static void check_most(const struct case_run *r, double length, struct problems *problems) {
@@ -41,29 +41,44 @@ static void check_fewest(const struct case_run *r, double length, const char *pa
                r->name, r->resolution, length * r->resolution, part, FEWEST, ceil(FEWEST / length));
 }
 
+static void check_velocity(const struct case_file *c, const struct case_run *r,
+                           struct problems *problems) {
+  if (!case_water_moves(c) || !c->regions_differ) return;
+  problems_add(problems, case_run_line(r, "solver"),
+               "runs.%s.solver: found 'bem' with regions that move in ways of their own; allowed: "
+               "one velocity of all water, water.velocity; take another solver",
+               r->name);
+}
+
+/* Of the surface that it has otherwise. */
+static void check_outline(const struct case_file *c, const struct case_run *r,
+                          struct problems *problems) {
+  struct bem_outline o;
+  const char *problem;
+  if (bem_outline_find(c, &o, &problem) != OK) problems->out_of_memory = true;
+  if (problem) bem_outline_refuse(r, problems, problem);
+  const double length = bem_outline_length(&o) / c->H;
+  if (!problem && length > 0) {
+    check_fewest(r, length, "surface", problems);
+    check_most(r, length, problems);
+  }
+  bem_outline_destroy(&o);
+}
+
 static void check_regions(const struct case_file *c, const struct case_run *r,
                           struct problems *problems) {
   struct flow_column column;
   struct geo_box b = geo_lines_box(&c->water);
   double wide = (b.max[0] - b.min[0]) / c->H, high = (b.max[1] - b.min[1]) / c->H;
   check_film(c, r, problems);
-  if (c->water.pieces != 1) {
-    problems_add(problems, case_run_line(r, "solver"),
-                 "runs.%s.solver: found 'bem' with %zu regions of water; allowed: one region; take "
-                 "another solver",
-                 r->name, c->water.pieces);
+  if (flow_is_body(c->flow)) {
+    bem_outline_refuse(r, problems, "water that floats");
     return;
   }
-  if (!flow_find_column(c, &column))
-    problems_add(problems, case_run_line(r, "solver"),
-                 "runs.%s.solver: found 'bem' with other water; allowed: a rectangle that stands "
-                 "on the bed against a wall; take another solver",
-                 r->name);
-  if (case_water_moves(c))
-    problems_add(problems, case_run_line(r, "solver"),
-                 "runs.%s.solver: found 'bem' with moving water; allowed: water at rest at t = 0; "
-                 "remove water.velocity",
-                 r->name);
+  if (!flow_find_column(c, &column)) {
+    check_outline(c, r, problems);
+    return;
+  }
   check_fewest(r, fmin(wide, high), "shorter side of the water", problems);
   check_most(r, wide + high, problems);
 }
@@ -93,6 +108,7 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "runs.%s.solver: found 'bem' with regions of water in a tank with periodic sides; "
                  "allowed: a wave there; change tank.sides or take another solver",
                  r->name);
+  check_velocity(c, r, problems);
   if (case_is_turned(c))
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' with gravity along (%g, %g); allowed: gravity "
@@ -137,7 +153,7 @@ static enum status start_column(double wide, double high, struct bem_flow *f) {
   bool released = wide < s->tank * (1 - CASE_SAME);
   s->right = released ? BEM_END_BED : BEM_END_WALL;
   s->length = released ? 2 * s->tank : s->tank;
-  s->tip = released ? TOE : 0;
+  s->tip = released ? BEM_TOE : 0;
   size_t top = (size_t)ceil(wide * f->mesh.resolution),
          side = released ? (size_t)ceil(high * f->mesh.resolution) : 0;
   s->corner = released ? top : 0;
@@ -153,30 +169,52 @@ static enum status start_column(double wide, double high, struct bem_flow *f) {
   return OK;
 }
 
-/* In a tank that moves at once the water, which stays, has the opposite velocity. */
-static void start_moving(struct bem_flow *f) {
+/* Between upright walls under any other outline, or up to where it will run along the bed. */
+static enum status start_outline(const struct case_file *c, const struct case_run *r,
+                                 struct bem_flow *f) {
+  struct bem_surface *s = &f->surface;
+  struct bem_outline o;
+  const char *problem;
+  enum status status = bem_outline_find(c, &o, &problem);
+  s->right = o.toe[1] ? BEM_END_BED : BEM_END_WALL;
+  s->length = o.toe[1] ? 2 * s->tank : s->tank;
+  ATTEMPT(status);
+  ATTEMPT(bem_outline_start(&o, c, r, f));
+done:
+  bem_outline_destroy(&o);
+  return status;
+}
+
+/* Water that all of it moves, in the frame of a tank that may move at once as well: what holds it
+ * between walls acts by pressures that the surface does not bear. */
+static void start_moving(const struct case_file *c, struct bem_flow *f) {
   const struct bem_surface *s = &f->surface;
-  double *x = s->state, *y = x + s->n, *phi = y + s->n, velocity[2];
-  bem_motion_velocity(&f->motion, 0, velocity);
+  const double unit = sqrt(c->gravity * c->H);
+  double *x = s->state, *y = x + s->n, *phi = y + s->n, velocity[2] = {0};
+  if (f->motion.frame) bem_motion_velocity(&f->motion, 0, velocity);
+  for (int axis = 0; axis < 2; axis++) velocity[axis] -= c->velocity[axis] / unit;
   for (size_t k = 0; k < s->n; k++) phi[k] -= velocity[0] * x[k] + velocity[1] * y[k];
 }
 
-static enum status start_in_tank_at_rest(const struct case_file *c, const struct case_run *r,
-                                         struct bem_shore *shore, struct bem_flow *f) {
-  struct geo_box b = geo_lines_box(&c->water);
-  bool wave = flow_is_wave(c->flow);
-  double tank = (c->tank.max[0] - c->tank.min[0]) / c->H;
-  double wide = wave ? tank : (b.max[0] - b.min[0]) / c->H;
-  double high = (wave ? c->flow->scale(c).mean : b.max[1] - b.min[1]) / c->H;
+static enum status start_regions(const struct case_file *c, const struct case_run *r,
+                                 struct bem_flow *f) {
+  struct flow_column column;
+  const struct geo_box *b = &column.box;
+  if (!flow_find_column(c, &column)) return start_outline(c, r, f);
+  const double wide = (b->max[0] - b->min[0]) / c->H, high = (b->max[1] - b->min[1]) / c->H;
+  f->level = wide * high / f->surface.tank;
+  return start_column(wide, high, f);
+}
+
+static enum status start_at_rest(const struct case_file *c, const struct case_run *r,
+                                 struct bem_shore *shore, struct bem_flow *f) {
   f->mesh.resolution = r->resolution;
   f->motion = bem_motion_create(c);
-  f->surface.tank = tank;
-  if (shore) {
-    f->level = (case_rest_level(c) - c->tank.min[1]) / c->H;
-    return bem_basin_start(c, shore, f);
-  }
-  f->level = wide * high / tank;
-  if (!wave) return start_column(wide, high, f);
+  f->surface.tank = (c->tank.max[0] - c->tank.min[0]) / c->H;
+  f->level = (case_rest_level(c) - c->tank.min[1]) / c->H;
+  if (shore) return bem_basin_start(c, r, shore, f);
+  if (!flow_is_wave(c->flow)) return start_regions(c, r, f);
+  f->level = c->flow->scale(c).mean / c->H;
   struct flow_water w;
   enum status status = flow_open(c, (struct flow_use){0}, &w);
   if (status == OK) status = start_wave(&w, r->resolution, &f->surface);
@@ -186,7 +224,7 @@ static enum status start_in_tank_at_rest(const struct case_file *c, const struct
 
 enum status bem_start_surface(const struct case_file *c, const struct case_run *r,
                               struct bem_shore *shore, struct bem_flow *f) {
-  TRY(start_in_tank_at_rest(c, r, shore, f));
-  if (f->motion.frame) start_moving(f);
+  TRY(start_at_rest(c, r, shore, f));
+  if (f->motion.frame || case_water_moves(c)) start_moving(c, f);
   return OK;
 }

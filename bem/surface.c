@@ -98,7 +98,7 @@ void bem_surface_differences(const struct bem_surface *s, const double *f, doubl
 }
 
 double bem_surface_importance(const struct bem_surface *s, double x, double y) {
-  if (s->tip == 0 || s->right == BEM_END_BED || !(s->depth > 0)) return 1;
+  if (s->tip == 0 || s->walls || s->right == BEM_END_BED || !(s->depth > 0)) return 1;
   const double half = BEM_FILM_THIN * s->depth, top = BEM_FILM_HIGH * s->depth;
   double near = 0.5 - 0.5 * tanh((s->tank - x - half) / (0.3 * half));
   double high = 0.5 + 0.5 * tanh((y - top) / (0.1 * top));

@@ -30,6 +30,8 @@ static inline bool bem_surface_is_closed(const struct bem_surface *s) {
   return s->period.length > 0;
 }
 
+static const double BEM_TOE = 0.15; /* of water that is to run along a dry bed, see `tip` */
+
 struct bem_totals {
   double volume, kinetic, potential; /* H^2, rho g H^3, rho g H^3 (y from 0) */
 };

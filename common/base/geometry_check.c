@@ -351,3 +351,57 @@ enum status geo_lines_thin(const struct geo_lines *l, double width, double least
   drop(&g, all);
   return geos_end(&g);
 }
+
+/* ---- the outline of a union ---- */
+
+/* Rounding to a grid moves points a little: the vertex of `l` that one was, else where it is. */
+static const double *vertex_at(const struct geo_lines *l, double near, const double at[2]) {
+  for (size_t i = 0; i < l->points; i++)
+    if (hypot(l->p[i][0] - at[0], l->p[i][1] - at[1]) <= near) return l->p[i];
+  return at;
+}
+
+static enum status add_ring(struct geos *g, const GEOSGeometry *ring, const struct geo_lines *l,
+                            double near, bool hole, struct geo_lines *out) {
+  const GEOSCoordSequence *s = GEOSGeom_getCoordSeq_r(g->h, ring);
+  unsigned n = 0;
+  if (!s || !GEOSCoordSeq_getSize_r(g->h, s, &n)) g->failed = true;
+  TRY(geo_lines_begin(out, true));
+  for (unsigned i = 0; i + 1 < n; i++) { /* the last point is the first */
+    double at[2];
+    GEOSCoordSeq_getXY_r(g->h, s, i, &at[0], &at[1]);
+    const double *p = vertex_at(l, 2 * near, at);
+    TRY(geo_lines_add(out, p[0], p[1]));
+  }
+  if ((geo_piece_area(out, out->pieces - 1) < 0) != hole) geo_piece_reverse(out, out->pieces - 1);
+  return OK;
+}
+
+static enum status add_rings(struct geos *g, const GEOSGeometry *all, const struct geo_lines *l,
+                             double near, struct geo_lines *out) {
+  for (int k = 0; k < GEOSGetNumGeometries_r(g->h, all); k++) {
+    const GEOSGeometry *body = GEOSGetGeometryN_r(g->h, all, k);
+    if (GEOSGeomTypeId_r(g->h, body) != GEOS_POLYGON) continue;
+    TRY(add_ring(g, GEOSGetExteriorRing_r(g->h, body), l, near, false, out));
+    for (int i = 0; i < GEOSGetNumInteriorRings_r(g->h, body); i++)
+      TRY(add_ring(g, GEOSGetInteriorRingN_r(g->h, body, i), l, near, true, out));
+  }
+  return OK;
+}
+
+enum status geo_lines_outline(const struct geo_lines *l, double near, struct geo_lines *outline) {
+  struct geos g = geos_begin();
+  GEOSGeometry *all = keep(&g, g.failed ? NULL : GEOSGeom_createEmptyPolygon_r(g.h));
+  for (size_t k = 0; k < l->pieces && !g.failed; k++) {
+    GEOSGeometry *part = polygon_of(&g, l, k);
+    GEOSGeometry *next = keep(&g, part ? GEOSUnionPrec_r(g.h, all, part, near) : NULL);
+    drop(&g, part);
+    drop(&g, all);
+    all = next;
+  }
+  geo_lines_clear(outline);
+  enum status status = all ? add_rings(&g, all, l, near, outline) : OK;
+  drop(&g, all);
+  const enum status ended = geos_end(&g);
+  return status != OK ? status : ended;
+}

@@ -45,4 +45,8 @@ enum status geo_area_below(const struct geo_lines *tank, double level, double *a
 enum status geo_lines_thin(const struct geo_lines *l, double width, double least, double *area,
                            double *thickness, double at[2]);
 
+/* The outline of the union of the closed pieces of `l`, those within `near` (m) of each other being
+ * one body: closed counter-clockwise pieces, with clockwise ones around air in them. ERR_MEMORY. */
+enum status geo_lines_outline(const struct geo_lines *l, double near, struct geo_lines *outline);
+
 void geo_piece_reverse(struct geo_lines *l, size_t piece);

@@ -1,0 +1,189 @@
+/* Water that is no column: wet beds and sloping faces, from their outline. */
+#include "bem/outline.h"
+#include "bem/pressure.h"
+#include "bem/start.h"
+#include "common/base/gauge.h"
+#include "common/flow/release.h"
+#include "common/tank/tank.h"
+#include "tests/bem/run.h"
+
+static const char text[] = "title: outline\n"
+                           "fluid: {density: 1, gravity: 1}\n"
+                           "scales: {H: 1}\n"
+                           "tank: {walls: [[[0, 3], [0, 0], [7, 0], [7, 3]]]}\n"
+                           "water: {regions: [%s], pressure: released%s}\n"
+                           "time: {end: %g, every: 0.1, sample: 0.05}\n"
+                           "runs: [{name: bem, solver: bem, resolution: %d, rounding: %g}]\n";
+
+static const char one_polygon[] = "[[0, 0], [7, 0], [7, 0.25], [2.385, 0.25], [2.385, 1], [0, 1]]";
+static const char two_regions[] =
+    "[[0, 0], [2.385, 0], [2.385, 1], [0, 1]], [[2.385, 0], [7, 0], [7, 0.25], [2.385, 0.25]]";
+static const char mirrored[] = "[[7, 0], [0, 0], [0, 0.25], [4.615, 0.25], [4.615, 1], [7, 1]]";
+
+static struct case_file *case_of(const char *water, double end, int resolution, double rounding) {
+  static char with[2000];
+  snprintf(with, sizeof with, text, water, "", end, resolution, rounding);
+  return run_case(with);
+}
+
+static void test_joined_regions_have_the_outline_of_one_polygon(void) {
+  const char *const waters[] = {one_polygon, two_regions};
+  static const double is[][2] = {{0, 1}, {2.385, 1}, {2.385, 0.25}, {7, 0.25}};
+  for (int i = 0; i < 2; i++) {
+    struct case_file *c = case_of(waters[i], 1, 20, 0.02);
+    struct bem_outline o = {0};
+    const char *problem = "none found";
+    if (c) EXPECT_OK(bem_outline_find(c, &o, &problem));
+    EXPECT(!problem && o.chain.points == 4 && !o.toe[0] && !o.toe[1]);
+    for (size_t k = 0; o.chain.points == 4 && k < 4; k++)
+      EXPECT(o.chain.p[k][0] == is[k][0] && o.chain.p[k][1] == is[k][1]);
+    bem_outline_destroy(&o);
+    case_destroy(c);
+  }
+}
+
+static void test_ends_on_a_dry_bed_are_toes(void) {
+  static const struct {
+    const char *water;
+    bool left, right;
+  } waters[] = {{"[[0, 0], [2, 0], [1.6, 1], [0, 1]]", false, true},
+                {"[[0, 0], [4, 0], [0, 1]]", false, true},
+                {"[[7, 0], [7, 1], [5.5, 0.8], [5, 0]]", true, false}};
+  for (size_t i = 0; i < sizeof waters / sizeof *waters; i++) {
+    struct case_file *c = case_of(waters[i].water, 1, 20, 0.02);
+    struct bem_outline o = {0};
+    const char *problem = "none found";
+    if (c) EXPECT_OK(bem_outline_find(c, &o, &problem));
+    EXPECT(!problem && o.toe[0] == waters[i].left && o.toe[1] == waters[i].right);
+    bem_outline_destroy(&o);
+    case_destroy(c);
+  }
+}
+
+/* An arc of radius R takes (1 - pi/4) R^2 off a corner and adds it to a notch; the nodes'
+ * polynomials are of fourth order on the arcs. */
+static void test_rounding_keeps_the_volume_of_one_corner_and_one_notch(void) {
+  const double R = 0.05, area = 2.385 + 0.25 * 4.615;
+  struct case_file *c = case_of(one_polygon, 1, 20, R);
+  struct bem_flow f = {0};
+  EXPECT(c);
+  if (!c) return;
+  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
+  double *psi = calloc(f.surface.n, sizeof *psi);
+  const double volume = bem_surface_totals(&f.surface, psi).volume;
+  printf("     %zu nodes, volume off by %.1e\n", f.surface.n, volume - area);
+  EXPECT_NEAR(volume, area, 0.02 * R * R);
+  free(psi);
+  bem_flow_destroy(&f);
+  case_destroy(c);
+}
+
+/* The pressure at the instant of release, by boundary elements and by CHOLMOD's finite volumes. */
+static double pressure_of(double rounding, double x) {
+  struct case_file *c = case_of(one_polygon, 1, 30, rounding);
+  struct bem_flow f = {0};
+  struct bem_pressure p = {0};
+  double is = NAN;
+  EXPECT(c);
+  if (!c) return NAN;
+  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 0}, &f.solve));
+  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
+  EXPECT_OK(bem_flow_reserve(&f, f.surface.n));
+  EXPECT_OK(bem_flow_solve(&f, f.surface.state, 1));
+  EXPECT_OK(bem_pressure_solve(&p, &f, f.surface.state));
+  EXPECT_OK(bem_pressure_at(&p, &f, f.surface.state, x, 0, &is));
+  bem_pressure_destroy(&p);
+  bem_flow_destroy(&f);
+  case_destroy(c);
+  return is;
+}
+
+static double pressure_by_volumes(double spacing, double x) {
+  struct case_file *c = case_of(one_polygon, 1, 30, 0.02);
+  struct release *r = NULL;
+  double is = NAN;
+  EXPECT(c);
+  if (!c) return NAN;
+  const struct tank tank = tank_of(&c->walls, c->periodic);
+  const struct release_drive weight = {.weight = 1};
+  EXPECT_OK(release_create(&c->water, &tank, spacing, case_near(c), &weight, &r));
+  is = release_at(r, x, 0);
+  release_destroy(r);
+  case_destroy(c);
+  return is;
+}
+
+/* At the notch the pressure behaves as r^(2/3): a change of the shape there by the length e changes
+ * it everywhere else in proportion to e^(4/3), and so does a lattice of that spacing. */
+static void test_released_pressure_of_a_wet_bed_is_that_of_finite_volumes(void) {
+  static const double at[] = {0.3, 2.2, 2.6, 4};
+  for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+    const double wide = pressure_of(0.04, at[i]), narrow = pressure_of(0.01, at[i]);
+    const double coarse = pressure_by_volumes(0.02, at[i]), fine = pressure_by_volumes(0.01, at[i]);
+    const double shrink = pow(4, 4. / 3), halve = pow(2, 4. / 3);
+    const double bem = narrow + (narrow - wide) / (shrink - 1),
+                 volumes = fine + (fine - coarse) / (halve - 1);
+    printf("     x = %g: rounded by 0.04 %.5f, 0.01 %.5f, 0 %.5f; volumes %.5f, %.5f, %.5f\n",
+           at[i], wide, narrow, bem, coarse, fine, volumes);
+    EXPECT_NEAR(bem, volumes, fmax(0.2 * fabs(narrow - bem) + 0.2 * fabs(fine - volumes), 2e-5));
+  }
+}
+
+static struct result_file *wet(const char *water, int resolution) {
+  static char with[2000];
+  snprintf(with, sizeof with, text, water, "", 0.4, resolution, 0.08);
+  return run_bem(with);
+}
+
+/* How far the budget of energy is open at the end. */
+static double open_budget(const struct result_file *f) {
+  return fabs(result_energy_budget(&f->energy[f->n_energy - 1]) - result_energy_budget(f->energy));
+}
+
+/* A jet rises where column and bed meet (Stansby, Chegini & Barnes 1998). Its energy converges, and
+ * no end of the surface is special: the mirror image is as far off as the steps' tolerance, 1e-6.
+ */
+static void test_wet_bed_throws_a_jet_whose_energy_converges(void) {
+  struct result_file *coarse = wet(two_regions, 14), *fine = wet(two_regions, 28),
+                     *turned = wet(mirrored, 28);
+  if (coarse && fine && turned) {
+    const struct geo_lines *surface = &fine->surface[fine->n_surfaces - 1],
+                           *mirror = &turned->surface[turned->n_surfaces - 1];
+    const double motion = fine->energy->total - fine->rest_potential;
+    const double jet = gauge_elevation(surface, 2.65, 0);
+    printf("     budget open by %.1e and %.1e of the energy of motion, jet up to %.3f\n",
+           open_budget(coarse) / motion, open_budget(fine) / motion, jet);
+    EXPECT(open_budget(fine) < 1e-4 * motion && open_budget(fine) < open_budget(coarse) / 4);
+    EXPECT(gauge_elevation(fine->surface, 2.65, 0) < 0.2501 && jet > 0.27);
+    EXPECT_NEAR(gauge_elevation(mirror, 7 - 2.65, 0), jet, 1e-5);
+    EXPECT_NEAR(turned->energy[4].kinetic, fine->energy[4].kinetic, 1e-6);
+  }
+  result_file_destroy(coarse);
+  result_file_destroy(fine);
+  result_file_destroy(turned);
+}
+
+/* A velocity of all water is a potential that is linear, which walls take the momentum of. */
+static void test_water_that_moves_as_one_starts_with_its_potential(void) {
+  char with[2000];
+  snprintf(with, sizeof with, text, one_polygon, ", velocity: [0.3, -0.1]", 1., 20, 0.02);
+  struct case_file *c = run_case(with);
+  struct bem_flow f = {0};
+  EXPECT(c);
+  if (!c) return;
+  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
+  const double *x = f.surface.state, *y = x + f.surface.n, *phi = y + f.surface.n;
+  for (size_t k = 0; k < f.surface.n; k++) EXPECT_NEAR(phi[k], 0.3 * x[k] - 0.1 * y[k], 1e-14);
+  bem_flow_destroy(&f);
+  case_destroy(c);
+}
+
+int main(void) {
+  RUN(test_joined_regions_have_the_outline_of_one_polygon);
+  RUN(test_ends_on_a_dry_bed_are_toes);
+  RUN(test_rounding_keeps_the_volume_of_one_corner_and_one_notch);
+  RUN(test_released_pressure_of_a_wet_bed_is_that_of_finite_volumes);
+  RUN(test_wet_bed_throws_a_jet_whose_energy_converges);
+  RUN(test_water_that_moves_as_one_starts_with_its_potential);
+  return TEST_RESULT;
+}
