@@ -8,7 +8,7 @@
 
 static const double same_angle = 1e-6;   /* rad; walls are known no better (case_near) */
 static const double same_place = 1e-6;   /* of the size of the walls */
-static const double edge = 2 * M_PI / 3; /* turns by so much, or more, away from the water */
+static const double edge = 5 * M_PI / 6; /* turns by so much, or more, away from the water */
 
 void sph_faces_destroy(struct sph_faces *f) {
   free(f->face);

@@ -5,7 +5,8 @@
  * Ghosts fill the walls to the depth of the support on a fixed lattice. Each has an interpolation
  * node, its mirror image in the wall (in a corner: mirrored in both walls, which is through the
  * corner point). At the node, p and u are fitted to the water by moving least squares (mls.h), and
- * the ghost takes u_g = u* with the normal component reversed, the tangential one kept; p_g = p* +
+ * the ghost takes u_g = u* with the normal component reversed, the tangential one kept (but for
+ * corners of the solid, layers.h); p_g = p* +
  * rho* f . (r_g - r*): at a fixed flat wall dp/dn = rho f.n, and r_g - r* points along the normal,
  * so below the bed at depth d the ghost gets 2 d rho g more than its node, and beside an upright
  * wall the same.
@@ -66,6 +67,16 @@ static enum status ghosts_look(struct sph *s) {
                         s->support);
 }
 
+/* The velocity u, v at the mirror point, turned, with as much as `slide` of it along the face: that
+ * is half of the sum of a vector and its mirror image. */
+static void set_velocity(struct sph_pack *w, const struct sph_motion *turn, double u, double v,
+                         double slide) {
+  double x, y;
+  sph_motion_turn(turn, u, v, &x, &y);
+  w->u = x - (1 - slide) / 2 * (u + x);
+  w->v = y - (1 - slide) / 2 * (v + y);
+}
+
 static void fill_cluster(struct sph *s, size_t cluster) {
   const struct ghosts *g = s->w.data;
   const struct sph_layers *node = &g->layers;
@@ -84,7 +95,7 @@ static void fill_cluster(struct sph *s, size_t cluster) {
     const struct sph_vector weight =
         sph_weight(s, eos_stored(&s->eos, f.p[l], i.y[l]), i.x[l], i.y[l], f.u[l], f.v[l]);
     struct sph_pack *w = &s->w.pack[at + l];
-    sph_motion_turn(turn, f.u[l], f.v[l], &w->u, &w->v);
+    set_velocity(w, turn, f.u[l], f.v[l], node->slide[at + l]);
     w->p = f.p[l] + weight.x * (w->x - i.x[l]) + weight.y * (w->y - i.y[l]);
     w->rho = eos_stored(&s->eos, w->p, w->y);
     sph_wall_hold(s, at + l, f.u[l], f.v[l]);

@@ -14,6 +14,7 @@ static const double least_part = 1e-6;  /* of a cell that is worth a particle */
 struct site {
   double x, y, V; /* m, m^2 */
   double node[2]; /* the mirror point, m */
+  double slide;
   uint32_t motion, chain;
 };
 
@@ -34,11 +35,22 @@ static void pull(const struct sph_faces *faces, const double from[2], double nod
     node[axis] = from[axis] + first / 2 * (node[axis] - from[axis]);
 }
 
+/* All of it two supports away from corners of the solid, nothing nearer than one. */
+static double slide_at(const struct sites *all, double x, double y) {
+  double near = INFINITY;
+  for (size_t k = 0; k < all->faces->n; k++) {
+    const struct sph_face *f = &all->faces->face[k];
+    if (f->end[1] == SPH_END_BLUNT) near = fmin(near, hypot(x - f->b[0], y - f->b[1]));
+  }
+  return fmin(fmax(near / all->s->support - 1, 0), 1);
+}
+
 /* The image of `node` by that motion, as seen from `from`. */
 static enum status add(struct sites *all, const struct site *site, const double from[2]) {
   TRY(array_grow(&all->site, &all->room, all->n + 1, "wall particles"));
   struct site *new = &all->site[all->n++];
   *new = *site;
+  new->slide = slide_at(all, site->x, site->y);
   pull(all->faces, from, new->node);
   return OK;
 }
@@ -303,6 +315,7 @@ static enum status make_room(struct sph *s, size_t n, struct sph_layers *g) {
   TRY(sph_allocate(g->room, sizeof(double), &g->y));
   TRY(sph_allocate(g->room, sizeof *g->motion, &g->motion));
   TRY(sph_allocate(2 * s->faces.n, sizeof *g->turn, &g->turn));
+  TRY(sph_allocate(g->room, sizeof(double), &g->slide));
   return sph_allocate(g->room, sizeof(double), &g->V);
 }
 
@@ -311,6 +324,7 @@ static void place(struct sph *s, size_t i, const struct site *site, struct sph_l
   g->y[i] = site->node[1];
   g->motion[i] = site->motion;
   g->V[i] = site->V;
+  g->slide[i] = site->slide;
   if (i >= g->n) return;
   s->w.x[i] = site->x;
   s->w.y[i] = site->y;
@@ -368,4 +382,5 @@ void sph_layers_destroy(struct sph_layers *g) {
   free(g->motion);
   free(g->turn);
   free(g->V);
+  free(g->slide);
 }
