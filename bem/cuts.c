@@ -50,6 +50,15 @@ static struct bem_piece open_piece(const struct bem_sides *w, const struct bem_s
   return piece(s, first, last);
 }
 
+/* Near the surface on the other side of air: what meets that soon is left to do so. */
+static bool lands(const struct bem_sides *w, const struct bem_surface *s, const struct bem_piece *p,
+                  double reach) {
+  struct bem_near near;
+  for (size_t k = p->first; k <= p->last; k++)
+    if (bem_sides_across(w, s, s->state, k, BEM_AIR, reach, &near)) return true;
+  return false;
+}
+
 bool bem_cuts_find_sheet(const struct bem_sides *w, const struct bem_surface *s, double coarse,
                          struct bem_piece *p) {
   for (size_t k = 2; k + 3 < s->n; k++) {
@@ -60,7 +69,8 @@ bool bem_cuts_find_sheet(const struct bem_sides *w, const struct bem_surface *s,
       continue;
     *p = open_piece(w, s, near, OPEN * thin);
     const double area = piece_area(s, p->first, p->last);
-    if (p->last + 2 < s->n && is_little(s, area)) return true;
+    if (p->last + 2 >= s->n || !is_little(s, area)) continue;
+    if (coarse > 1 || !lands(w, s, p, OPEN * thin)) return true;
   }
   return false;
 }

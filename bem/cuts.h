@@ -12,8 +12,8 @@ struct bem_piece {
 };
 
 /* The first sheet from the left that is thinner than the panels are long, times `coarse`, or than
- * the film, and how much of it is to be cut: up to where it is twice as thick. *w: of this surface.
- */
+ * the film, and how much of it is to be cut: up to where it is twice as thick. A tip that is about
+ * to land is none, unless the run does not get on (coarse > 1). *w: of this surface. */
 bool bem_cuts_find_sheet(const struct bem_sides *w, const struct bem_surface *s, double coarse,
                          struct bem_piece *p);
 

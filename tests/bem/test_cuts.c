@@ -69,6 +69,34 @@ static void test_a_sheet_is_cut_where_it_is_thick_enough(void) {
   bem_flow_destroy(&f);
 }
 
+/* Bends the spike to the right, round a circle, so that its end is `gap` above the level. */
+static void bend(struct bem_surface *s, double gap) {
+  const double radius = 0.12, whole = M_PI - asin(gap / radius);
+  double *x = s->state, *y = x + N;
+  for (int k = 60; k < N - 60; k++) {
+    const double angle = whole * (y[k] - 0.5) / 0.4, off = radius - (x[k] - 1);
+    x[k] = 1 + radius - off * cos(angle);
+    y[k] = 0.5 + off * sin(angle);
+  }
+}
+
+static void test_a_tip_that_is_about_to_land_is_not_cut(void) {
+  for (int near = 0; near < 2; near++) {
+    struct bem_flow f;
+    struct bem_sides w = {0};
+    struct bem_piece p;
+    flow_open_box(&f);
+    put(&f.surface, 0.04, 0);
+    bend(&f.surface, near ? 0.008 : 0.04);
+    EXPECT_OK(bem_sides_reserve(&w, &f.surface));
+    bem_sides_set(&w, &f.surface, f.surface.state);
+    EXPECT(bem_cuts_find_sheet(&w, &f.surface, 1, &p) == !near);
+    EXPECT(bem_cuts_find_sheet(&w, &f.surface, 2, &p)); /* where the run does not get on */
+    bem_sides_destroy(&w);
+    bem_flow_destroy(&f);
+  }
+}
+
 static void test_water_that_is_thick_enough_is_not_cut(void) {
   struct bem_flow f;
   struct bem_sides w = {0};
@@ -110,6 +138,7 @@ static void test_a_drop_that_has_come_off_goes(void) {
 
 int main(void) {
   RUN(test_a_sheet_is_cut_where_it_is_thick_enough);
+  RUN(test_a_tip_that_is_about_to_land_is_not_cut);
   RUN(test_water_that_is_thick_enough_is_not_cut);
   RUN(test_a_drop_that_has_come_off_goes);
   return TEST_RESULT;
