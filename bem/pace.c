@@ -2,14 +2,15 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "common/base/array.h"
 
 static const double SHORTEST = 1e-9; /* sqrt(H/g), steps that lead nowhere */
 static const double CRAWL = 0.002;   /* sqrt(H/g) in a stretch: a hundredth of the usual pace */
 static const double RUNAWAY = 3e-4;  /* of the energy, in as long as a stretch that crawls */
+static const double CUT = 0.1; /* of the pace of the WINDOW before: a step that was cut short */
 enum {
+  WINDOW = 51,   /* steps */
   PATIENCE = 50, /* steps */
   STRETCH = 200,
   SETTLE = 60 /* steps that CVODE's order and step need to grow after a start */
@@ -54,13 +55,23 @@ bool bem_pace_runs_away(struct bem_pace *p, double time, double energy, double w
   return crawled && away;
 }
 
+/* Puts a value into a sorted list of n in the place of another, or of none (NAN). */
+static void take_over(double *sorted, size_t n, double old, double fresh) {
+  size_t k = n;
+  if (!isnan(old))
+    for (k = 0; sorted[k] != old;) k++;
+  for (; k + 1 < n && sorted[k + 1] < fresh; k++) sorted[k] = sorted[k + 1];
+  for (; k > 0 && sorted[k - 1] > fresh; k--) sorted[k] = sorted[k - 1];
+  sorted[k] = fresh;
+}
+
 double bem_pace_cut(const struct bem_pace *p) {
-  double *sorted = p->settled ? malloc(p->settled * sizeof *sorted) : NULL;
-  size_t cut = 0;
-  if (!sorted) return 0;
-  memcpy(sorted, p->dt, p->settled * sizeof *sorted);
-  qsort(sorted, p->settled, sizeof *sorted, array_ascending);
-  while (cut < p->settled && sorted[cut] < 0.1 * sorted[p->settled / 2]) cut++;
-  free(sorted);
+  double sorted[WINDOW];
+  size_t cut = 0, n = 0;
+  for (size_t i = 0; i < p->settled; i++) {
+    cut += n == WINDOW && p->dt[i] < CUT * sorted[WINDOW / 2];
+    take_over(sorted, n, n == WINDOW ? p->dt[i - WINDOW] : NAN, p->dt[i]);
+    n += n < WINDOW;
+  }
   return (double)cut;
 }

@@ -38,7 +38,30 @@ static void test_a_new_start_is_measured_from_itself(void) {
   bem_pace_destroy(&p);
 }
 
+/* Of 500 steps, after those that the integrator takes to settle. */
+static double cut_of(double (*length)(int i)) {
+  struct bem_pace p = {0};
+  for (int i = -60; i < 500; i++) EXPECT_OK(bem_pace_add(&p, 1, i < 0 ? 1e-6 : length(i)));
+  const double cut = bem_pace_cut(&p);
+  bem_pace_destroy(&p);
+  return cut;
+}
+
+static double by_and_by(int i) {
+  return 0.01 * pow(0.98, i);
+}
+
+static double now_and_then(int i) {
+  return i % 50 == 49 ? 1e-4 : 0.01 + 1e-5 * i;
+}
+
+static void test_steps_that_shrink_by_and_by_are_not_cut_short(void) {
+  EXPECT(cut_of(by_and_by) == 0);
+  EXPECT(cut_of(now_and_then) == 9); /* the first of ten has not 51 steps before it */
+}
+
 int main(void) {
+  RUN(test_steps_that_shrink_by_and_by_are_not_cut_short);
   RUN(test_energy_that_changes_by_itself_is_noticed);
   RUN(test_long_steps_are_not_watched);
   RUN(test_a_new_start_is_measured_from_itself);
