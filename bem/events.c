@@ -247,7 +247,14 @@ static enum status conclude_breaker(struct bem_run *r, enum bem_face face) {
                           r->breaker[face].y);
 }
 
+static enum status conclude_runup(struct bem_run *r, bool right) {
+  const struct bem_runup *u = &r->runup[right];
+  if (!bem_runup_found(u, r->start[right])) return OK;
+  return bem_output_event(&r->output, "run_up", u->top[0], u->top[1], u->top[2]);
+}
+
 enum status bem_events_conclude(struct bem_run *r) {
+  for (int right = 0; right < 2; right++) TRY(conclude_runup(r, right));
   const bool falling_first = r->breaker[BEM_FALLING].overturned &&
                              r->breaker[BEM_FALLING].time < r->breaker[BEM_RISING].time;
   TRY(conclude_breaker(r, falling_first ? BEM_FALLING : BEM_RISING));

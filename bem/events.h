@@ -18,6 +18,6 @@ extern const struct bem_roots bem_events_roots;
 /* Acts on those that were found at the state of r->flow.surface until one ends the run. */
 enum status bem_events_act(struct bem_run *r, const int *found);
 
-/* Writes what is known only at the end of the run: the last vertical tangent of either
- * face is the breaker's. */
+/* Writes what is known only at the end of the run: how far the edges ran up, and the last vertical
+ * tangent of either face, which is the breaker's. */
 enum status bem_events_conclude(struct bem_run *r);

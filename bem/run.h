@@ -6,6 +6,7 @@
 #include "bem/flow.h"
 #include "bem/output.h"
 #include "bem/pace.h"
+#include "bem/runup.h"
 #include "bem/shore.h"
 #include "bem/sides.h"
 #include "bem/stepper.h"
@@ -24,8 +25,10 @@ struct bem_run {
     bool leaned, overturned; /* has not been upright all the time; its tangent became vertical */
     double time, x, y;       /* when and where that was for the last time */
   } breaker[BEM_FACES];
-  int rescues;    /* since the run last got on */
-  double rescued; /* when the last one was */
+  struct bem_runup runup[2]; /* of the left and the right edge */
+  double start[2];           /* their heights at t = 0 */
+  int rescues;               /* since the run last got on */
+  double rescued;            /* when the last one was */
   bool overflowed, ended;
 };
 

@@ -143,6 +143,15 @@ static bool is_lost(struct bem_run *r) {
          (bem_pace_leads_nowhere(&r->pace) || !bem_output_touches(&r->sides, &r->flow.surface));
 }
 
+/* Of tanks whose sides are beaches: what comes to an upright one is a matter of gauges. */
+static void follow_edges(struct bem_run *r) {
+  const struct bem_surface *s = &r->flow.surface;
+  for (int right = 0; r->shore && right < 2; right++) {
+    const size_t k = right ? s->n - 1 : 0;
+    bem_runup_add(&r->runup[right], r->time, s->state[k], s->state[s->n + k]);
+  }
+}
+
 static enum status advance(struct bem_run *r, struct progress *progress) {
   double end = r->c->end / r->output.time_scale, work = 0;
   const int *found;
@@ -153,6 +162,7 @@ static enum status advance(struct bem_run *r, struct progress *progress) {
       continue;
     }
     TRY(bem_pace_add(&r->pace, r->time, r->dt));
+    follow_edges(r);
     bem_output_damped(&r->output, &r->flow, r->time, r->dt);
     TRY(bem_output_given(&r->output, &r->flow, r->stepper, r->time, r->dt));
     TRY(bem_output_due(&r->output, &r->flow, r->stepper, r->time, r->dt));
@@ -236,6 +246,9 @@ static enum status begin(struct bem_run *r, const struct case_run *cr) {
   if (!c->rectangular) TRY(bem_basin_shore(c, &r->shore));
   TRY(bem_start_surface(c, cr, r->shore, &r->flow));
   r->flow.surface.depth = r->flow.level;
+  const struct bem_surface *s = &r->flow.surface;
+  r->start[0] = s->state[s->n];
+  r->start[1] = s->state[2 * s->n - 1];
   r->flow.filter = o->filter * (r->flow.surface.tip > 0 ? 1 : GENTLE * wave_frequency(c));
   r->flow.smoothing = o->smoothing;
   TRY(bem_stepper_create(&r->flow, tolerance, &bem_events_roots, r, &r->stepper));
