@@ -262,3 +262,65 @@ void bem_integrals_inside(const struct bem_panels *p, const double *f, const dou
   *value = (own.value - conj(seen.value)) / winding;
   *slope = (own.slope - conj(seen.slope)) / winding;
 }
+
+/* Integrals of several functions, and of one, over the surface seen from a point. */
+struct view {
+  size_t count;
+  const double *const *f, *const *h;
+  double complex value[BEM_VALUES], winding;
+};
+
+/* Adds `times` those of panel j. */
+static void view_panel(const struct bem_panels *p, size_t j, double complex tau, double times,
+                       struct view *v) {
+  const ptrdiff_t first = bem_stencil_first(p, j, BEM_STENCIL);
+  const int near = bem_panel_is_mirrored(p, j) || distance(tau, p->middle[j]) < p->reach[j];
+  double complex moment[BEM_STENCIL];
+  if (near) moments((tau - p->middle[j]) / p->half[j], 0, moment);
+  for (int m = 0, image; m < BEM_STENCIL; m++) {
+    double complex c = 0;
+    if (near)
+      for (int q = 0; q < BEM_STENCIL; q++) c += p->basis[j][m][q] * moment[q];
+    else
+      c = p->weight[j][m] / (p->zeta[bem_stencil_node(p, first + m, &image)] - tau);
+    c *= times;
+    for (size_t i = 0; i < v->count; i++)
+      v->value[i] += c * bem_stencil_value(p, first + m, v->f[i], v->h[i]);
+    v->winding += c;
+  }
+}
+
+/* The polynomials of the nearest panel themselves: for a point between its chord and the surface.
+ */
+static void continue_nearest(const struct bem_panels *p, double complex tau, struct view *v) {
+  size_t at = 0;
+  double least = HUGE_VAL;
+  for (size_t j = 0; j < bem_panels_count(p); j++) {
+    const double way = distance(tau, p->middle[j]) / cabs(p->half[j]);
+    if (way < least) least = way, at = j;
+  }
+  const ptrdiff_t first = bem_stencil_first(p, at, BEM_STENCIL);
+  const double complex t = (tau - p->middle[at]) / p->half[at];
+  for (size_t i = 0; i < v->count; i++) v->value[i] = 0;
+  for (int m = 0; m < BEM_STENCIL; m++) {
+    const double complex *b = p->basis[at][m];
+    const double complex c = b[0] + t * (b[1] + t * (b[2] + t * b[3]));
+    for (size_t i = 0; i < v->count; i++)
+      v->value[i] += c * bem_stencil_value(p, first + m, v->f[i], v->h[i]);
+  }
+}
+
+void bem_integrals_values(const struct bem_panels *p, size_t count, const double *const *f,
+                          const double *const *h, double complex tau, double complex *value) {
+  const double complex mirrored = bem_panels_mirror(p, tau);
+  struct view own = {.count = count, .f = f, .h = h}, seen = own;
+  for (size_t j = 0; j < bem_panels_count(p); j++) {
+    view_panel(p, j, tau, 1, &own);
+    view_panel(p, j, mirrored, 1, &seen);
+    if (bem_panels_closed(p)) view_panel(p, j, 0, -1, &seen);
+  }
+  const double complex winding = own.winding - conj(seen.winding);
+  for (size_t i = 0; i < count; i++) own.value[i] = (own.value[i] - conj(seen.value[i])) / winding;
+  if (cabs(winding) < M_PI) continue_nearest(p, tau, &own); /* outside the chords: it is 0 there */
+  for (size_t i = 0; i < count; i++) value[i] = own.value[i];
+}

@@ -14,3 +14,11 @@ void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *
  * nodal values are f + i h. */
 void bem_integrals_inside(const struct bem_panels *p, const double *f, const double *h,
                           double complex tau, double complex *value, double complex *slope);
+
+enum { BEM_VALUES = 3 };
+
+/* Values alone, of up to BEM_VALUES such functions f[i] + i h[i] at once: panels that are not near
+ * go without logarithms, as in the equations. As exact near the surface as far from it, since all
+ * that is interpolated along a panel is continuous from one to the next. */
+void bem_integrals_values(const struct bem_panels *p, size_t count, const double *const *f,
+                          const double *const *h, double complex tau, double complex *value);

@@ -10,6 +10,7 @@ struct bem_options {
   int dense;                /* nodes solved by dense factorisation */
   double film;              /* thickness below which the film on the wall is cut, m */
   double rounding;          /* radius of the arcs at kinks of the water's outline, m */
+  double lattice;           /* spacing of points inside the water that are written, m; 0: none */
   bool forces;              /* on the walls are written */
   double filter, smoothing; /* rates, 1/sqrt(H/g) */
 };

@@ -26,13 +26,13 @@ void bem_output_destroy(struct bem_output *o) {
   bem_sides_destroy(&o->sides);
   bem_pressure_destroy(&o->pressure);
   geo_lines_destroy(&o->line);
+  bem_lattice_destroy(&o->lattice);
   free(o->field);
 }
 
 static enum status reserve(struct bem_output *o, size_t n) {
-  if (n > o->most_nodes) o->most_nodes = n;
   if (n <= o->room) return OK;
-  TRY(array_resize(&o->field, 5 * n, "numbers of an output"));
+  TRY(array_resize(&o->field, BEM_OUTPUT_FIELDS * n, "numbers of an output"));
   o->room = n;
   return OK;
 }
@@ -91,32 +91,77 @@ static void turn_line(const struct case_file *c, struct geo_lines *l) {
   }
 }
 
-static enum status write_surface(struct bem_output *o, double seconds) {
-  const struct case_file *c = o->c;
+/* What is written of points, in SI units. */
+struct shown {
+  double *x, *y, *phi, *u, *v, *pressure, *volume;
+};
+
+static enum status show_begin(struct bem_output *o, size_t n, struct shown *to) {
+  TRY(reserve(o, n));
+  double *p = o->field;
+  *to = (struct shown){p, p + n, p + 2 * n, p + 3 * n, p + 4 * n, p + 5 * n, p + 6 * n};
+  return OK;
+}
+
+/* Point i: where it is, H, and its potential and velocity, H sqrt(gH) and sqrt(gH). */
+static void show(const struct bem_output *o, const struct shown *to, size_t i, const double z[2],
+                 double phi, const double w[2]) {
+  const double velocity = sqrt(o->c->gravity * o->c->H);
+  double at[2];
+  bem_output_place(o, z[0], z[1], at);
+  to->x[i] = at[0];
+  to->y[i] = at[1];
+  to->phi[i] = o->c->H * velocity * phi;
+  to->u[i] = o->mirrored ? -velocity * w[0] : velocity * w[0];
+  to->v[i] = velocity * w[1];
+}
+
+static enum status write_nodes(struct bem_output *o, double seconds) {
   const struct bem_flow *f = &o->view;
   const size_t n = f->surface.n;
-  const double *state = f->surface.state;
-  double velocity = sqrt(c->gravity * c->H);
-  TRY(reserve(o, n));
-  double *x = o->field, *y = x + n, *phi = y + n, *u = phi + n, *v = u + n;
-  for (size_t k = 0; k < n; k++) {
-    const size_t i = o->mirrored ? n - 1 - k : k;
-    double at[2];
-    bem_output_place(o, state[k], state[n + k], at);
-    x[i] = at[0];
-    y[i] = at[1];
-    phi[i] = c->H * velocity * state[2 * n + k];
-    u[i] = o->mirrored ? -velocity * f->u[k] : velocity * f->u[k];
-    v[i] = velocity * f->v[k];
+  const double *x = f->surface.state, *y = x + n, *phi = y + n;
+  struct shown to;
+  TRY(show_begin(o, n, &to));
+  for (size_t k = 0; k < n; k++)
+    show(o, &to, o->mirrored ? n - 1 - k : k, (const double[]){x[k], y[k]}, phi[k],
+         (const double[]){f->u[k], f->v[k]});
+  const struct result_field fields[] = {
+      {"velocity", "m/s", "velocity of the water", to.u, to.v},
+      {"potential", "m^2/s", "velocity potential", to.phi, NULL},
+  };
+  return result_points(o->file, seconds, n, to.x, to.y, RESULT_LINE, sizeof fields / sizeof *fields,
+                       fields);
+}
+
+static enum status write_lattice(struct bem_output *o, double seconds) {
+  const struct case_file *c = o->c;
+  struct bem_flow *f = &o->view;
+  struct bem_lattice *l = &o->lattice;
+  struct shown to;
+  TRY(bem_pressure_solve(&o->pressure, f, f->surface.state));
+  TRY(bem_lattice_fill(l, &o->pressure, f, f->surface.state, o->spacing));
+  TRY(show_begin(o, l->n, &to));
+  for (size_t k = 0; k < l->n; k++) {
+    show(o, &to, k, (const double[]){l->x[k], l->y[k]}, l->phi[k],
+         (const double[]){l->u[k], l->v[k]});
+    to.pressure[k] = c->density * c->gravity * c->H * l->pressure[k];
+    to.volume[k] = c->H * c->H * l->cell;
   }
   const struct result_field fields[] = {
-      {"velocity", "m/s", "velocity of the water", u, v},
-      {"potential", "m^2/s", "velocity potential", phi, NULL},
+      {"velocity", "m/s", "velocity of the water", to.u, to.v},
+      {"potential", "m^2/s", "velocity potential", to.phi, NULL},
+      {"pressure", "Pa", "pressure", to.pressure, NULL},
+      {"volume", "m^2", "area that the point stands for", to.volume, NULL},
   };
-  TRY(result_points(o->file, seconds, n, x, y, RESULT_LINE, sizeof fields / sizeof *fields,
-                    fields));
+  return result_points(o->file, seconds, l->n, to.x, to.y, RESULT_VERTICES,
+                       sizeof fields / sizeof *fields, fields);
+}
+
+static enum status write_surface(struct bem_output *o, double seconds) {
+  if (o->view.surface.n > o->most_nodes) o->most_nodes = o->view.surface.n;
+  TRY(o->spacing > 0 ? write_lattice(o, seconds) : write_nodes(o, seconds));
   TRY(polyline(o));
-  if (o->mirrored) turn_line(c, &o->line);
+  if (o->mirrored) turn_line(o->c, &o->line);
   TRY(result_surface(o->file, seconds, &o->line));
   return result_flush(o->file);
 }
@@ -303,7 +348,8 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
     double seconds = fmin(output, sample), near = NEAR * c->sample;
     if (seconds > c->end + near || seconds > time * o->time_scale) return OK;
     bool shown = output - seconds < near, sampled = sample - seconds < near;
-    TRY(look(o, f, stepper, seconds / o->time_scale, sampled && wants_pressure(o)));
+    TRY(look(o, f, stepper, seconds / o->time_scale,
+             (sampled && wants_pressure(o)) || (shown && o->spacing > 0)));
     if (shown) TRY(write_surface(o, output));
     TRY(bem_sides_reserve(&o->sides, &o->view.surface));
     if (sampled && !bem_output_touches(&o->sides, &o->view.surface))

@@ -1,6 +1,7 @@
 /* From the solver's units to the result file. */
 #pragma once
 #include "bem/flow.h"
+#include "bem/lattice.h"
 #include "bem/pressure.h"
 #include "bem/sides.h"
 #include "bem/stepper.h"
@@ -8,11 +9,14 @@
 #include "common/case/case.h"
 #include "common/result/result.h"
 
+enum { BEM_OUTPUT_FIELDS = 7 };
+
 struct bem_output {
   const struct case_file *c;
   struct result *file;
   bool mirrored;     /* `c` is what a mirror shows of the case that is written (mirror.h) */
   bool forces;       /* on the walls are written */
+  double spacing;    /* of the lattice that is written, H; 0: none is */
   double start;      /* of the run on the wall clock, s */
   double time_scale; /* sqrt(H/g), s */
   size_t next_output, next_sample;
@@ -36,8 +40,9 @@ struct bem_output {
   struct bem_sides sides; /* scratch */
   struct bem_pressure pressure;
   struct geo_lines line;
+  struct bem_lattice lattice;
   size_t room;
-  double *field; /* nodal values in SI, [5n], owned */
+  double *field; /* values at nodes and lattice points in SI, [BEM_OUTPUT_FIELDS][n], owned */
 };
 
 enum status bem_output_create(struct bem_output *o, const struct bem_solve_options *options);

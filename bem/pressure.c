@@ -18,7 +18,7 @@ void bem_pressure_destroy(struct bem_pressure *p) {
  * part of beta at a fixed place of the mapped plane, which goes to and fro with the velocity w_p of
  * the known part, d zeta/dt = -w_p d zeta/dz: with that part's rate, beta_t = own rate - (w - w_p)
  * w_p + rate. What it has besides its own, of the potential: */
-static double swept(const struct bem_flow *f, double complex z, double complex w) {
+double bem_pressure_swept(const struct bem_flow *f, double complex z, double complex w) {
   const struct bem_part part = bem_motion_part(&f->motion, z);
   return creal(part.rate - (w - part.w) * part.w);
 }
@@ -34,7 +34,8 @@ enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const
   for (size_t k = 0; k < n; k++) {
     const double u = f->u[k], v = f->v[k];
     p->phi_t[k] = -0.5 * (u * u + v * v) - bem_flow_head(f, state[k], state[n + k]);
-    if (f->motion.sides) p->phi_t[k] -= swept(f, CMPLX(state[k], state[n + k]), f->w[k]);
+    if (f->motion.sides)
+      p->phi_t[k] -= bem_pressure_swept(f, CMPLX(state[k], state[n + k]), f->w[k]);
   }
   memset(p->psi_t, 0,
          n * sizeof *p->psi_t); /* a row must not depend on which were asked for before */
@@ -103,7 +104,7 @@ enum status bem_pressure_on(const struct bem_pressure *p, const struct bem_flow 
   const double complex w = slope * dzeta + bem_flow_part(f, state, z).w;
   bem_integrals_inside(&f->panels, p->phi_t, p->psi_t, tau, &value, &slope);
   double phi_t = creal(value);
-  if (f->motion.sides) phi_t += swept(f, z, w);
+  if (f->motion.sides) phi_t += bem_pressure_swept(f, z, w);
   *pressure = -phi_t - 0.5 * creal(w * conj(w)) - bem_flow_head(f, creal(z), cimag(z));
   return OK;
 }

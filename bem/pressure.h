@@ -22,3 +22,7 @@ enum status bem_pressure_at(const struct bem_pressure *p, const struct bem_flow 
 /* The same at a point z of a wall where it is. */
 enum status bem_pressure_on(const struct bem_pressure *p, const struct bem_flow *f,
                             const double *state, double complex z, double *pressure);
+
+/* Where sides move, what the rate of change of phi at z has besides the part that phi_t and psi_t
+ * give, with the velocity w there. */
+double bem_pressure_swept(const struct bem_flow *f, double complex z, double complex w);

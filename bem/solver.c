@@ -87,6 +87,15 @@ static const struct param params[] = {
      .help = "rate, in 1/sqrt(H/g), of the sixth-difference filter against the sawtooth of two "
              "spacings, which every flow has; of waves a thirtieth of it, in units of their own "
              "angular frequency by linear theory"},
+    {.key = "velocity_lattice",
+     .type = PARAM_REAL,
+     .quantity = QTY_LENGTH,
+     KEY(lattice),
+     .min = 0,
+     .max = HUGE_VAL,
+     .value = "0",
+     .help = "spacing of a lattice of points inside the water at which velocity, potential and "
+             "pressure are written at each output; 0: none"},
     {.key = "forces",
      .type = PARAM_BOOL,
      KEY(forces),
@@ -266,6 +275,7 @@ static enum status run_seen(const struct bem_mirror *seen, const struct case_run
                                  .mirrored = seen->turned,
                                  .file = out,
                                  .forces = o->forces,
+                                 .spacing = o->lattice / c->H,
                                  .start = progress_wall_clock(),
                                  .time_scale = sqrt(c->H / c->gravity)}};
   find_tops(c, r.top);

@@ -8,7 +8,8 @@
 #include "common/flow/flow.h"
 #include "common/flow/regions.h"
 
-enum { FEWEST = 8 }; /* nodes that a surface needs */
+enum { FEWEST = 8 };                   /* nodes that a surface needs */
+static const double MOST_POINTS = 1e5; /* of a lattice: each costs as much as an equation */
 
 /* `length` of the surface in H. */
 static void check_most(const struct case_run *r, double length, struct problems *problems) {
@@ -93,6 +94,20 @@ static void check_forces(const struct case_file *c, const struct case_run *r,
                r->name);
 }
 
+/* Of the tank's box below the highest water at t = 0. */
+static void check_lattice(const struct case_file *c, const struct case_run *r,
+                          struct problems *problems) {
+  const struct bem_options *o = r->options;
+  const double height = geo_lines_box(&c->water).max[1] - c->tank.min[1];
+  const double area = (c->tank.max[0] - c->tank.min[0]) * height;
+  if (!(o->lattice > 0) || !(area / (o->lattice * o->lattice) > MOST_POINTS)) return;
+  problems_add(problems, case_run_line(r, "velocity_lattice"),
+               "runs.%s.velocity_lattice: found %.4g m, %.2g points under the highest water; "
+               "allowed: up to %.0e points; widen it to %.2g m",
+               r->name, o->lattice, area / (o->lattice * o->lattice), MOST_POINTS,
+               ceil(sqrt(area / MOST_POINTS) * 1000) / 1000);
+}
+
 void bem_start_check(const struct case_file *c, const struct case_run *r,
                      struct problems *problems) {
   double width = (c->tank.max[0] - c->tank.min[0]) / c->H;
@@ -109,6 +124,7 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "allowed: a wave there; change tank.sides or take another solver",
                  r->name);
   check_velocity(c, r, problems);
+  check_lattice(c, r, problems);
   if (case_is_turned(c))
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' with gravity along (%g, %g); allowed: gravity "

@@ -1,0 +1,67 @@
+#include "bem/inside.h"
+
+#include <stdlib.h>
+
+#include "bem/integrals.h"
+#include "common/base/array.h"
+
+void bem_inside_destroy(struct bem_inside *b) {
+  free(b->re);
+  *b = (struct bem_inside){0};
+}
+
+/* d beta/d zeta between walls, and round a bed the velocity itself: both are real on walls. */
+enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f, const double *state) {
+  const size_t n = f->surface.n;
+  if (n > b->room) {
+    TRY(array_resize(&b->re, 2 * n, "velocities inside the water"));
+    b->room = n;
+  }
+  b->im = b->re + b->room;
+  for (size_t k = 0; k < n; k++) {
+    const double complex z = CMPLX(state[k], state[n + k]);
+    double complex own = f->w[k] - bem_flow_part(f, state, z).w;
+    if (!bem_surface_is_closed(&f->surface)) own /= f->panels.dzeta[k];
+    b->re[k] = creal(own);
+    b->im[k] = cimag(own);
+  }
+  return OK;
+}
+
+void bem_inside_start(struct bem_inside *b, const struct bem_flow *f, size_t node) {
+  if (f->surface.walls) b->chart = f->panels.chart[node];
+}
+
+static bool map(struct bem_inside *b, const struct bem_surface *s, double complex z,
+                double complex *tau, double complex *slope) {
+  *slope = 1;
+  if (bem_surface_is_closed(s)) {
+    *tau = bem_period_map(&s->period, z);
+    return true;
+  }
+  if (!s->walls) {
+    *tau = bem_map(s->length, z - s->left);
+    *slope = bem_map_slope(s->length, z - s->left);
+    return true;
+  }
+  if (bem_chart_find(&b->chart, z, tau, slope)) return true;
+  return bem_chart_walk(s->walls, &b->chart, z) == OK && bem_chart_find(&b->chart, z, tau, slope);
+}
+
+bool bem_inside_at(struct bem_inside *b, const struct bem_pressure *p, const struct bem_flow *f,
+                   const double *state, double complex z, struct bem_place *out) {
+  const struct bem_surface *s = &f->surface;
+  const bool has_part = bem_flow_has_part(f);
+  const double *real[BEM_VALUES] = {b->re, has_part ? f->phi_own : state + 2 * s->n, p->phi_t},
+               *imaginary[BEM_VALUES] = {b->im, has_part ? f->psi_own : f->psi, p->psi_t};
+  const struct bem_part part = bem_flow_part(f, state, z);
+  double complex tau, slope, value[BEM_VALUES];
+  if (!map(b, s, z, &tau, &slope)) return false;
+  bem_integrals_values(&f->panels, BEM_VALUES, real, imaginary, tau, value);
+  out->w = value[0] * slope + part.w;
+  out->phi = creal(value[1] + part.beta);
+  const double rest = f->motion.sides ? bem_pressure_swept(f, z, out->w) : 0;
+  out->pressure = -creal(value[2]) - rest - 0.5 * creal(out->w * conj(out->w)) -
+                  bem_flow_head(f, creal(z), cimag(z));
+  return true;
+}

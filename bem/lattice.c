@@ -1,0 +1,125 @@
+#include "bem/lattice.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "common/base/array.h"
+
+static const double SAME = 1e-12; /* H: pieces of the water so near are one */
+
+void bem_lattice_destroy(struct bem_lattice *l) {
+  free(l->x);
+  bem_inside_destroy(&l->inside);
+  geo_lines_destroy(&l->outline);
+  geo_cut_destroy(&l->cut);
+  *l = (struct bem_lattice){0};
+}
+
+/* ---- the outline of the water ---- */
+
+static enum status add_surface(const struct bem_surface *s, const double *state,
+                               struct geo_lines *out) {
+  for (size_t k = 0; k < s->n; k++) TRY(geo_lines_add(out, state[k], state[s->n + k]));
+  return OK;
+}
+
+/* Back from the last node to the first, along the walls. */
+static enum status add_walls(const struct bem_surface *s, const double *state,
+                             struct geo_lines *out) {
+  const size_t last = s->n - 1;
+  if (s->walls) {
+    for (size_t i = s->side[1]; i > s->side[0]; i--)
+      TRY(geo_lines_add(out, creal(s->walls->point[i]), cimag(s->walls->point[i])));
+    return OK;
+  }
+  TRY(geo_lines_add(out, state[last], 0));
+  return geo_lines_add(out, state[0], 0);
+}
+
+static enum status set_outline(struct bem_lattice *l, const struct bem_surface *s,
+                               const double *state) {
+  geo_lines_clear(&l->outline);
+  TRY(geo_lines_begin(&l->outline, true));
+  TRY(add_surface(s, state, &l->outline));
+  return add_walls(s, state, &l->outline);
+}
+
+/* ---- its points ---- */
+
+static enum status reserve(struct bem_lattice *l, size_t n) {
+  enum { FIELDS = 6 };
+  if (n <= l->room) return OK;
+  double *old = l->x;
+  const size_t was = l->room, room = array_room(was, n);
+  double *memory = NULL;
+  TRY(array_create(&memory, FIELDS * room, "points of a lattice"));
+  for (size_t k = 0; k < FIELDS; k++)
+    for (size_t i = 0; i < l->n; i++) memory[k * room + i] = old[k * was + i];
+  free(old);
+  l->room = room;
+  l->x = memory, l->y = l->x + room, l->phi = l->y + room, l->pressure = l->phi + room;
+  l->u = l->pressure + room, l->v = l->u + room;
+  return OK;
+}
+
+static size_t nearest_node(const struct bem_surface *s, const double *state, double complex z) {
+  size_t at = 0;
+  double least = INFINITY;
+  for (size_t k = 0; k < s->n; k++) {
+    const double way = hypot(state[k] - creal(z), state[s->n + k] - cimag(z));
+    if (way < least) least = way, at = k;
+  }
+  return at;
+}
+
+struct look {
+  const struct bem_pressure *p;
+  const struct bem_flow *f;
+  const double *state;
+};
+
+/* Down one span of a column, from where the surface is. */
+static enum status fill_span(struct bem_lattice *l, const struct look *at, double x,
+                             const double span[2], double h) {
+  const struct bem_surface *s = &at->f->surface;
+  bem_inside_start(&l->inside, at->f, nearest_node(s, at->state, CMPLX(x, span[1])));
+  for (double j = ceil(span[1] / h - 0.5) - 1; (j + 0.5) * h > span[0]; j--) {
+    const double complex z = CMPLX(x, (j + 0.5) * h);
+    struct bem_place place;
+    if (!bem_inside_at(&l->inside, at->p, at->f, at->state, z, &place)) return OK;
+    TRY(reserve(l, l->n + 1));
+    const size_t i = l->n++;
+    l->x[i] = creal(z);
+    l->y[i] = cimag(z);
+    l->phi[i] = place.phi;
+    l->pressure[i] = place.pressure;
+    l->u[i] = creal(place.w);
+    l->v[i] = -cimag(place.w);
+  }
+  return OK;
+}
+
+/* Of water without sides, that of the neighbouring periods reaches into the tank as well. */
+static enum status fill_column(struct bem_lattice *l, const struct look *at, double x, double h) {
+  const struct bem_surface *s = &at->f->surface;
+  const int around = bem_surface_is_closed(s) ? 1 : 0;
+  for (int k = -around; k <= around; k++) {
+    TRY(geo_lines_cut(&l->outline, 0, x + k * s->period.length, SAME, &l->cut));
+    for (size_t i = 0; i < l->cut.n; i++) TRY(fill_span(l, at, x, l->cut.span[i], h));
+  }
+  return OK;
+}
+
+enum status bem_lattice_fill(struct bem_lattice *l, const struct bem_pressure *p,
+                             const struct bem_flow *f, const double *state, double spacing) {
+  const struct bem_surface *s = &f->surface;
+  const struct look at = {p, f, state};
+  const size_t columns = geo_intervals(s->tank - s->left, spacing);
+  const double h = (s->tank - s->left) / (double)columns;
+  l->n = 0;
+  l->cell = h * h;
+  TRY(bem_inside_begin(&l->inside, f, state));
+  TRY(set_outline(l, s, state));
+  for (size_t i = 0; i < columns; i++) TRY(fill_column(l, &at, s->left + ((double)i + 0.5) * h, h));
+  return OK;
+}

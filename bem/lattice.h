@@ -1,0 +1,21 @@
+/* Velocity and pressure at the points of a rectangular lattice that are inside the water. */
+#pragma once
+#include "bem/inside.h"
+#include "common/base/geometry.h"
+
+struct bem_lattice {
+  size_t n, room;
+  double *x, *y;            /* H, [room], owned, with those that follow */
+  double *phi, *pressure;   /* H sqrt(gH), rho g H */
+  double *u, *v;            /* sqrt(gH) */
+  double cell;              /* area that each point stands for, H^2 */
+  struct bem_inside inside; /* scratch */
+  struct geo_lines outline; /* scratch: of the water, H */
+  struct geo_cut cut;       /* scratch */
+};
+
+/* Of the state that was solved last, see bem_inside_begin. The points are the middles of cells that
+ * divide the tank's width, and heights above y = 0, evenly by about `spacing` (H). ERR_MEMORY. */
+enum status bem_lattice_fill(struct bem_lattice *l, const struct bem_pressure *p,
+                             const struct bem_flow *f, const double *state, double spacing);
+void bem_lattice_destroy(struct bem_lattice *l);

@@ -1,0 +1,238 @@
+/* What is written of points inside the water: against harmonic functions, down to its surface, and
+ * against what a released column is under. */
+#include "bem/basin.h"
+#include "bem/inside.h"
+#include "bem/lattice.h"
+#include "bem/shore.h"
+#include "bem/start.h"
+#include "common/base/geometry.h"
+#include "common/flow/flow.h"
+#include "common/flow/release.h"
+#include "tests/bem/run.h"
+
+static const char box[] = "[[0, 3], [0, 0], [2.385, 0], [2.385, 3]]", level[] = "depth: 0.8";
+static const char wedge[] = "[[-3, 3], [0, 0], [3, 3]]", high[] = "depth: 1.3";
+static const char text[] = "title: inside\n"
+                           "fluid: {density: 1, gravity: 1}\n"
+                           "scales: {H: 1}\n"
+                           "tank: {walls: [%s]}\n"
+                           "water: {wave: {kind: still, %s}}\n"
+                           "time: {end: 1, every: 1}\n"
+                           "runs: [{name: bem, solver: bem, resolution: %d}]\n";
+
+/* Real on the walls of the box, with poles above the surface. */
+static double complex in_box(double complex z, double complex *slope) {
+  const double L = 2.385;
+  const double complex zeta = bem_map(L, z), a = bem_map(L, CMPLX(0.7, 1.25));
+  *slope = -bem_map_slope(L, z) * (cpow(zeta - a, -2) + cpow(zeta - conj(a), -2));
+  return 1 / (zeta - a) + 1 / (zeta - conj(a));
+}
+
+/* The same in a right angle that stands on its tip, at x = 3. */
+static double complex in_wedge(double complex z, double complex *slope) {
+  const double complex q = CMPLX(0, -1) * (z - 3) * (z - 3), at = CMPLX(0.4, 1.7),
+                       a = CMPLX(0, -1) * at * at;
+  *slope = CMPLX(0, 2) * (z - 3) * (cpow(q - a, -2) + cpow(q - conj(a), -2));
+  return 1 / (q - a) + 1 / (q - conj(a));
+}
+
+/* Waves on the surface, which end on the walls at rest. */
+static double wavy(const struct bem_flow *f, double from, double to, double x) {
+  return f->level + 0.05 * sin(5 * M_PI * (x - from) / (to - from));
+}
+
+struct water {
+  struct case_file *c;
+  struct bem_shore *shore;
+  struct bem_flow f;
+  struct bem_pressure p;
+  struct bem_inside inside;
+};
+
+typedef double complex function(double complex z, double complex *slope);
+
+static bool begin(struct water *w, const char *walls, const char *depth, int resolution,
+                  function *beta) {
+  char with[1000];
+  double complex slope;
+  snprintf(with, sizeof with, text, walls, depth, resolution);
+  *w = (struct water){.c = run_case(with)};
+  EXPECT(w->c);
+  if (!w->c) return false;
+  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-13, 0}, &w->f.solve));
+  if (!w->c->rectangular) EXPECT_OK(bem_basin_shore(w->c, &w->shore));
+  EXPECT_OK(bem_start_surface(w->c, &w->c->runs[0], w->shore, &w->f));
+  const size_t n = w->f.surface.n;
+  double *x = w->f.surface.state, *y = x + n, *phi = y + n;
+  for (size_t k = 0; k < n; k++) {
+    if (k > 0 && k + 1 < n) y[k] = wavy(&w->f, x[0], x[n - 1], x[k]);
+    phi[k] = creal(beta(CMPLX(x[k], y[k]), &slope));
+  }
+  EXPECT_OK(bem_flow_reserve(&w->f, n));
+  EXPECT_OK(bem_flow_solve(&w->f, w->f.surface.state, 1));
+  EXPECT_OK(bem_pressure_solve(&w->p, &w->f, w->f.surface.state));
+  EXPECT_OK(bem_inside_begin(&w->inside, &w->f, w->f.surface.state));
+  return true;
+}
+
+static void end(struct water *w) {
+  bem_inside_destroy(&w->inside);
+  bem_pressure_destroy(&w->p);
+  bem_flow_destroy(&w->f);
+  bem_shore_destroy(w->shore);
+  case_destroy(w->c);
+}
+
+enum { DISTANCES = 6, PLACES = 3 };
+static const double distance[DISTANCES] = {0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-6};
+
+/* Largest errors of the velocity and of phi, relative to their largest values, so far below the
+ * surface: under nodes and between them, a little way from the walls. */
+static void measure(struct water *w, function *beta, double worst[DISTANCES][2]) {
+  const size_t n = w->f.surface.n;
+  const double *state = w->f.surface.state, *x = state, *y = x + n;
+  double largest[2] = {0};
+  memset(worst, 0, DISTANCES * sizeof *worst);
+  for (size_t k = n / 8; k < n - n / 8; k++)
+    for (int i = 0; i < PLACES * DISTANCES; i++) {
+      const double part = (double)(i % PLACES) / PLACES;
+      const double complex a = CMPLX(x[k], y[k]), b = CMPLX(x[k + 1], y[k + 1]);
+      /* the surface itself, within the fourth power of the spacing */
+      const double px = creal(a + part * (b - a)), py = wavy(&w->f, x[0], x[n - 1], px);
+      const double complex z = CMPLX(px, py - distance[i / PLACES]);
+      double complex slope;
+      struct bem_place is;
+      bem_inside_start(&w->inside, &w->f, k);
+      EXPECT(bem_inside_at(&w->inside, &w->p, &w->f, state, z, &is));
+      const double phi = creal(beta(z, &slope));
+      largest[0] = fmax(largest[0], cabs(slope));
+      largest[1] = fmax(largest[1], fabs(phi));
+      double *e = worst[i / PLACES];
+      e[0] = fmax(e[0], cabs(is.w - slope));
+      e[1] = fmax(e[1], fabs(is.phi - phi));
+    }
+  for (int d = 0; d < DISTANCES; d++)
+    for (int i = 0; i < 2; i++) worst[d][i] /= largest[i];
+}
+
+/* Of fourth order everywhere, at the surface as well. */
+static void expect_exact(const char *walls, const char *depth, function *beta) {
+  double worst[2][DISTANCES][2];
+  struct water w;
+  for (int i = 0; i < 2; i++) {
+    if (!begin(&w, walls, depth, i ? 80 : 40, beta)) return;
+    measure(&w, beta, worst[i]);
+    printf("     %zu nodes, velocity, potential at", w.f.surface.n);
+    for (int d = 0; d < DISTANCES; d++)
+      printf(" %g: %.1e, %.1e;", distance[d], worst[i][d][0], worst[i][d][1]);
+    printf("\n");
+    end(&w);
+  }
+  for (int d = 0; d < DISTANCES; d++) {
+    EXPECT(log2(worst[0][d][0] / worst[1][d][0]) > 3.3);
+    EXPECT(worst[1][d][0] < 3 * worst[1][DISTANCES - 1][0]); /* no worse than at the surface */
+    EXPECT(worst[1][d][1] < 1e-5);
+  }
+}
+
+static void test_velocity_inside_is_of_fourth_order_up_to_the_surface(void) {
+  expect_exact(box, level, in_box);
+  expect_exact(wedge, high, in_wedge);
+}
+
+static const char column[] =
+    "title: column\n"
+    "fluid: {density: 1, gravity: 1}\n"
+    "scales: {H: 1}\n"
+    "tank: {walls: [[[0, 3], [0, 0], [5.366, 0], [5.366, 3]]]}\n"
+    "water: {regions: [[[0, 0], [2, 0], [2, 1], [0, 1]]], pressure: released}\n"
+    "time: {end: 1, every: 1}\n"
+    "runs: [{name: bem, solver: bem, resolution: 30}]\n";
+
+/* On the lattice: every cell of the column has its point, and the pressure of the series there. */
+static void test_lattice_has_the_pressure_of_a_released_column(void) {
+  struct case_file *c = run_case(column);
+  struct bem_flow f = {0};
+  struct bem_pressure p = {0};
+  struct bem_lattice l = {0};
+  double worst = 0;
+  EXPECT(c);
+  if (!c) return;
+  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 0}, &f.solve));
+  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
+  EXPECT_OK(bem_flow_reserve(&f, f.surface.n));
+  EXPECT_OK(bem_flow_solve(&f, f.surface.state, 1));
+  EXPECT_OK(bem_pressure_solve(&p, &f, f.surface.state));
+  EXPECT_OK(bem_lattice_fill(&l, &p, &f, f.surface.state, 0.05));
+  const double h = sqrt(l.cell);
+  size_t inside = 0;
+  for (double x = h / 2; x < 2; x += h)
+    for (double y = h / 2; y < 1; y += h) inside++;
+  EXPECT(l.n == inside);
+  for (size_t k = 0; k < l.n; k++) {
+    worst = fmax(worst, fabs(l.pressure[k] - release_head(l.x[k], l.y[k], 2, 1)));
+    EXPECT(fabs(l.u[k]) < 1e-10 && fabs(l.v[k]) < 1e-10 && fabs(l.phi[k]) < 1e-10);
+  }
+  printf("     %zu points, pressure off by %.1e rho g H\n", l.n, worst);
+  EXPECT(worst < 1e-5);
+  bem_lattice_destroy(&l);
+  bem_pressure_destroy(&p);
+  bem_flow_destroy(&f);
+  case_destroy(c);
+}
+
+static const char waves[] =
+    "title: waves\n"
+    "fluid: {density: 1, gravity: 1}\n"
+    "scales: {H: 1}\n"
+    "tank: {walls: [[[-1, 3], [-1, -0.7], [4, -0.7], [4, 3]]], sides: periodic}\n"
+    "water: {wave: {kind: stream, height: 0.3, wavelength: 5, depth: 0.9}}\n"
+    "time: {end: 1, every: 1}\n"
+    "runs: [{name: bem, solver: bem, resolution: %d}]\n";
+
+/* Round a tank, against the wave's own velocity. */
+static double worst_under_wave(int resolution) {
+  char with[1000];
+  struct bem_flow f = {0};
+  struct bem_pressure p = {0};
+  struct bem_lattice l = {0};
+  struct flow_water w;
+  double worst = 0, area = 0;
+  snprintf(with, sizeof with, waves, resolution);
+  struct case_file *c = run_case(with);
+  EXPECT(c);
+  if (!c) return NAN;
+  EXPECT_OK(flow_open(c, (struct flow_use){0}, &w));
+  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 0}, &f.solve));
+  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
+  EXPECT_OK(bem_flow_reserve(&f, f.surface.n));
+  EXPECT_OK(bem_flow_solve(&f, f.surface.state, 1));
+  EXPECT_OK(bem_pressure_solve(&p, &f, f.surface.state));
+  EXPECT_OK(bem_lattice_fill(&l, &p, &f, f.surface.state, 0.1));
+  for (size_t k = 0; k < l.n; k++) {
+    double u[2];
+    flow_velocity(&w, l.x[k] - 1, l.y[k] - 0.7, 0, u);
+    worst = fmax(worst, hypot(l.u[k] - u[0], l.v[k] - u[1]));
+    area += l.cell;
+  }
+  EXPECT_NEAR(area, 5 * 0.9, 0.1 * 0.1);
+  flow_close(&w);
+  bem_lattice_destroy(&l);
+  bem_pressure_destroy(&p);
+  bem_flow_destroy(&f);
+  case_destroy(c);
+  return worst;
+}
+
+static void test_lattice_has_the_velocity_of_a_steady_wave(void) {
+  const double coarse = worst_under_wave(20), fine = worst_under_wave(40);
+  printf("     velocity off by %.1e, %.1e sqrt(gH)\n", coarse, fine);
+  EXPECT(fine < 1e-6 && log2(coarse / fine) > 3.3);
+}
+
+int main(void) {
+  RUN(test_velocity_inside_is_of_fourth_order_up_to_the_surface);
+  RUN(test_lattice_has_the_velocity_of_a_steady_wave);
+  RUN(test_lattice_has_the_pressure_of_a_released_column);
+  return TEST_RESULT;
+}
