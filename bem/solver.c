@@ -334,9 +334,10 @@ static enum status run(const struct case_file *c, const struct case_run *cr, str
 }
 
 static const struct solver_term terms[] = {
-    {"filter", "energy taken out so far by filter and smoothing, heights from the level at rest"},
-    {"frame", "energy given so far to a tank that moves, by the force on water in its frame"},
-    {"sides", "energy given so far to sides that move, by the pressure on them"}};
+    {"filter", "energy taken out so far by filter and smoothing, heights from the level at rest",
+     false},
+    {"frame", "energy given so far to a tank that moves, by the force on water in its frame", true},
+    {"sides", "energy given so far to sides that move, by the pressure on them", true}};
 
 const struct solver bem_solver = {
     .name = "bem",

@@ -1,6 +1,7 @@
 /* What a solver is to the rest of the program: a name, a parameter table, a check and a run. The
  * list of solvers is in cli/registry.c; adding one touches its own folder and that list only. */
 #pragma once
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "common/base/params.h"
@@ -31,6 +32,7 @@ static inline double solver_seconds(const struct solver_estimate *e, int threads
 /* What a solver's water has lost or gained, as one column of /series/energy (J/m). */
 struct solver_term {
   const char *name, *help;
+  bool outside; /* it passes to and from what moves the tank or its sides: it may fall for ever */
 };
 
 /* A column of /series/diagnostics. */

@@ -32,14 +32,18 @@ void health_watch_begin(struct health_watch *w, double rest, double column) {
   w->mach = w->lightest = w->heaviest = w->spilled = w->lost = w->cut = w->steps = w->theory = NAN;
 }
 
-static double stored(const struct result_energy *e) {
-  return e->kinetic + e->potential + e->internal + e->removed;
+/* What the water has, less what a tank that moves gave it. */
+static double stored(const struct health_watch *w, const struct result_energy *e) {
+  double sum = e->kinetic + e->potential + e->internal + e->removed;
+  for (size_t k = 0; k < RESULT_TERMS; k++)
+    if (w->outside[k]) sum += e->term[k];
+  return sum;
 }
 
 void health_watch_energy(struct health_watch *w, const struct result_energy *row) {
   if (w->n_energy++ == 0) w->first = *row;
   if (!isfinite(result_energy_budget(row))) w->numbers = false;
-  w->gained = fmax(w->gained, stored(row) - stored(&w->first));
+  w->gained = fmax(w->gained, stored(w, row) - stored(w, &w->first));
   w->worst_budget =
       fmax(w->worst_budget, fabs(result_energy_budget(row) - result_energy_budget(&w->first)));
   w->elastic = fmax(w->elastic, fabs(row->internal));
@@ -171,6 +175,7 @@ const char *health_other_reasons(const struct health *h) {
 
 static void watch_file(const struct result_file *f, struct health_watch *w) {
   health_watch_begin(w, f->rest_potential, f->density * f->g * f->H * f->H * f->H);
+  for (size_t k = 0; k < f->n_terms; k++) w->outside[k] = f->terms[k].outside;
 }
 
 /* A run that was stopped by its user says why it ended too, but its own verdict does not fail. */

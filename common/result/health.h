@@ -19,7 +19,8 @@ extern const char *const health_verdicts[]; /* "sound", ... */
  *   one worst particle at any step, in spray too: three times that speed; and no fluid flies faster
  *   than its own sound. A density off by a tenth is what an impact at that v leaves; it is a
  * pressure of 40 rho g H at the usual c0, which is noise wherever nothing strikes.
- * - Nothing adds energy or volume to water in a tank with fixed walls, and what leaves is booked.
+ * - Nothing adds energy or volume to water but what moves its tank, and that, like what leaves, is
+ *   booked.
  *   A hundredth is as much as the finest differences that a report speaks of; with a tenth of the
  *   energy or the volume unaccounted for, nothing else is right.
  * - Water over the top of a wall is physics, but no reference has the same water afterwards. Water
@@ -32,7 +33,8 @@ extern const char *const health_verdicts[]; /* "sound", ... */
   X(density_change, 0.1, 0.5, true, "density", "the density changes by", " %",                     \
     "largest change of density of a particle, at any step")                                        \
   X(energy_gained, 0.01, 0.1, false, "energy gained", "energy rises by", " E0",                    \
-    "largest rise of kinetic + potential + elastic + removed energy above its first value")        \
+    "largest rise of kinetic + potential + elastic + removed energy above its first value, less "  \
+    "what was given from outside")                                                                 \
   X(budget, 0.01, 0.1, false, "budget", "the budget of energy is off by", " E0",                   \
     "largest error of closure of the energy budget")                                               \
   X(volume_change, 0.01, 0.1, true, "volume", "the volume changes by", " %",                       \
@@ -74,6 +76,7 @@ double health_energy_scale(const struct result_energy *first, double rest, doubl
 struct health_watch {
   double rest, column; /* J/m */
   struct result_energy first;
+  bool outside[RESULT_TERMS];            /* the terms by which a tank that moves gives and takes */
   double gained, worst_budget, elastic;  /* largest so far, J/m */
   double volume, volume_change, removed; /* at first, and the largest so far, m^2 */
   size_t n_energy, n_steps;

@@ -147,6 +147,7 @@ struct result_statistic_read {
 
 struct result_term_read { /* of the budget of energy; its values: energy[].term */
   char *name, *help;
+  bool outside; /* see struct solver_term */
 };
 
 /* Everything but the particles, in memory. A child process reads it: what is added here is also

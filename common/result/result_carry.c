@@ -106,7 +106,8 @@ static enum status carry_statistic(struct carrier *c, void *element) {
 static enum status carry_term(struct carrier *c, void *element) {
   struct result_term_read *t = element;
   TRY(carry_word(c, &t->name));
-  return carry_word(c, &t->help);
+  TRY(carry_word(c, &t->help));
+  return carry_bytes(c, &t->outside, sizeof t->outside);
 }
 
 static enum status carry_field(struct carrier *c, void *element) {

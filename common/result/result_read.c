@@ -139,6 +139,20 @@ static bool is_energy_column(const char *name) {
   return false;
 }
 
+static enum status read_term(hid_t group, const char *link, struct result_term_read *term) {
+  int64_t outside = 0;
+  term->name = strdup(link);
+  CHECK(term->name, ERR_MEMORY, "no memory for a name");
+  hid_t set = H5Dopen2(group, link, H5P_DEFAULT);
+  if (set < 0) return hdf_raise(ERR_INPUT, "its term of energy %s cannot be read", link);
+  enum status status = hdf_get_string(set, "description", &term->help);
+  if (status == OK && H5Aexists(set, "outside") > 0)
+    status = hdf_get_integer(set, "outside", &outside);
+  H5Dclose(set);
+  term->outside = outside == 1;
+  return status;
+}
+
 /* A term of the budget is whatever else the group holds. */
 static enum status read_terms(hid_t group, size_t n_links, char *const *links,
                               struct result_file *f) {
@@ -148,14 +162,7 @@ static enum status read_terms(hid_t group, size_t n_links, char *const *links,
     if (is_energy_column(links[i])) continue;
     CHECK(f->n_terms < RESULT_TERMS, ERR_INPUT,
           "its group /series/energy has more than %d terms beside the usual columns", RESULT_TERMS);
-    struct result_term_read *term = &f->terms[f->n_terms++];
-    term->name = strdup(links[i]);
-    CHECK(term->name, ERR_MEMORY, "no memory for a name");
-    hid_t set = H5Dopen2(group, links[i], H5P_DEFAULT);
-    if (set < 0) return hdf_raise(ERR_INPUT, "its term of energy %s cannot be read", links[i]);
-    enum status status = hdf_get_string(set, "description", &term->help);
-    H5Dclose(set);
-    TRY(status);
+    TRY(read_term(group, links[i], &f->terms[f->n_terms++]));
   }
   return OK;
 }

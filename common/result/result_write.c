@@ -74,6 +74,21 @@ done:
   return status;
 }
 
+/* Of a term that is no loss: whoever reads the series must not take it for one. */
+static enum status mark_term(hid_t parent, const struct solver_term *term) {
+  hid_t group = -1, set = -1;
+  enum status status = OK;
+  if (!term->outside) return OK;
+  ATTEMPT(hdf_open_group(parent, "energy", &group));
+  set = H5Dopen2(group, term->name, H5P_DEFAULT);
+  ATTEMPT(set < 0 ? hdf_raise(ERR_IO, "the term %s cannot be marked", term->name)
+                  : hdf_set_integers(set, "outside", 1, (const int64_t[]){1}));
+done:
+  if (set >= 0) H5Dclose(set);
+  if (group >= 0) H5Gclose(group);
+  return status;
+}
+
 /* What all solvers have, then the terms that this one has. */
 static enum status create_energy(struct result *w, hid_t parent, const struct solver *solver) {
   struct result_column columns[RESULT_ENERGY_COLUMNS + RESULT_TERMS];
@@ -82,8 +97,10 @@ static enum status create_energy(struct result *w, hid_t parent, const struct so
   for (size_t k = 0; k < solver->n_terms; k++)
     columns[RESULT_ENERGY_COLUMNS + k] =
         (struct result_column){solver->terms[k].name, "J/m", solver->terms[k].help};
-  return result_table_create(w->columns, parent, "energy", RESULT_ENERGY_COLUMNS + solver->n_terms,
-                             columns, &w->energy);
+  TRY(result_table_create(w->columns, parent, "energy", RESULT_ENERGY_COLUMNS + solver->n_terms,
+                          columns, &w->energy));
+  for (size_t k = 0; k < solver->n_terms; k++) TRY(mark_term(parent, &solver->terms[k]));
+  return OK;
 }
 
 static enum status create_series(struct result *w, const struct case_file *c,
@@ -166,6 +183,7 @@ enum status result_create(const char *path, const struct case_file *c, const str
   w->n_probes = c->n_probes;
   w->n_gauges = c->n_gauges;
   health_watch_begin(&w->watch, case_rest_potential(c), c->density * c->g * c->H * c->H * c->H);
+  for (size_t k = 0; k < w->solver->n_terms; k++) w->watch.outside[k] = w->solver->terms[k].outside;
   ATTEMPT(hdf_columns_create(&w->columns));
   ATTEMPT(result_store_create(path, &w->store));
   ATTEMPT(result_store_open(w->store, &w->file));

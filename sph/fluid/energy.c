@@ -5,11 +5,15 @@
 #include "sph/pair/eos.h"
 
 const struct solver_term sph_terms[SPH_TERM_COUNT] = {
-#define X(name, help) [SPH_TERM_##name] = {#name, help},
+#define X(name, help) [SPH_TERM_##name] = {#name, help, false},
     SPH_PAIR_POWERS(X) SPH_STEP_TERMS(X)
 #undef X
-#define X(name, ...) [SPH_TERM_##name] = {#name, "energy taken out so far by the treatment " #name},
-        SPH_CORRECTIONS(X) SPH_TREATMENTS(X)
+#define X(name, help) [SPH_TERM_##name] = {#name, help, true},
+        SPH_TANK_POWERS(X)
+#undef X
+#define X(name, ...)                                                                               \
+  [SPH_TERM_##name] = {#name, "energy taken out so far by the treatment " #name, false},
+            SPH_CORRECTIONS(X) SPH_TREATMENTS(X)
 #undef X
 };
 

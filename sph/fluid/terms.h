@@ -10,11 +10,14 @@
   X(viscosity, "energy taken out so far by viscosity")                                             \
   X(diffusion, "energy taken out so far by density diffusion")                                     \
   X(walls, "energy given to walls so far (zero for fixed walls in exact arithmetic)")              \
-  X(pairs, "energy taken out so far by forms of momentum and continuity that are not adjoint") \
+  X(pairs, "energy taken out so far by forms of momentum and continuity that are not adjoint")
+
+/* Those to and from what moves the tank. */
+#define SPH_TANK_POWERS(X)                                                                         \
   X(frame, "energy given so far to a tank that moves, by the force on water in its frame")
 
 /* All that an evaluation of the rates finds as powers, W/m, and the integrator adds up. */
-#define SPH_POWERS(X) SPH_PAIR_POWERS(X) SPH_CORRECTIONS(X)
+#define SPH_POWERS(X) SPH_PAIR_POWERS(X) SPH_TANK_POWERS(X) SPH_CORRECTIONS(X)
 
 /* Those that an integrator takes by itself. */
 #define SPH_STEP_TERMS(X) X(damping, "energy taken out so far by the damping of the integrator")

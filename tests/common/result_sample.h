@@ -27,8 +27,8 @@ static const struct param sample_params[] = {
     {"frozen", PARAM_BOOL, QTY_NUMBER, offsetof(struct sample_options, frozen), 0, 0, "true", NULL,
      "a switch", NULL},
 };
-static const struct solver_term sample_terms[] = {{"friction", "what friction takes"},
-                                                  {"other", "what else"}};
+static const struct solver_term sample_terms[] = {{"friction", "what friction takes", false},
+                                                  {"other", "what else", true}};
 static const struct solver sample_solver = {.name = "sample",
                                             .help = "writes made-up numbers",
                                             .params = sample_params,

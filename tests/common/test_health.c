@@ -91,6 +91,23 @@ static void test_energy_of_a_theory_is_judged_as_its_error(void) {
   EXPECT_STR(h.reasons, "the budget of energy is off by 0.03 E0 (doubtful beyond 0.02 E0)");
 }
 
+/* Water that a moving tank has set in motion has gained nothing by itself, and is at fault only for
+ * what it has beyond that. */
+static void test_what_a_moving_tank_gives_is_not_gained(void) {
+  struct health_watch w;
+  struct health h;
+  const struct result_energy given = {
+      .time = 2, .potential = 900, .internal = 1, .kinetic = 0.3 * E0, .term = {0, -0.29 * E0}};
+  for (int outside = 0; outside < 2; outside++) {
+    watch_make(&w, HEALTH_N, 0);
+    w.outside[1] = outside;
+    health_watch_energy(&w, &given);
+    health_judge(&w, "", &h);
+    EXPECT_NEAR(h.value[HEALTH_energy_gained], outside ? 0.01 : 0.3, 1e-12);
+    EXPECT_NEAR(h.value[HEALTH_budget], 0.01, 1e-12);
+  }
+}
+
 static void test_what_is_no_number_fails(void) {
   struct health_watch w;
   struct health h;
@@ -192,6 +209,7 @@ int main(void) {
   RUN(test_each_measure_has_its_limits);
   RUN(test_words_are_plain);
   RUN(test_energy_of_a_theory_is_judged_as_its_error);
+  RUN(test_what_a_moving_tank_gives_is_not_gained);
   RUN(test_what_is_no_number_fails);
   RUN(test_water_at_rest_is_measured_by_its_column);
   RUN(test_older_file_is_judged_by_what_it_has);

@@ -101,6 +101,7 @@ static void test_series_come_back(void) {
   EXPECT(f->n_terms == 2);
   EXPECT_STR(f->terms[0].name, "friction");
   EXPECT_STR(f->terms[1].help, "what else");
+  EXPECT(!f->terms[0].outside && f->terms[1].outside);
   EXPECT(f->n_probes == 2 && f->n_gauges == 1);
   EXPECT_STR(f->probes[0].name, "P/1"); /* in the order of the case, with its exact name */
   EXPECT_STR(f->probes[1].name, "P0");

@@ -102,8 +102,8 @@ static struct result_file *made_up(const char *name, const char *title, struct f
   made_up_rows(r, f);
   r->n_terms = 2;
   r->terms = calloc(2, sizeof *r->terms);
-  r->terms[0] = (struct result_term_read){text("lost <b>"), text("what was lost")};
-  r->terms[1] = (struct result_term_read){text("nothing"), text("a term that stays zero")};
+  r->terms[0] = (struct result_term_read){text("lost <b>"), text("what was lost"), false};
+  r->terms[1] = (struct result_term_read){text("nothing"), text("a term that stays zero"), false};
   r->n_events = 1;
   r->events = calloc(1, sizeof *r->events);
   r->events[0] =
