@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "bem/replace.h"
+#include "bem/sides.h"
 
 static const double WORTH = 20;  /* of its thickness: the length of thin film that is cut */
 static const double TIP = 0.06;  /* of the film, see struct bem_surface: a fifth of its thickness */
@@ -69,58 +70,110 @@ bool bem_contact_crosses_wall(const struct bem_surface *s) {
   return crossing(s, s->state) + 1 < s->n;
 }
 
-/* The last node before the film becomes thinner than `film` for the first time; spikes beyond it do
- * not make it thick again. */
-static size_t film_begin(const struct bem_surface *s, double film) {
-  size_t k = 0;
-  while (k + 1 < s->n && s->tank - s->state[k + 1] >= film) k++;
-  return k;
+/* ---- films ---- */
+
+/* A film on the wall that an end of the surface is on: node i, counted from that end's other one,
+ * is so thick there, and so far up the wall. */
+struct film {
+  const struct bem_surface *s;
+  const double *x, *y;
+  bool right;
+  double complex foot, up, in; /* a point of the wall; along it to the film's end; into the water */
+};
+
+static struct film film_of(const struct bem_surface *s, bool right) {
+  struct film f = {.s = s, .x = s->state, .y = s->state + s->n, .right = right};
+  double complex a, b;
+  bem_sides_wall(s, bem_sides_held(s, right), &a, &b);
+  f.foot = right ? a : b;
+  f.up = (right ? b - a : a - b) / cabs(b - a);
+  f.in = right ? I * f.up : -I * f.up;
+  return f;
 }
 
-bool bem_contact_film_is_thin(const struct bem_surface *s, double film) {
-  const double *x = s->state, *y = x + s->n;
+static size_t film_node(const struct film *f, size_t i) {
+  return f->right ? i : f->s->n - 1 - i;
+}
+
+static double complex film_place(const struct film *f, size_t i) {
+  const size_t k = film_node(f, i);
+  return CMPLX(f->x[k], f->y[k]) - f->foot;
+}
+
+static double film_thickness(const struct film *f, size_t i) {
+  return creal(film_place(f, i) * conj(f->in));
+}
+
+static double film_height(const struct film *f, size_t i) {
+  return creal(film_place(f, i) * conj(f->up));
+}
+
+/* The last node before the film becomes thinner than `thin` for the first time; spikes beyond it do
+ * not make it thick again. */
+static size_t film_begin(const struct film *f, double thin) {
+  size_t i = 0;
+  while (i + 1 < f->s->n && !(film_height(f, i + 1) > 0 && film_thickness(f, i + 1) < thin)) i++;
+  return i;
+}
+
+/* Water on a side that is flatter than 45 degrees rests there. */
+static bool is_steep(const struct film *f) {
+  return cimag(f->up) > M_SQRT1_2;
+}
+
+bool bem_contact_film_is_thin(const struct bem_surface *s, bool right, double coarse) {
+  if (bem_surface_is_closed(s)) return false;
+  const struct film f = film_of(s, right);
+  const double thin = coarse * s->film;
+  const size_t begin = film_begin(&f, thin);
   double length = 0;
-  for (size_t k = film_begin(s, film); k + 1 < s->n; k++)
-    if (s->tank - x[k + 1] < film) length += hypot(x[k + 1] - x[k], y[k + 1] - y[k]);
-  return length > WORTH * film;
+  if (!is_steep(&f) || begin + 2 >= s->n) return false; /* an edge alone is none */
+  for (size_t i = begin; i + 1 < s->n; i++)
+    if (film_thickness(&f, i + 1) < thin) length += cabs(film_place(&f, i + 1) - film_place(&f, i));
+  return length > WORTH * thin;
 }
 
 /* The nodes whose polynomial gives the potential on a cap at node c: one before it, and three
  * spread over the length of the cap. */
-static enum status choose_carriers(const struct bem_surface *s, size_t c, double length,
+static enum status choose_carriers(const struct film *f, size_t c, double length,
                                    size_t node[BEM_CARRIERS]) {
-  const size_t n = s->n;
-  const double *y = s->state + n;
+  const size_t n = f->s->n;
   CHECK(c >= 4 && c + 1 < n, ERR_SOLVER, "the film at the wall begins at node %zu of %zu", c, n);
   node[0] = c - 1;
   node[1] = c;
   for (size_t i = 2; i < BEM_CARRIERS; i++) {
-    double above = y[c] + 0.5 * (double)(i - 1) * length;
+    double above = film_height(f, c) + 0.5 * (double)(i - 1) * length;
     node[i] = node[i - 1] + 1;
-    while (node[i] + BEM_CARRIERS - i < n && y[node[i]] < above) node[i]++;
+    while (node[i] + BEM_CARRIERS - i < n && film_height(f, node[i]) < above) node[i]++;
   }
   CHECK(node[BEM_CARRIERS - 1] < n, ERR_SOLVER, "the film at the wall has too few nodes to be cut");
+  for (int i = 0; i < BEM_CARRIERS; i++) node[i] = film_node(f, node[i]);
   return OK;
 }
 
 /* Cuts the film behind node c and caps it by a parabola that ends on the wall. */
-static enum status cut_behind(struct bem_flow *f, size_t c) {
+static enum status cut_behind(struct bem_flow *f, const struct film *film, size_t c) {
   const struct bem_surface *s = &f->surface;
-  double thickness = s->tank - s->state[c], length = CAP * thickness;
+  double thickness = film_thickness(film, c), length = CAP * thickness;
   double point[CAP][BEM_FIELDS];
   size_t node[BEM_CARRIERS] = {0};
-  TRY(choose_carriers(s, c, length, node));
+  TRY(choose_carriers(film, c, length, node));
   for (int i = 0; i < CAP; i++) {
     double at = (double)(i + 1) / CAP;
-    point[i][0] = s->tank - thickness * (1 - at * at);
-    point[i][1] = s->state[s->n + c] + length * at;
-    point[i][2] = bem_replace_potential(f, node, CMPLX(point[i][0], point[i][1]));
+    const double complex z = film->foot + film->in * (thickness * (1 - at * at)) +
+                             film->up * (film_height(film, c) + length * at);
+    const int to = film->right ? i : CAP - 1 - i;
+    point[to][0] = creal(z);
+    point[to][1] = cimag(z);
+    point[to][2] = bem_replace_potential(f, node, z);
   }
-  return bem_replace(f, c + 1, s->n, CAP, point);
+  return film->right ? bem_replace(f, c + 1, s->n, CAP, point)
+                     : bem_replace(f, 0, s->n - 1 - c, CAP, point);
 }
 
-enum status bem_contact_cut_film(struct bem_flow *f, double film) {
-  return cut_behind(f, film_begin(&f->surface, film));
+enum status bem_contact_cut_film(struct bem_flow *f, bool right, double coarse) {
+  const struct film film = film_of(&f->surface, right);
+  return cut_behind(f, &film, film_begin(&film, coarse * f->surface.film));
 }
 
 /* The last node from which a cap ends well below `top`. */
@@ -136,5 +189,6 @@ double bem_contact_thickness(const struct bem_surface *s, double top) {
 }
 
 enum status bem_contact_cut_top(struct bem_flow *f, double top) {
-  return cut_behind(f, spill_begin(&f->surface, top));
+  const struct film film = film_of(&f->surface, true);
+  return cut_behind(f, &film, spill_begin(&f->surface, top));
 }

@@ -15,12 +15,13 @@ enum status bem_contact_meet_wall(struct bem_flow *f);
  * where it first met the wall. */
 bool bem_contact_crosses_wall(const struct bem_surface *s);
 
-/* Whether the film on the right wall is thinner than `film` (H) over a length worth cutting. */
-bool bem_contact_film_is_thin(const struct bem_surface *s, double film);
+/* Whether the film on the wall that an end of the surface is on is thinner than `coarse` times
+ * s->film over a length worth cutting. Water that rests on a slope has no film. */
+bool bem_contact_film_is_thin(const struct bem_surface *s, bool right, double coarse);
 
 /* Cuts that film and caps it: the cap lies where the film was, so the potential on it is that of
  * the water there, interpolated by the complex polynomial of neighbouring nodes. */
-enum status bem_contact_cut_film(struct bem_flow *f, double film);
+enum status bem_contact_cut_film(struct bem_flow *f, bool right, double coarse);
 
 /* Thickness (H) of the film on the right wall where it would be cut to end below `top`. */
 double bem_contact_thickness(const struct bem_surface *s, double top);

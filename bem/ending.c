@@ -71,6 +71,7 @@ static void describe(const struct bem_run *r, char what[200], double *x, double 
 enum status bem_ending_write(struct bem_run *r) {
   char what[200];
   double x, y;
+  r->lost = true;
   describe(r, what, &x, &y);
   return bem_run_end(r, x, y, what,
                      "what was written before is valid: end the case there, or try another "

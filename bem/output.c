@@ -348,14 +348,14 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
     double seconds = fmin(output, sample), near = NEAR * c->sample;
     if (seconds > c->end + near || seconds > time * o->time_scale) return OK;
     bool shown = output - seconds < near, sampled = sample - seconds < near;
+    o->next_output += shown; /* what cannot be looked at is left out */
+    o->next_sample += sampled;
     TRY(look(o, f, stepper, seconds / o->time_scale,
              (sampled && wants_pressure(o)) || (shown && o->spacing > 0)));
     if (shown) TRY(write_surface(o, output));
     TRY(bem_sides_reserve(&o->sides, &o->view.surface));
     if (sampled && !bem_output_touches(&o->sides, &o->view.surface))
       TRY(write_row(o, stepper, sample, dt));
-    o->next_output += shown;
-    o->next_sample += sampled;
   }
 }
 

@@ -6,7 +6,8 @@
 #include "bem/contact.h"
 #include "bem/ending.h"
 
-static const double FREE = 0.05; /* sqrt(H/g): a run that went on so long got on */
+static const double FREE = 0.05;  /* sqrt(H/g): a run that went on so long got on */
+static const double THICKEST = 4; /* of a film that is cut for a rescue, in usual ones */
 enum {
   MOST_CUTS = 20, /* at once */
   MOST_RESCUES = 12
@@ -23,7 +24,7 @@ static enum status change_shape(struct bem_run *r, const struct bem_cut *cut) {
   case BEM_CUT_AT_WALL:
     return bem_contact_meet_wall(&r->flow);
   case BEM_CUT_THIN_FILM:
-    return bem_contact_cut_film(&r->flow, r->flow.surface.film);
+    return bem_contact_cut_film(&r->flow, cut->right, cut->coarse);
   case BEM_CUT_TOP:
     return bem_contact_cut_top(&r->flow, r->top[1]);
   case BEM_CUT_SHEET:
@@ -40,9 +41,10 @@ static enum status change_shape(struct bem_run *r, const struct bem_cut *cut) {
 static enum status record_cut(struct bem_run *r, const struct bem_cut *cut) {
   const struct bem_surface *s = &r->flow.surface;
   const bool film = cut->kind <= BEM_CUT_TOP;
+  const size_t end = cut->kind == BEM_CUT_THIN_FILM && !cut->right ? 0 : s->n - 1;
   return bem_output_event(&r->output, cut->kind == BEM_CUT_WRINKLE ? "smoothed" : "cut", r->time,
-                          film ? s->state[s->n - 1] : cut->piece.x,
-                          film ? s->state[2 * s->n - 1] : cut->piece.y);
+                          film ? s->state[end] : cut->piece.x,
+                          film ? s->state[s->n + end] : cut->piece.y);
 }
 
 /* Before and after the shape of the water is changed. */
@@ -74,21 +76,30 @@ enum status bem_run_cut(struct bem_run *r, const struct bem_cut *cut) {
   return record_cut(r, cut);
 }
 
-static bool film_on_wall(const struct bem_surface *s) {
+/* Of a dam break, which met the wall as a sheet. */
+static bool sheet_on_wall(const struct bem_surface *s) {
   return s->tip > 0 && !s->walls && s->right == BEM_END_WALL;
+}
+
+static bool find_film(const struct bem_surface *s, double coarse, struct bem_cut *cut) {
+  cut->kind = BEM_CUT_THIN_FILM;
+  cut->coarse = coarse = fmin(coarse, THICKEST);
+  for (int right = 1; right >= 0; right--) {
+    cut->right = right;
+    if (right && s->right == BEM_END_BED) continue;
+    if (bem_contact_film_is_thin(s, right, coarse)) return true;
+  }
+  return false;
 }
 
 /* coarse: see bem_cuts_find_sheet. */
 static bool find_cut(const struct bem_run *r, double coarse, struct bem_cut *cut) {
   const struct bem_surface *s = &r->flow.surface;
-  if (film_on_wall(s) && bem_contact_crosses_wall(s)) {
+  if (sheet_on_wall(s) && bem_contact_crosses_wall(s)) {
     cut->kind = BEM_CUT_AT_WALL;
     return true;
   }
-  if (film_on_wall(s) && bem_contact_film_is_thin(s, s->film)) {
-    cut->kind = BEM_CUT_THIN_FILM;
-    return true;
-  }
+  if (find_film(s, coarse, cut)) return true;
   bem_sides_set(&r->sides, s, s->state);
   cut->kind = BEM_CUT_LOOP;
   if (bem_cuts_find_loop(&r->sides, s, &cut->piece)) return true;
@@ -112,11 +123,13 @@ enum status bem_run_rescue(struct bem_run *r) {
   int cuts;
   if (r->time > r->rescued + FREE) r->rescues = 0;
   r->rescued = r->time;
+  TRY(bem_run_restart(r)); /* the surface may be another one since */
   if (r->rescues++ == MOST_RESCUES) return bem_ending_write(r);
   TRY(trim(r, pow(2, r->rescues), &cuts));
   if (cuts) return OK;
   TRY(bem_flow_solve(&r->flow, r->flow.surface.state, 0));
-  const struct bem_cut wrinkle = {BEM_CUT_WRINKLE, bem_cuts_find_wrinkle(&r->flow)};
+  const struct bem_cut wrinkle = {.kind = BEM_CUT_WRINKLE,
+                                  .piece = bem_cuts_find_wrinkle(&r->flow)};
   return bem_run_cut(r, &wrinkle);
 }
 

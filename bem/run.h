@@ -30,6 +30,7 @@ struct bem_run {
   int rescues;               /* since the run last got on */
   double rescued;            /* when the last one was */
   bool overflowed, ended;
+  bool lost; /* ended since it could not be followed */
 };
 
 enum bem_cut_kind {
@@ -44,6 +45,8 @@ enum bem_cut_kind {
 struct bem_cut {
   enum bem_cut_kind kind;
   struct bem_piece piece; /* of the last three */
+  bool right;             /* of a thin film: which end of the surface it has */
+  double coarse;          /* of that: so many times as thick as usual */
 };
 
 /* Starts the integrator afresh from the flow's surface. */
@@ -52,7 +55,7 @@ enum status bem_run_restart(struct bem_run *r);
 /* Takes water away, books it, and starts afresh. */
 enum status bem_run_cut(struct bem_run *r, const struct bem_cut *cut);
 
-/* Cuts what has become too thin: the film on the right wall, sheets, drops and bubbles. */
+/* Cuts what has become too thin: films on walls, sheets, drops and bubbles. */
 enum status bem_run_trim(struct bem_run *r);
 
 /* Where a run does not get on: cuts what is not quite as thin, or smooths the wrinkle that stops

@@ -131,10 +131,11 @@ static enum status act(struct bem_run *r, const int *found) {
   return bem_run_restart(r);
 }
 
-/* After a step that failed or led nowhere. Only trouble of the flow can be helped. */
+/* After anything failed. Only trouble of the flow can be helped; where help fails, it is asked for
+ * again until the run ends in a sentence. */
 static enum status rescue(struct bem_run *r, enum status status) {
-  if (status != OK && status != ERR_SOLVER && status != ERR_DIVERGED) return status;
-  return bem_run_rescue(r);
+  while (status == ERR_SOLVER || status == ERR_DIVERGED) status = bem_run_rescue(r);
+  return status;
 }
 
 /* At an event psi is not of the state, which lies within the step; near a contact it is wrong. */
@@ -161,56 +162,46 @@ static void follow_edges(struct bem_run *r) {
   }
 }
 
+/* What is due in the step that was made. */
+static enum status put_out(struct bem_run *r, struct progress *progress, size_t step, double work) {
+  TRY(bem_pace_add(&r->pace, r->time, r->dt));
+  follow_edges(r);
+  bem_output_damped(&r->output, &r->flow, r->time, r->dt);
+  TRY(bem_output_given(&r->output, &r->flow, r->stepper, r->time, r->dt));
+  TRY(bem_output_due(&r->output, &r->flow, r->stepper, r->time, r->dt));
+  progress_step(progress, step, r->time * r->output.time_scale, r->dt * r->output.time_scale, work,
+                "node", r->output.drift);
+  return progress_stop_requested() ? status_raise(INTERRUPTED, "stopped") : OK;
+}
+
+/* What the last step found beyond the end of the case is none of its business. */
+static enum status step_on(struct bem_run *r, struct progress *progress, size_t step, double end,
+                           double *work) {
+  const int *found;
+  TRY(bem_stepper_step(r->stepper, &r->time, &r->dt, &found));
+  *work += (double)r->flow.surface.n;
+  TRY(put_out(r, progress, step, *work));
+  if (r->time > end) return OK;
+  const bool away = runs_away(r, found);
+  TRY(act(r, found));
+  const bool helped = r->pace.since == 0;
+  if (!r->ended && (is_lost(r) || (away && !helped))) TRY(bem_run_rescue(r));
+  return OK;
+}
+
 static enum status advance(struct bem_run *r, struct progress *progress) {
   double end = r->c->end / r->output.time_scale, work = 0;
-  const int *found;
   for (size_t step = 1; r->time < end && !r->ended; step++) {
-    enum status status = bem_stepper_step(r->stepper, &r->time, &r->dt, &found);
-    if (status != OK) {
-      TRY(rescue(r, status));
-      continue;
-    }
-    TRY(bem_pace_add(&r->pace, r->time, r->dt));
-    follow_edges(r);
-    bem_output_damped(&r->output, &r->flow, r->time, r->dt);
-    TRY(bem_output_given(&r->output, &r->flow, r->stepper, r->time, r->dt));
-    TRY(bem_output_due(&r->output, &r->flow, r->stepper, r->time, r->dt));
-    work += (double)r->flow.surface.n;
-    progress_step(progress, step, r->time * r->output.time_scale, r->dt * r->output.time_scale,
-                  work, "node", r->output.drift);
-    if (progress_stop_requested()) return status_raise(INTERRUPTED, "stopped");
-    if (r->time > end) break; /* what the last step found lies beyond the case */
-    const bool away = runs_away(r, found);
-    TRY(act(r, found));
-    const bool helped = r->pace.since == 0;
-    if (!r->ended && (is_lost(r) || (away && !helped))) TRY(bem_run_rescue(r));
+    TRY(rescue(r, step_on(r, progress, step, end, &work)));
     CHECK(step < MOST_STEPS, ERR_SOLVER, "%d time steps have not led to the end", MOST_STEPS);
   }
   return OK;
 }
 
-/* Says when and where a run failed: where two nodes are closest, the step is shortest. */
-static enum status locate(const struct bem_run *r, enum status status) {
-  const struct bem_surface *s = &r->flow.surface;
-  const double *x = s->state, *y = x + s->n;
-  size_t at = 0;
-  double least = HUGE_VAL;
-  for (size_t k = 0; s->state && k + 1 < s->n; k++) {
-    double l = hypot(x[k + 1] - x[k], y[k + 1] - y[k]);
-    if (l < least) least = l, at = k;
-  }
-  if (least == HUGE_VAL || status == INTERRUPTED || status == ERR_IO)
-    return status_context(
-        status, "at t = %.6g s (%.5g sqrt(H/g)): ", r->time * r->output.time_scale, r->time);
-  const bool film = bem_surface_importance(s, x[at], y[at]) < 0.5;
-  double place[2];
-  bem_output_place(&r->output, x[at], y[at], place);
-  return status_context(
-      status,
-      "at t = %.6g s (%.5g sqrt(H/g)), on the %s%s%s near (%.4g, %.4g) m, nodes %.2g m apart: ",
-      r->time * r->output.time_scale, r->time, film ? "film up the " : "surface",
-      film ? bem_output_side(&r->output, true) : "", film ? " wall" : "", place[0], place[1],
-      r->c->H * least);
+/* Says when a run failed; what the flow is to blame for, its sentence says. */
+static enum status date(const struct bem_run *r, enum status status) {
+  return status_context(status, "at t = %.6g s (%.5g sqrt(H/g)): ", r->time * r->output.time_scale,
+                        r->time);
 }
 
 /* What is known at the end, however the run ended; returns its status and keeps its message. */
@@ -220,7 +211,7 @@ static enum status conclude(struct bem_run *r, enum status status) {
   enum status written = status == OK || status == INTERRUPTED ? bem_events_conclude(r) : OK;
   if (written == OK)
     written = bem_output_statistics(&r->output, &r->flow, r->stepper, bem_pace_cut(&r->pace));
-  if (written == OK && status != OK && status != INTERRUPTED)
+  if (written == OK && (r->lost || (status != OK && status != INTERRUPTED)))
     written = result_statistic(r->output.file, "last_good_time", r->time * r->output.time_scale,
                                "s", "of the last step that succeeded, before the run broke off");
   return status == OK ? written : status_raise(status, "%s", why);
@@ -282,7 +273,7 @@ static enum status run_seen(const struct bem_mirror *seen, const struct case_run
   enum status status = begin(&r, cr);
   if (status == OK) {
     status = advance(&r, progress);
-    if (status != OK) status = locate(&r, status);
+    if (status != OK) status = date(&r, status);
     status = conclude(&r, status);
   }
   bem_output_destroy(&r.output);

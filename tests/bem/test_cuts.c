@@ -1,5 +1,6 @@
 /* What is cut from a jet, and what is left of it. Water is on the right of the way along the nodes.
  */
+#include "bem/contact.h"
 #include "bem/cuts.h"
 #include "tests/test.h"
 
@@ -136,10 +137,92 @@ static void test_a_drop_that_has_come_off_goes(void) {
   bem_flow_destroy(&f);
 }
 
+/* Level water with a film up the right wall, which is 0.05 thick at its foot and 0.002 from a
+ * height of 1 to one of 1.5; or mirrored. phi is the same on both sides. */
+static void put_film(struct bem_surface *s, bool right) {
+  EXPECT_OK(bem_surface_reserve(s, N));
+  double *x = s->state, *y = x + N, *phi = y + N;
+  for (int k = 0; k < N; k++) {
+    const int at = right ? k : N - 1 - k;
+    const double t = k < 100 ? 0 : (double)(k - 100) / (N - 101), up = fmin(2 * t, 1);
+    const double thick = 0.05 * (1 - up) * (1 - up) + 0.002;
+    const double from = k < 100 ? (WIDE - 0.052) * k / 100. : k == N - 1 ? WIDE : WIDE - thick;
+    x[at] = right ? from : WIDE - from;
+    y[at] = 0.5 + t;
+    phi[at] = y[at] * y[at];
+  }
+}
+
+static void cut_film(struct bem_flow *f, bool right) {
+  flow_open_box(f);
+  put_film(&f->surface, right);
+  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 0}, &f->solve));
+  EXPECT_OK(bem_flow_reserve(f, N));
+  EXPECT_OK(bem_flow_solve(f, f->surface.state, 0));
+  EXPECT(bem_contact_film_is_thin(&f->surface, right, 1));
+  EXPECT(!bem_contact_film_is_thin(&f->surface, !right, 1));
+  EXPECT(!bem_contact_film_is_thin(&f->surface, right, 0.3));
+  EXPECT_OK(bem_contact_cut_film(f, right, 1));
+  EXPECT(!bem_contact_film_is_thin(&f->surface, right, 1));
+}
+
+/* The cap ends eight thicknesses above the place where the film is 0.005 thick, at about 0.9. */
+static void test_films_on_either_wall_are_cut_alike(void) {
+  struct bem_flow left, right;
+  cut_film(&right, true);
+  cut_film(&left, false);
+  const size_t n = right.surface.n;
+  const double *x = right.surface.state, *y = x + n, *phi = y + n;
+  EXPECT(x[n - 1] == WIDE && y[n - 1] > 0.85 && y[n - 1] < 0.95);
+  EXPECT(left.surface.n == n && left.surface.state[0] == 0);
+  for (size_t k = 0; k < n && left.surface.n == n; k++) {
+    const double *mirrored = left.surface.state + n - 1 - k;
+    EXPECT_NEAR(WIDE - mirrored[0], x[k], 1e-9);
+    EXPECT_NEAR(mirrored[n], y[k], 1e-9);
+    EXPECT_NEAR(mirrored[2 * n], phi[k], 1e-9);
+  }
+  bem_flow_destroy(&left);
+  bem_flow_destroy(&right);
+}
+
+/* The edge itself has no thickness. */
+static void test_level_water_has_no_film(void) {
+  struct bem_flow f;
+  flow_open_box(&f);
+  EXPECT_OK(bem_surface_reserve(&f.surface, 5));
+  for (int k = 0; k < 5; k++) {
+    f.surface.state[k] = WIDE * k / 4;
+    f.surface.state[5 + k] = 0.5;
+  }
+  for (int right = 0; right < 2; right++) EXPECT(!bem_contact_film_is_thin(&f.surface, right, 1));
+  bem_flow_destroy(&f);
+}
+
+static void test_water_on_a_slope_is_no_film(void) {
+  struct bem_flow f;
+  struct bem_conformal *walls = NULL;
+  const double gentle[][2] = {{0, 2}, {0, 0}, {2, 0}, {42, 2}};
+  flow_open_box(&f);
+  EXPECT_OK(bem_surface_reserve(&f.surface, N));
+  for (int k = 0; k < N; k++) {
+    f.surface.state[k] = 12. * k / (N - 1);
+    f.surface.state[N + k] = 0.5;
+  }
+  EXPECT_OK(bem_conformal_create(4, gentle, &walls));
+  f.surface.walls = walls;
+  f.surface.side[1] = 2;
+  EXPECT(!bem_contact_film_is_thin(&f.surface, true, 1));
+  bem_conformal_destroy(walls);
+  bem_flow_destroy(&f);
+}
+
 int main(void) {
   RUN(test_a_sheet_is_cut_where_it_is_thick_enough);
   RUN(test_a_tip_that_is_about_to_land_is_not_cut);
   RUN(test_water_that_is_thick_enough_is_not_cut);
   RUN(test_a_drop_that_has_come_off_goes);
+  RUN(test_films_on_either_wall_are_cut_alike);
+  RUN(test_level_water_has_no_film);
+  RUN(test_water_on_a_slope_is_no_film);
   return TEST_RESULT;
 }
