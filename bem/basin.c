@@ -43,6 +43,12 @@ static enum status create_map(size_t n, const double (*point)[2], void *out) {
   return bem_conformal_create(n, point, out);
 }
 
+bool bem_basin_is_mapped(const struct case_file *c) {
+  bool mapped = !c->rectangular;
+  for (size_t i = 0; i < c->n_motions; i++) mapped |= c->motions[i].kind == TANK_MOTION_roll;
+  return mapped && !c->periodic[0];
+}
+
 enum status bem_basin_shore(const struct case_file *c, struct bem_shore **s) {
   *s = NULL;
   return with_points(c, create_shore, s);

@@ -6,6 +6,9 @@
 #include "common/flow/flow.h"
 #include "common/solver.h"
 
+/* Whether the walls need a map of their own: they are no rectangle, or turn. */
+bool bem_basin_is_mapped(const struct case_file *c);
+
 /* The walls of a case. ERR_MEMORY; destroy *s even then. */
 enum status bem_basin_shore(const struct case_file *c, struct bem_shore **s);
 

@@ -15,10 +15,13 @@ enum status bem_flow_reserve(struct bem_flow *f, size_t n) {
   if (n > f->room) {
     free(f->psi);
     free(f->w);
+    free(f->known);
     f->w = NULL;
+    f->known = NULL;
     f->room = 0;
     TRY(array_create(&f->psi, 11 * n, "numbers of a flow"));
     TRY(array_create(&f->w, n, "velocities of a flow"));
+    TRY(array_create(&f->known, n, "velocities of a flow"));
     f->u = f->psi + n, f->v = f->u + n, f->tx = f->v + n, f->ty = f->tx + n, f->q = f->ty + n;
     f->damping = f->q + n;
     f->phi_own = f->damping + 3 * n;
@@ -35,8 +38,10 @@ void bem_flow_destroy(struct bem_flow *f) {
   bem_solve_destroy(f->solve);
   bem_mesh_destroy(&f->mesh);
   bem_surface_destroy(&f->surface);
+  bem_flux_destroy(&f->through);
   free(f->psi);
   free(f->w);
+  free(f->known);
   *f = (struct bem_flow){0};
 }
 
@@ -51,12 +56,30 @@ enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f) {
   return OK;
 }
 
-struct bem_part bem_flow_part(const struct bem_flow *f, const double *state, double complex z) {
+/* The rate of change, at a fixed place, is that of a tank that turns. */
+static struct bem_part part_of_flux(const struct bem_flow *f, double complex zeta,
+                                    double complex slope) {
+  const double turn = f->motion.turn;
+  double complex value, rise;
+  bem_flux_at(&f->through, zeta, &value, &rise);
+  return (struct bem_part){turn * value, turn * rise * slope, f->motion.turning * value, value};
+}
+
+struct bem_part bem_flow_part(const struct bem_flow *f, const double *state, double complex z,
+                              double complex zeta, double complex slope) {
   if (bem_surface_is_closed(&f->surface)) {
     const double current = bem_period_current(&f->surface, state);
     return (struct bem_part){.beta = current * z, .w = current};
   }
+  if (f->motion.rolls) return part_of_flux(f, zeta, slope);
   return f->motion.sides ? bem_motion_part(&f->motion, z) : (struct bem_part){0};
+}
+
+static enum status set_flux(struct bem_flow *f) {
+  const struct bem_conformal *walls = f->surface.walls;
+  struct bem_rigid body[BEM_MOST_BENDS + 1];
+  for (size_t i = 0; i <= walls->n; i++) body[i] = bem_motion_turn(&f->motion, 1);
+  return bem_flux_set(&f->through, walls, body, f->motion.top);
 }
 
 /* The walls as they are at the time of the flow. */
@@ -74,7 +97,10 @@ static enum status set_panels(struct bem_flow *f, const double *state, size_t *n
   const struct bem_surface *s = &f->surface;
   const double *x = state, *y = x + s->n;
   *n = s->n;
-  if (s->walls) return bem_panels_set_walls(&f->panels, *n, x, y, s->walls, s->side);
+  if (s->walls) {
+    f->panels.kinked = f->motion.frame || f->motion.sides;
+    return bem_panels_set_walls(&f->panels, *n, x, y, s->walls, s->side);
+  }
   if (bem_surface_is_closed(s))
     bem_panels_set_round(&f->panels, --*n, x, y, &s->period);
   else
@@ -85,17 +111,19 @@ static enum status set_panels(struct bem_flow *f, const double *state, size_t *n
 /* What is known of beta is taken away before and added again. */
 static enum status solve_rest(struct bem_flow *f, const double *state, size_t n, int keep) {
   const double *x = state, *y = x + f->surface.n, *phi = y + f->surface.n;
+  const struct bem_panels *p = &f->panels;
+  if (f->motion.rolls) TRY(set_flux(f));
   for (size_t k = 0; k < n; k++) {
-    const struct bem_part part = bem_flow_part(f, state, CMPLX(x[k], y[k]));
+    const struct bem_part part = f->known[k] =
+        bem_flow_part(f, state, CMPLX(x[k], y[k]), p->zeta[k], p->dzeta[k]);
     f->phi_own[k] = phi[k] - creal(part.beta);
     f->psi_own[k] = f->psi[k] - cimag(part.beta);
   }
   TRY(bem_solve_first(f->solve, &f->panels, f->phi_own, f->psi_own, keep));
   bem_panels_velocity(&f->panels, f->phi_own, f->psi_own, f->w);
   for (size_t k = 0; k < n; k++) {
-    const struct bem_part part = bem_flow_part(f, state, CMPLX(x[k], y[k]));
-    f->psi[k] = f->psi_own[k] + cimag(part.beta);
-    f->w[k] += part.w;
+    f->psi[k] = f->psi_own[k] + cimag(f->known[k].beta);
+    f->w[k] += f->known[k].w;
   }
   return OK;
 }
@@ -113,16 +141,34 @@ static enum status solve(struct bem_flow *f, const double *state, int keep) {
   if (n < s->n) { /* the first node is the last one, too */
     f->psi[n] = f->psi[0];
     f->w[n] = f->w[0];
+    f->known[n] = f->known[0];
   }
   return OK;
 }
 
-/* Keeps the edges of the water on the walls, which may move. */
-static void hold_ends(const struct bem_flow *f, double *x, double *y) {
+/* Velocity of the wall at an edge of the water, in the frame of the tank. */
+static double complex wall_velocity(const struct bem_flow *f, bool right) {
+  return f->motion.sides ? f->motion.side[right ? TANK_RIGHT : TANK_LEFT][1] : 0;
+}
+
+/* Keeps the edges of the water on the walls, which may move, x and y being velocities in the frame
+ * of the tank, or those that the potential has. */
+static void hold_ends(const struct bem_flow *f, const double *state, bool of_potential, double *x,
+                      double *y) {
+  const size_t n = f->surface.n;
+  double complex wall[2];
+  for (int right = 0; right < 2; right++) {
+    const size_t k = right ? n - 1 : 0;
+    wall[right] = wall_velocity(f, right);
+    if (of_potential) wall[right] += bem_motion_carries(&f->motion, CMPLX(state[k], state[n + k]));
+    x[k] -= creal(wall[right]);
+    y[k] -= cimag(wall[right]);
+  }
   bem_surface_hold_ends(&f->surface, x, y);
-  if (!f->motion.sides) return;
-  x[0] = f->motion.side[TANK_LEFT][1];
-  x[f->surface.n - 1] = f->motion.side[TANK_RIGHT][1];
+  for (int right = 0; right < 2; right++) {
+    x[right ? n - 1 : 0] += creal(wall[right]);
+    y[right ? n - 1 : 0] += cimag(wall[right]);
+  }
 }
 
 double bem_flow_head(const struct bem_flow *f, double x, double y) {
@@ -138,7 +184,7 @@ enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
     f->u[k] = creal(f->w[k]);
     f->v[k] = -cimag(f->w[k]);
   }
-  hold_ends(f, f->u, f->v);
+  hold_ends(f, state, true, f->u, f->v);
   f->w[0] = CMPLX(f->u[0], -f->v[0]);
   f->w[n - 1] = CMPLX(f->u[n - 1], -f->v[n - 1]);
   return OK;
@@ -157,11 +203,16 @@ enum status bem_flow_rates(struct bem_flow *f, double time, const double *state,
     double u = f->u[k], v = f->v[k];
     dx[k] = u + f->q[k] * f->tx[k];
     dy[k] = v + f->q[k] * f->ty[k];
+    if (f->motion.rolls) {
+      const double complex carried = bem_motion_carries(&f->motion, CMPLX(state[k], state[n + k]));
+      dx[k] -= creal(carried);
+      dy[k] -= cimag(carried);
+    }
     dphi[k] = 0.5 * (u * u + v * v) - bem_flow_head(f, state[k], state[n + k]) +
               f->q[k] * (f->tx[k] * u + f->ty[k] * v);
   }
   bem_damping_add(f, state, rate);
-  hold_ends(f, dx, dy);
+  hold_ends(f, state, false, dx, dy);
   if (bem_surface_is_closed(s)) dphi[n - 1] = dphi[0];
   double sum = 0; /* one test for the whole rate: a value that is not finite spoils the sum */
   for (size_t k = 0; k < 3 * n; k++) sum += rate[k];

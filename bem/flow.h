@@ -24,6 +24,8 @@ struct bem_flow {
   size_t room;
   double *psi, *u, *v, *tx, *ty, *q; /* nodal values of the last evaluation, [n], owned */
   double *phi_own, *psi_own;         /* phi and psi less what is known, where a part is, in psi's */
+  struct bem_part *known;            /* what is known at the nodes, [n], owned */
+  struct bem_flux through;           /* of these walls: of a tank that turns, at the rate of one */
   double *damping;                   /* part of the last rates that removes noise, [3n], in psi's */
   double complex *w;                 /* u - i v, [n], owned */
   enum status status;                /* why an evaluation failed */
@@ -36,11 +38,18 @@ void bem_flow_destroy(struct bem_flow *f);
  * as the first guess: whoever looks at the flow solves there and cannot touch the run. */
 enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f);
 
-/* Whether a part of beta is known, and what it is at z in this state. */
-static inline bool bem_flow_has_part(const struct bem_flow *f) {
-  return bem_surface_is_closed(&f->surface) || f->motion.sides;
+/* Whether walls drive the water, which then has a known part of beta with a rate of its own. */
+static inline bool bem_flow_is_driven(const struct bem_flow *f) {
+  return f->motion.sides || f->motion.rolls;
 }
-struct bem_part bem_flow_part(const struct bem_flow *f, const double *state, double complex z);
+
+/* Whether a part of beta is known, and what it is in this state at z, whose image is zeta with
+ * slope d zeta / dz. */
+static inline bool bem_flow_has_part(const struct bem_flow *f) {
+  return bem_surface_is_closed(&f->surface) || bem_flow_is_driven(f);
+}
+struct bem_part bem_flow_part(const struct bem_flow *f, const double *state, double complex z,
+                              double complex zeta, double complex slope);
 
 /* What pressure is without motion in the frame of the tank, less its sign, H. */
 double bem_flow_head(const struct bem_flow *f, double x, double y);

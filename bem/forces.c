@@ -61,8 +61,8 @@ enum status bem_forces_on_sides(const struct bem_pressure *p, const struct bem_f
   return OK;
 }
 
-enum status bem_forces_find(const struct bem_pressure *p, const struct bem_flow *f,
-                            const double *state, struct bem_forces *out) {
+static enum status find_in_box(const struct bem_pressure *p, const struct bem_flow *f,
+                               const double *state, struct bem_forces *out) {
   const struct bem_surface *s = &f->surface;
   const double end = ends_on_bed(s) ? state[s->n - 1] : s->tank, length = end - s->left;
   const double middle = 0.5 * f->motion.rest;
@@ -76,8 +76,34 @@ enum status bem_forces_find(const struct bem_pressure *p, const struct bem_flow 
   out->force_y = -bed.force;
   out->moment = side[TANK_LEFT].moment - side[TANK_RIGHT].moment - bed.moment -
                 (s->left - middle) * bed.force;
-  double momentum[2];
-  bem_forces_momentum(f, state, momentum);
+  return OK;
+}
+
+/* Of walls of any shape: the pressure along the outward normal, which is to the right of the way
+ * along them. */
+static enum status find_on_walls(struct bem_pressure *p, const struct bem_flow *f,
+                                 const double *state, struct bem_forces *out) {
+  const struct bem_surface *s = &f->surface;
+  const struct bem_rule *wet = &p->wet;
+  TRY(bem_pressure_wet(p, f));
+  *out = (struct bem_forces){0};
+  for (size_t j = 0; j < BEM_RULE * wet->panels; j++) {
+    const size_t side = wet->panel[j / BEM_RULE].side;
+    double pressure;
+    bem_pressure_seen(p, f, state, wet->z[j], wet->xi[j], 1 / wet->slope[j], &pressure);
+    const double complex force = -I * pressure * wet->weight[j] * wet->slope[j];
+    out->force_x += creal(force);
+    out->force_y += cimag(force);
+    out->moment += cimag(conj(wet->z[j] - 0.5 * f->motion.rest) * force);
+    if (side == s->side[0]) out->force_left += creal(force);
+    if (side == s->side[1]) out->force_right += creal(force);
+  }
+  return OK;
+}
+
+enum status bem_forces_find(struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                            const double momentum[2], struct bem_forces *out) {
+  TRY((f->surface.walls ? find_on_walls(p, f, state, out) : find_in_box(p, f, state, out)));
   out->momentum_x = momentum[0];
   out->momentum_y = momentum[1];
   return OK;

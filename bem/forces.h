@@ -1,5 +1,5 @@
-/* Forces of the water on the walls of a rectangular tank, or on the bed of one without sides, and
- * its momentum: what the walls and its weight change. */
+/* Forces of the water on the walls of its tank, and its momentum: what the walls and its weight
+ * change. All in the frame of the tank. */
 #pragma once
 #include "bem/pressure.h"
 #include "common/solver.h"
@@ -8,9 +8,11 @@
 #define BEM_FORCES(X)                                                                              \
   X(force_x, "N/m", "force of the water on all walls along x, by its pressure")                    \
   X(force_y, "N/m", "the same along y")                                                            \
-  X(moment, "N", "its moment about the middle of the bed, anticlockwise")                          \
-  X(force_left, "N/m", "force along x on the left side")                                           \
-  X(force_right, "N/m", "force along x on the right side")                                         \
+  X(moment, "N",                                                                                   \
+    "its moment about the middle of the lower side of the box round the tank, anticlockwise")      \
+  X(force_left, "N/m",                                                                             \
+    "force along x on the straight piece of wall that the left edge of the water is on")           \
+  X(force_right, "N/m", "the same of the right edge")                                              \
   X(momentum_x, "kg/s", "momentum of the water in the frame of the tank, along x")                 \
   X(momentum_y, "kg/s", "the same along y")
 
@@ -28,13 +30,14 @@ enum status bem_forces_on_sides(const struct bem_pressure *p, const struct bem_f
                                 const double *state, double force[2]);
 
 /* All of them. */
-enum status bem_forces_find(const struct bem_pressure *p, const struct bem_flow *f,
-                            const double *state, struct bem_forces *out);
+enum status bem_forces_find(struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                            const double momentum[2], struct bem_forces *out);
 
 /* As they are seen in an upright mirror through the middle of the tank. */
 void bem_forces_turn(struct bem_forces *f);
 
-/* Integral of the velocity in the frame of the tank over the water, H^2 sqrt(gH). */
+/* Integral of the velocity in the frame of a tank that does not turn over the water, H^2 sqrt(gH).
+ */
 void bem_forces_momentum(const struct bem_flow *f, const double *state, double momentum[2]);
 
 /* Names, units and helps of the columns, and their values in SI. */

@@ -11,7 +11,7 @@ void bem_inside_destroy(struct bem_inside *b) {
 }
 
 /* d beta/d zeta between walls, and round a bed the velocity itself: both are real on walls. */
-enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f, const double *state) {
+enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f) {
   const size_t n = f->surface.n;
   if (n > b->room) {
     TRY(array_resize(&b->re, 2 * n, "velocities inside the water"));
@@ -19,8 +19,8 @@ enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f, con
   }
   b->im = b->re + b->room;
   for (size_t k = 0; k < n; k++) {
-    const double complex z = CMPLX(state[k], state[n + k]);
-    double complex own = f->w[k] - bem_flow_part(f, state, z).w;
+    double complex own = f->w[k];
+    if (bem_flow_has_part(f)) own -= f->known[k].w;
     if (!bem_surface_is_closed(&f->surface)) own /= f->panels.dzeta[k];
     b->re[k] = creal(own);
     b->im[k] = cimag(own);
@@ -54,14 +54,15 @@ bool bem_inside_at(struct bem_inside *b, const struct bem_pressure *p, const str
   const bool has_part = bem_flow_has_part(f);
   const double *real[BEM_VALUES] = {b->re, has_part ? f->phi_own : state + 2 * s->n, p->phi_t},
                *imaginary[BEM_VALUES] = {b->im, has_part ? f->psi_own : f->psi, p->psi_t};
-  const struct bem_part part = bem_flow_part(f, state, z);
   double complex tau, slope, value[BEM_VALUES];
   if (!map(b, s, z, &tau, &slope)) return false;
+  const struct bem_part part = bem_flow_part(f, state, z, tau, slope);
   bem_integrals_values(&f->panels, BEM_VALUES, real, imaginary, tau, value);
   out->w = value[0] * slope + part.w;
   out->phi = creal(value[1] + part.beta);
-  const double rest = f->motion.sides ? bem_pressure_swept(f, z, out->w) : 0;
+  const double rest = bem_flow_is_driven(f) ? bem_pressure_swept(f, &part, z, out->w) : 0;
   out->pressure = -creal(value[2]) - rest - 0.5 * creal(out->w * conj(out->w)) -
                   bem_flow_head(f, creal(z), cimag(z));
+  if (f->motion.rolls) out->w -= conj(bem_motion_carries(&f->motion, z));
   return true;
 }

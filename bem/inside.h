@@ -18,7 +18,7 @@ struct bem_place {
 
 /* For the state that was solved last, by bem_flow_solve with keep = 1 and bem_pressure_solve.
  * ERR_MEMORY. */
-enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f, const double *state);
+enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f);
 void bem_inside_destroy(struct bem_inside *b);
 
 /* The next point is near this node of the surface. */

@@ -118,7 +118,7 @@ enum status bem_lattice_fill(struct bem_lattice *l, const struct bem_pressure *p
   const double h = (s->tank - s->left) / (double)columns;
   l->n = 0;
   l->cell = h * h;
-  TRY(bem_inside_begin(&l->inside, f, state));
+  TRY(bem_inside_begin(&l->inside, f));
   TRY(set_outline(l, s, state));
   for (size_t i = 0; i < columns; i++) TRY(fill_column(l, &at, s->left + ((double)i + 0.5) * h, h));
   return OK;

@@ -2,20 +2,24 @@
 
 #include <math.h>
 
+#include "bem/basin.h"
 #include "common/flow/flow.h"
 #include "common/tank/tank.h"
+
+static const double TOP = 2; /* of the walls' height: far enough above water in them */
 
 void bem_motion_check(const struct case_file *c, const struct case_run *r,
                       struct problems *problems) {
   for (size_t i = 0; i < c->n_motions; i++) {
     const struct tank_motion *m = &c->motions[i];
-    const bool shifts = m->kind == TANK_MOTION_sway || m->kind == TANK_MOTION_heave;
-    const bool drives = m->kind == TANK_MOTION_piston && c->rectangular && flow_is_wave(c->flow);
-    if (shifts || drives) continue;
+    const bool drives =
+        m->kind == TANK_MOTION_piston && !bem_basin_is_mapped(c) && flow_is_wave(c->flow);
+    if (!tank_motion_is_of_side(m) || drives) continue;
     problems_add(
         problems, case_run_line(r, "solver"),
-        "runs.%s.solver: found 'bem' with a %s; allowed: sway and heave of any tank, and a "
-        "piston in a rectangular tank with a wave or still water; change tank.motions or "
+        "runs.%s.solver: found 'bem' with a %s; allowed: sway, heave and roll of any tank, and a "
+        "piston under a wave or still water in a rectangular tank that does not roll; change "
+        "tank.motions or "
         "take another solver",
         r->name, tank_motion_name(m));
   }
@@ -27,9 +31,11 @@ struct bem_motion bem_motion_create(const struct case_file *c) {
     if (tank_motion_is_of_side(&c->motions[i]))
       m.sides = true;
     else
-      m.frame = true;
+      m.frame = true, m.rolls |= c->motions[i].kind == TANK_MOTION_roll;
   m.rest = (c->tank.max[0] - c->tank.min[0]) / c->H;
   m.side[TANK_RIGHT][0] = m.rest;
+  m.origin = CMPLX(c->tank.min[0], c->tank.min[1]) / c->H;
+  m.top = TOP * (c->tank.max[1] - c->tank.min[1]) / c->H;
   return m;
 }
 
@@ -37,6 +43,12 @@ static void frame_at(struct bem_motion *m, double time) {
   struct tank_frame frame;
   tank_frame_at(m->c->motions, m->c->n_motions, time * m->scale, &frame);
   for (int axis = 0; axis < 2; axis++) m->push[axis] = -frame.acceleration[axis] / m->c->gravity;
+  if (!m->rolls) return;
+  const double complex felt = CMPLX(m->push[0], m->push[1] - 1) * cexp(-I * frame.angle);
+  m->push[0] = creal(felt);
+  m->push[1] = cimag(felt) + 1;
+  m->turn = frame.rate * m->scale;
+  m->turning = frame.turning * m->scale * m->scale;
 }
 
 void bem_motion_at(struct bem_motion *m, double time) {

@@ -7,6 +7,7 @@
 #include "bem/breaker.h"
 #include "bem/forces.h"
 #include "bem/mirror.h"
+#include "bem/spin.h"
 #include "common/base/array.h"
 #include "common/base/gauge.h"
 #include "common/result/record.h"
@@ -122,9 +123,11 @@ static enum status write_nodes(struct bem_output *o, double seconds) {
   const double *x = f->surface.state, *y = x + n, *phi = y + n;
   struct shown to;
   TRY(show_begin(o, n, &to));
-  for (size_t k = 0; k < n; k++)
+  for (size_t k = 0; k < n; k++) {
+    const double complex carried = bem_motion_carries(&f->motion, CMPLX(x[k], y[k]));
     show(o, &to, o->mirrored ? n - 1 - k : k, (const double[]){x[k], y[k]}, phi[k],
-         (const double[]){f->u[k], f->v[k]});
+         (const double[]){f->u[k] - creal(carried), f->v[k] - cimag(carried)});
+  }
   const struct result_field fields[] = {
       {"velocity", "m/s", "velocity of the water", to.u, to.v},
       {"potential", "m^2/s", "velocity potential", to.phi, NULL},
@@ -189,7 +192,9 @@ static enum status elevation_of(void *solver, const struct case_gauge *gauge, do
 
 void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double time, double dt) {
   double start = time - dt,
-         loss = -bem_surface_power(&f->surface, f->level, f->psi, f->u, f->v, f->damping);
+         loss = -bem_surface_power(&f->surface, f->level, f->psi, f->u, f->v,
+                                   (struct bem_spinning){f->motion.turn, f->motion.origin},
+                                   f->damping);
   o->damped.until += o->damped.rate * (start - o->damped.start);
   o->damped.rate = o->damped.changed ? loss : 0.5 * (o->damped.last + loss);
   o->damped.changed = false;
@@ -210,11 +215,25 @@ static enum status look(struct bem_output *o, const struct bem_flow *f, struct b
   return bem_flow_solve(&o->view, state, keep);
 }
 
+static enum status find_spin(struct bem_output *o, struct bem_spin *spin) {
+  struct bem_flow *f = &o->view;
+  TRY(bem_pressure_wet(&o->pressure, f));
+  bem_spin_find(f, f->surface.state, &o->pressure.wet, spin);
+  return OK;
+}
+
 /* Powers at the state that is looked at. */
 static enum status find_powers(struct bem_output *o, double power[2]) {
   struct bem_flow *f = &o->view;
   const double *state = f->surface.state;
   double momentum[2], force[2];
+  if (f->motion.rolls) {
+    struct bem_spin spin;
+    TRY(find_spin(o, &spin));
+    power[0] = -bem_spin_power(f, &spin);
+    power[1] = 0;
+    return OK;
+  }
   bem_forces_momentum(f, state, momentum);
   power[0] = -(f->motion.push[0] * momentum[0] + f->motion.push[1] * momentum[1]);
   power[1] = 0;
@@ -300,15 +319,29 @@ static struct bem_totals totals_of(struct bem_flow *f) {
   return t;
 }
 
+/* Momentum and, where the tank turns, kinetic energy in its frame. */
+static enum status find_motion(struct bem_output *o, struct bem_totals *t, double momentum[2]) {
+  const struct bem_flow *f = &o->view;
+  struct bem_spin spin;
+  if (!f->motion.rolls) {
+    bem_forces_momentum(f, f->surface.state, momentum);
+    return OK;
+  }
+  TRY(find_spin(o, &spin));
+  memcpy(momentum, spin.momentum, sizeof spin.momentum);
+  t->kinetic = spin.kinetic;
+  return OK;
+}
+
 static bool wants_pressure(const struct bem_output *o) {
   return o->c->n_probes > 0 || o->forces;
 }
 
-static enum status write_forces(struct bem_output *o, double seconds) {
+static enum status write_forces(struct bem_output *o, double seconds, const double momentum[2]) {
   const struct bem_flow *f = &o->view;
   struct bem_forces forces;
   double value[BEM_FORCE_COUNT];
-  TRY(bem_forces_find(&o->pressure, f, f->surface.state, &forces));
+  TRY(bem_forces_find(&o->pressure, f, f->surface.state, momentum, &forces));
   if (o->mirrored) bem_forces_turn(&forces);
   bem_forces_in_si(o->c, &forces, value);
   return result_diagnostics(o->file, seconds, value);
@@ -320,6 +353,8 @@ static enum status write_row(struct bem_output *o, const struct bem_stepper *ste
   const struct case_file *c = o->c;
   struct bem_flow *f = &o->view;
   struct bem_totals t = totals_of(f);
+  double momentum[2];
+  TRY(find_motion(o, &t, momentum));
   struct record r = {.energy = energy_of(o, seconds, &t),
                      .step = {.time = seconds,
                               .dt = dt * o->time_scale,
@@ -331,7 +366,7 @@ static enum status write_row(struct bem_output *o, const struct bem_stepper *ste
                      .pressure = pressure_of,
                      .elevation = elevation_of};
   if (wants_pressure(o)) TRY(bem_pressure_solve(&o->pressure, f, f->surface.state));
-  if (o->forces) TRY(write_forces(o, seconds));
+  if (o->forces) TRY(write_forces(o, seconds, momentum));
   if (c->n_gauges > 0) TRY(polyline(o));
   return record_row(o->file, c, &r);
 }

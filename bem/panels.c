@@ -227,7 +227,7 @@ enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x
   if (p->walls != walls)
     for (size_t k = 0; k < p->charts; k++) p->chart[k].radius = 0;
   p->walls = walls;
-  for (int end = 0; end < 2; end++) p->mirrored[end] = !leans_over(walls, side[end]);
+  for (int end = 0; end < 2; end++) p->mirrored[end] = !p->kinked && !leans_over(walls, side[end]);
   TRY(reserve_charts(p, n));
   for (size_t k = 0; k < n; k++) TRY(look_up(p, k, CMPLX(x[k], y[k]), walls, side[0]));
   p->zeta[0] = creal(p->zeta[0]); /* walls are on the real axis */

@@ -8,9 +8,11 @@
 #include "common/base/array.h"
 
 static const double NEAR = 1e-9; /* H: lengths that are the same */
+enum { LEVELS = 4 };             /* of the panels on wet walls */
 
 void bem_pressure_destroy(struct bem_pressure *p) {
   free(p->phi_t);
+  bem_rule_destroy(&p->wet);
   *p = (struct bem_pressure){0};
 }
 
@@ -18,24 +20,26 @@ void bem_pressure_destroy(struct bem_pressure *p) {
  * part of beta at a fixed place of the mapped plane, which goes to and fro with the velocity w_p of
  * the known part, d zeta/dt = -w_p d zeta/dz: with that part's rate, beta_t = own rate - (w - w_p)
  * w_p + rate. What it has besides its own, of the potential: */
-double bem_pressure_swept(const struct bem_flow *f, double complex z, double complex w) {
-  const struct bem_part part = bem_motion_part(&f->motion, z);
-  return creal(part.rate - (w - part.w) * part.w);
+double bem_pressure_swept(const struct bem_flow *f, const struct bem_part *part, double complex z,
+                          double complex w) {
+  double rest = creal(part->rate);
+  if (f->motion.sides) rest -= creal((w - part->w) * part->w);
+  if (f->motion.rolls) rest -= creal(w * bem_motion_carries(&f->motion, z));
+  return rest;
 }
 
 enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const double *state) {
   const size_t n = f->surface.n;
   if (n > p->room) {
-    bem_pressure_destroy(p);
-    TRY(array_create(&p->phi_t, 2 * n, "numbers of a pressure"));
+    TRY(array_resize(&p->phi_t, 2 * n, "numbers of a pressure"));
     p->psi_t = p->phi_t + n;
     p->room = n;
   }
   for (size_t k = 0; k < n; k++) {
     const double u = f->u[k], v = f->v[k];
     p->phi_t[k] = -0.5 * (u * u + v * v) - bem_flow_head(f, state[k], state[n + k]);
-    if (f->motion.sides)
-      p->phi_t[k] -= bem_pressure_swept(f, CMPLX(state[k], state[n + k]), f->w[k]);
+    if (bem_flow_is_driven(f))
+      p->phi_t[k] -= bem_pressure_swept(f, &f->known[k], CMPLX(state[k], state[n + k]), f->w[k]);
   }
   memset(p->psi_t, 0,
          n * sizeof *p->psi_t); /* a row must not depend on which were asked for before */
@@ -90,21 +94,39 @@ enum status bem_pressure_at(const struct bem_pressure *p, const struct bem_flow 
   return bem_pressure_on(p, f, state, CMPLX(moved(f, x), y), pressure);
 }
 
+void bem_pressure_seen(const struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                       double complex z, double complex zeta, double complex dzeta,
+                       double *pressure) {
+  const bool has_part = bem_flow_has_part(f);
+  double complex value, slope;
+  bem_integrals_inside(&f->panels, has_part ? f->phi_own : state + 2 * f->surface.n,
+                       has_part ? f->psi_own : f->psi, zeta, &value, &slope);
+  const struct bem_part part = bem_flow_part(f, state, z, zeta, dzeta);
+  const double complex w = slope * dzeta + part.w;
+  bem_integrals_inside(&f->panels, p->phi_t, p->psi_t, zeta, &value, &slope);
+  double phi_t = creal(value);
+  if (bem_flow_is_driven(f)) phi_t += bem_pressure_swept(f, &part, z, w);
+  *pressure = -phi_t - 0.5 * creal(w * conj(w)) - bem_flow_head(f, creal(z), cimag(z));
+}
+
 enum status bem_pressure_on(const struct bem_pressure *p, const struct bem_flow *f,
                             const double *state, double complex z, double *pressure) {
-  const struct bem_surface *s = &f->surface;
-  double complex tau, dzeta, value, slope;
+  double complex zeta, dzeta;
   bool under;
   *pressure = 0;
-  const bool part = bem_flow_has_part(f);
-  TRY(map(f, state, z, &under, &tau, &dzeta));
-  if (!under) return OK;
-  bem_integrals_inside(&f->panels, part ? f->phi_own : state + 2 * s->n, part ? f->psi_own : f->psi,
-                       tau, &value, &slope);
-  const double complex w = slope * dzeta + bem_flow_part(f, state, z).w;
-  bem_integrals_inside(&f->panels, p->phi_t, p->psi_t, tau, &value, &slope);
-  double phi_t = creal(value);
-  if (f->motion.sides) phi_t += bem_pressure_swept(f, z, w);
-  *pressure = -phi_t - 0.5 * creal(w * conj(w)) - bem_flow_head(f, creal(z), cimag(z));
+  TRY(map(f, state, z, &under, &zeta, &dzeta));
+  if (under) bem_pressure_seen(p, f, state, z, zeta, dzeta, pressure);
+  return OK;
+}
+
+enum status bem_pressure_wet(struct bem_pressure *p, const struct bem_flow *f) {
+  const struct bem_surface *s = &f->surface;
+  const struct bem_conformal *m = s->walls;
+  bem_rule_clear(&p->wet);
+  for (size_t i = s->side[0]; i <= s->side[1]; i++) {
+    const double end[2] = {i == s->side[0] ? f->panels.re[0] : m->xi[i - 1],
+                           i == s->side[1] ? f->panels.re[s->n - 1] : m->xi[i]};
+    TRY(bem_rule_add(&p->wet, m, i, end, LEVELS, f->level));
+  }
   return OK;
 }

@@ -7,6 +7,7 @@
 struct bem_pressure {
   size_t room;
   double *phi_t, *psi_t; /* rate of change of phi and psi at the nodes, g H, [n], owned */
+  struct bem_rule wet;   /* the walls under water, owned */
 };
 
 void bem_pressure_destroy(struct bem_pressure *p);
@@ -19,10 +20,20 @@ enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const
 enum status bem_pressure_at(const struct bem_pressure *p, const struct bem_flow *f,
                             const double *state, double x, double y, double *pressure);
 
+/* The same at a point of a wall under water whose image and d zeta / dz are known. */
+void bem_pressure_seen(const struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                       double complex z, double complex zeta, double complex slope,
+                       double *pressure);
+
+/* Lays p->wet along the walls under water, densely enough for the pressure on them. ERR_MEMORY. */
+enum status bem_pressure_wet(struct bem_pressure *p, const struct bem_flow *f);
+
 /* The same at a point z of a wall where it is. */
 enum status bem_pressure_on(const struct bem_pressure *p, const struct bem_flow *f,
                             const double *state, double complex z, double *pressure);
 
-/* Where sides move, what the rate of change of phi at z has besides the part that phi_t and psi_t
- * give, with the velocity w there. */
-double bem_pressure_swept(const struct bem_flow *f, double complex z, double complex w);
+/* Where sides move or the tank turns, what the rate of change of phi, at z with the velocity w and
+ * this known part, has besides what phi_t and psi_t give; at a place that turns with the tank, less
+ * what is due to that. */
+double bem_pressure_swept(const struct bem_flow *f, const struct bem_part *part, double complex z,
+                          double complex w);

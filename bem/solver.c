@@ -101,7 +101,7 @@ static const struct param params[] = {
      KEY(forces),
      .value = "false",
      .help = "write the forces on the walls, their moment, and the water's momentum as "
-             "/series/diagnostics; rectangular tanks"},
+             "/series/diagnostics"},
     {.key = "smoothing",
      .type = PARAM_REAL,
      .quantity = QTY_NUMBER,
@@ -243,7 +243,7 @@ static enum status begin(struct bem_run *r, const struct case_run *cr) {
   solve.tolerance = fmax(solve.tolerance, SHOWN);
   TRY(bem_output_create(&r->output, &solve));
   r->flow.surface.film = o->film / c->H;
-  if (!c->rectangular) TRY(bem_basin_shore(c, &r->shore));
+  if (bem_basin_is_mapped(c)) TRY(bem_basin_shore(c, &r->shore));
   TRY(bem_start_surface(c, cr, r->shore, &r->flow));
   r->flow.surface.depth = r->flow.level;
   const struct bem_surface *s = &r->flow.surface;

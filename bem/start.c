@@ -84,16 +84,6 @@ static void check_regions(const struct case_file *c, const struct case_run *r,
   check_most(r, wide + high, problems);
 }
 
-static void check_forces(const struct case_file *c, const struct case_run *r,
-                         struct problems *problems) {
-  const struct bem_options *o = r->options;
-  if (!o->forces || c->rectangular) return;
-  problems_add(problems, case_run_line(r, "forces"),
-               "runs.%s.forces: found 'true' in a tank that is not rectangular; allowed: forces on "
-               "upright sides and a level bed; remove forces",
-               r->name);
-}
-
 /* Of the tank's box below the highest water at t = 0. */
 static void check_lattice(const struct case_file *c, const struct case_run *r,
                           struct problems *problems) {
@@ -117,7 +107,6 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "are made of; set fluid.gravity or take another solver",
                  r->name);
   bem_motion_check(c, r, problems);
-  check_forces(c, r, problems);
   if (c->periodic[0] && !flow_is_wave(c->flow))
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' with regions of water in a tank with periodic sides; "
@@ -130,7 +119,7 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "runs.%s.solver: found 'bem' with gravity along (%g, %g); allowed: gravity "
                  "downwards; write fluid.gravity as one number or take another solver",
                  r->name, c->down[0], c->down[1]);
-  if (!c->rectangular) {
+  if (bem_basin_is_mapped(c)) {
     bem_basin_check(c, r, problems, &width);
     width /= c->H;
     if (!(width > 0)) return;

@@ -188,9 +188,11 @@ double bem_surface_integral(const struct bem_surface *s, const double *f, const 
 }
 
 /* At the surface phi_n (dphi - u dx - v dy) + (q^2/2 + y - level) times the normal displacement,
- * with phi_n ds = -dpsi and the outward normal times ds = (-dy, dx). */
+ * with phi_n ds = -dpsi and the outward normal times ds = (-dy, dx); phi_n, psi and q of the motion
+ * in the frame. */
 double bem_surface_power(const struct bem_surface *s, double level, const double *psi,
-                         const double *u, const double *v, const double *rate) {
+                         const double *u, const double *v, struct bem_spinning frame,
+                         const double *rate) {
   const size_t n = s->n;
   const double *x = s->state, *y = x + n, *rx = rate, *ry = rate + n, *rphi = rate + 2 * n;
   double value[3][FOUR][FOUR], slope[3][FOUR][FOUR], power = 0;
@@ -204,12 +206,14 @@ double bem_surface_power(const struct bem_surface *s, double level, const double
         const size_t k = bem_period_node(n, w + m);
         double a = value[at][g][m], b = slope[at][g][m];
         own += a * (rphi[k] - u[k] * rx[k] - v[k] * ry[k]);
-        head += a * (0.5 * (u[k] * u[k] + v[k] * v[k]) + y[k] - level);
+        const double complex arm = CMPLX(x[k], y[k]) + frame.origin;
+        const double ur = u[k] + frame.turn * cimag(arm), vr = v[k] - frame.turn * creal(arm);
+        head += a * (0.5 * (ur * ur + vr * vr) + y[k] - level);
         mx += a * rx[k];
         my += a * ry[k];
         dx += b * bem_period_value(x, n, w + m);
         dy += b * y[k];
-        dpsi += b * psi[k];
+        dpsi += b * (psi[k] + 0.5 * frame.turn * creal(arm * conj(arm)));
       }
       power += gauss_weight[g] * (head * (my * dx - mx * dy) - own * dpsi);
     }

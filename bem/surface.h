@@ -72,6 +72,13 @@ double bem_surface_integral(const struct bem_surface *s, const double *f, const 
 
 /* Rate at which a rate of change of the nodes (x[n], y[n], phi[n]) changes the energy of the water,
  * rho g H^3 per unit of that rate, by the same quadrature, with heights counted from `level`: what
- * it does to the volume is an error of the volume. psi, u, v: of this surface. */
+ * it does to the volume is an error of the volume. psi, u, v: of this surface. turn: rate at which
+ * the frame turns about the point that is at -origin in it; the energy is that of the motion in it.
+ */
+struct bem_spinning {
+  double turn;
+  double complex origin;
+};
 double bem_surface_power(const struct bem_surface *s, double level, const double *psi,
-                         const double *u, const double *v, const double *rate);
+                         const double *u, const double *v, struct bem_spinning frame,
+                         const double *rate);

@@ -71,7 +71,7 @@ static bool begin(struct water *w, const char *walls, const char *depth, int res
   EXPECT_OK(bem_flow_reserve(&w->f, n));
   EXPECT_OK(bem_flow_solve(&w->f, w->f.surface.state, 1));
   EXPECT_OK(bem_pressure_solve(&w->p, &w->f, w->f.surface.state));
-  EXPECT_OK(bem_inside_begin(&w->inside, &w->f, w->f.surface.state));
+  EXPECT_OK(bem_inside_begin(&w->inside, &w->f));
   return true;
 }
 

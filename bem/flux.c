@@ -1,0 +1,156 @@
+#include "bem/flux.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include "common/base/array.h"
+
+static const double NEAR =
+    2.2; /* half panels from the middle: beyond it Gauss's formula is exact */
+static const double APART = 1e-7; /* half panels: nearer to a point of it digits are lost */
+enum { LEVELS = 8 };
+
+void bem_flux_destroy(struct bem_flux *f) {
+  bem_rule_destroy(&f->rule);
+  free(f->q);
+  f->q = NULL;
+  f->room = 0;
+}
+
+/* Where the first or the last side is taken to end. */
+static enum status find_top(const struct bem_conformal *m, size_t side, double top,
+                            double complex *z, double *xi) {
+  const double complex along = (side ? 1 : -1) * bem_conformal_along(m, side);
+  const double complex bend = m->point[side ? side : 1];
+  double complex zeta, slope;
+  CHECK(cimag(along) > 0 && top > cimag(bend), ERR_SOLVER, "a side of the tank does not go up");
+  *z = bend + (top - cimag(bend)) / cimag(along) * along;
+  TRY(bem_conformal_on_wall(m, *z, &zeta, &slope));
+  *xi = creal(zeta);
+  return OK;
+}
+
+static enum status reserve(struct bem_flux *f) {
+  const size_t points = BEM_RULE * f->rule.panels;
+  if (points <= f->room) return OK;
+  TRY(array_resize(&f->q, 4 * points, "fluxes through walls"));
+  f->room = points;
+  return OK;
+}
+
+static void fill(struct bem_flux *f, size_t panel, const struct bem_rigid *body, double before) {
+  const struct bem_rule *r = &f->rule;
+  for (size_t j = BEM_RULE * panel; j < BEM_RULE * (panel + 1); j++) {
+    f->q[j] = cimag(conj(bem_rigid_at(*body, r->z[j])) * r->slope[j]);
+    f->g[j] = bem_rigid_stream(*body, r->z[j]) - before;
+    f->q_weight[j] = r->weight[j] * f->q[j];
+    f->g_weight[j] = r->weight[j] * f->g[j];
+  }
+}
+
+enum status bem_flux_set(struct bem_flux *f, const struct bem_conformal *m,
+                         const struct bem_rigid *body, double top) {
+  double before[BEM_MOST_BENDS + 1] = {0};
+  f->ends = 0;
+  bem_rule_clear(&f->rule);
+  for (size_t i = 0; i <= m->n; i++) {
+    double end[2] = {i ? m->xi[i - 1] : 0, i < m->n ? m->xi[i] : 0};
+    double complex z[2] = {m->point[i], m->point[i + 1]};
+    if (body[i].velocity == 0 && body[i].turn == 0) continue;
+    if (i == 0) TRY(find_top(m, i, top, &z[0], &end[0]));
+    if (i == m->n) TRY(find_top(m, i, top, &z[1], &end[1]));
+    TRY(bem_rule_add(&f->rule, m, i, end, LEVELS, INFINITY));
+    before[i] = bem_rigid_stream(body[i], z[0]);
+    f->end[f->ends] = end[1];
+    f->jump[f->ends++] = bem_rigid_stream(body[i], z[1]) - before[i];
+  }
+  TRY(reserve(f));
+  f->g = f->q + f->room, f->q_weight = f->g + f->room, f->g_weight = f->q_weight + f->room;
+  for (size_t p = 0; p < f->rule.panels; p++) {
+    const size_t side = f->rule.panel[p].side;
+    fill(f, p, &body[side], before[side]);
+  }
+  return OK;
+}
+
+/* Integral of 1/(s - sigma) ds from -1 to 1, sigma on the real axis being above or below it by the
+ * sign of its zero. */
+static double complex log_ratio(double complex sigma) {
+  const double x = creal(sigma), y = cimag(sigma);
+  return CMPLX(0.5 * log(((x - 1) * (x - 1) + y * y) / ((x + 1) * (x + 1) + y * y)),
+               atan2(2 * y, x * x + y * y - 1));
+}
+
+static void add_far(const struct bem_flux *f, size_t p, double complex zeta, double complex *value,
+                    double complex *slope) {
+  const size_t at = BEM_RULE * p;
+  const double x = creal(zeta), y = cimag(zeta);
+  const double *xi = f->rule.xi + at, *q = f->q_weight + at, *g = f->g_weight + at;
+  double q_re = 0, q_im = 0, g_re = 0, g_im = 0;
+#pragma omp simd reduction(+ : q_re, q_im, g_re, g_im)
+  for (size_t j = 0; j < BEM_RULE; j++) {
+    const double dx = xi[j] - x, inverse = 1 / (dx * dx + y * y);
+    q_re += q[j] * dx * inverse;
+    q_im += q[j] * y * inverse;
+    g_re += g[j] * dx * inverse;
+    g_im += g[j] * y * inverse;
+  }
+  *slope += CMPLX(q_re, q_im);
+  *value += CMPLX(g_re, g_im);
+}
+
+/* Adds what Gauss's formula leaves out of the pole at sigma: that is exact for (q(s) -
+ * q(sigma))/(s - sigma), q the polynomial through the points. */
+static void add_pole(const struct bem_flux *f, size_t p, double complex sigma,
+                     double complex *value, double complex *slope) {
+  const struct bem_gauss *gauss = &f->rule.gauss;
+  const struct bem_rule_panel *panel = f->rule.panel + p;
+  const double *q = f->q_weight + BEM_RULE * p, *g = f->g_weight + BEM_RULE * p;
+  double complex below = 0, q_at = 0, g_at = 0, weights = 0;
+  for (int j = 0; j < BEM_RULE; j++) {
+    const double complex t = 1 / (gauss->point[j] - sigma);
+    below += gauss->between[j] * t;
+    q_at += gauss->between[j] * t * (q[j] / gauss->weight[j]);
+    g_at += gauss->between[j] * t * (g[j] / gauss->weight[j]);
+    weights += gauss->weight[j] * t;
+  }
+  const double complex size =
+      panel->power > 1 ? panel->power * cpow(0.5 * (1 + sigma), panel->power - 1) : 1;
+  const double complex rest = (log_ratio(sigma) - weights) / (below * size * panel->half);
+  *slope += q_at * rest;
+  *value += g_at * rest;
+}
+
+/* Where zeta is in the variable of a panel. */
+static double complex find_pole(const struct bem_rule_panel *p, double complex zeta) {
+  const double complex part =
+      CMPLX((creal(zeta) - p->start) / (2 * p->half), cimag(zeta) / (2 * p->half));
+  const double complex u = p->power > 1 ? cpow(part, 1 / p->power) : part;
+  return CMPLX(2 * creal(u) - 1, 2 * cimag(u));
+}
+
+static void add_panel(const struct bem_flux *f, size_t p, double complex zeta,
+                      double complex *value, double complex *slope) {
+  const struct bem_rule_panel *panel = f->rule.panel + p;
+  const double x = creal(zeta) - (panel->start + panel->half), y = cimag(zeta);
+  const bool near = x * x + y * y < NEAR * NEAR * panel->half * panel->half;
+  double complex sigma = near ? find_pole(panel, zeta) : 0;
+  for (int j = 0; near && j < BEM_RULE; j++)
+    if (cabs(f->rule.gauss.point[j] - sigma) < APART) {
+      zeta += 4 * APART * fabs(panel->half);
+      sigma = find_pole(panel, zeta);
+    }
+  add_far(f, p, zeta, value, slope);
+  if (near) add_pole(f, p, sigma, value, slope);
+}
+
+void bem_flux_at(const struct bem_flux *f, double complex zeta, double complex *value,
+                 double complex *slope) {
+  const double x = creal(zeta), y = cimag(zeta) > 0 ? cimag(zeta) : 0.0;
+  *value = *slope = 0;
+  for (size_t p = 0; p < f->rule.panels; p++) add_panel(f, p, CMPLX(x, y), value, slope);
+  for (size_t i = 0; i < f->ends; i++) *value -= f->jump[i] * clog(CMPLX(f->end[i] - x, -y));
+  *value /= M_PI;
+  *slope /= M_PI;
+}

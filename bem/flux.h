@@ -1,0 +1,41 @@
+/* What is known of beta where walls move: an analytic function with the flux through them, which is
+ * that of sides that move as rigid bodies,
+ *     F = -1/pi integral of q log(xi - zeta) d xi,   q = d psi / d xi on the walls.
+ * The sides are taken to go on far above the water, so that F is smooth at its edges. */
+#pragma once
+#include "bem/rule.h"
+
+/* A rigid body in the frame of the tank: z moves with velocity + i turn z. H and sqrt(H/g). */
+struct bem_rigid {
+  double complex velocity;
+  double turn;
+};
+
+static inline double complex bem_rigid_at(struct bem_rigid r, double complex z) {
+  return r.velocity + I * r.turn * z;
+}
+
+/* A stream function of that, along any wall of which the water passes to the right of it. */
+static inline double bem_rigid_stream(struct bem_rigid r, double complex z) {
+  return cimag(conj(r.velocity) * z) - 0.5 * r.turn * creal(z * conj(z));
+}
+
+struct bem_flux {
+  struct bem_rule rule;
+  size_t room;
+  double *q, *g; /* q, and psi from where its side begins; [BEM_RULE rule.panels], owned */
+  double *q_weight, *g_weight;                              /* the same times the weights */
+  size_t ends;                                              /* sides with flux */
+  double end[BEM_MOST_BENDS + 1], jump[BEM_MOST_BENDS + 1]; /* where each ends, and its psi there */
+};
+
+void bem_flux_destroy(struct bem_flux *f);
+
+/* Zero *f before the first call. For the walls m, whose side i moves like body[i], [m->n + 1]; the
+ * first and the last of them end at the height `top`, H. ERR_MEMORY, ERR_SOLVER. */
+enum status bem_flux_set(struct bem_flux *f, const struct bem_conformal *m,
+                         const struct bem_rigid *body, double top);
+
+/* F and dF/dzeta on the real axis or above it. */
+void bem_flux_at(const struct bem_flux *f, double complex zeta, double complex *value,
+                 double complex *slope);

@@ -1,0 +1,191 @@
+/* Forces on the walls of any tank, which may move: water at rest, and the law of momentum. */
+#include "bem/basin.h"
+#include "bem/forces.h"
+#include "bem/spin.h"
+#include "bem/start.h"
+#include "tests/bem/run.h"
+
+/* ---- at rest ---- */
+
+static double first(const struct result_file *f, const char *name) {
+  for (size_t i = 0; i < f->n_diagnostics; i++)
+    if (!strcmp(f->diagnostics[i].name, name)) return f->diagnostics[i].value[0];
+  return NAN;
+}
+
+/* Between a side that leans out and a beach. */
+static void test_water_at_rest_weighs_on_its_walls(void) {
+  struct result_file *f =
+      run_bem("title: rest\n"
+              "fluid: {density: 1000, gravity: 9.81}\n"
+              "scales: {H: 0.5}\n"
+              "tank: {walls: [[[0.4, 1.2], [1, 0], [1.6, 0], [3.2, 0.8], [4, 1]]]}\n"
+              "water: {wave: {kind: still, depth: 0.5}}\n"
+              "time: {end: 0.1, every: 0.1, sample: 0.1}\n"
+              "runs: [{name: bem, solver: bem, resolution: 20, forces: true, tolerance: 1e-9}]\n");
+  if (!f) return;
+  const double weight = 1000 * 9.81, h = 0.5, left = 0.25, beach = 1; /* m, across the slopes */
+  EXPECT_NEAR(first(f, "force_x") / weight, 0, 1e-9);
+  EXPECT_NEAR(first(f, "force_y") / weight, -h * (0.6 + (left + beach) / 2), 1e-9);
+  EXPECT_NEAR(first(f, "force_left") / weight, -h * h / 2, 1e-9);
+  EXPECT_NEAR(first(f, "force_right") / weight, h * h / 2, 1e-9);
+  /* the weight acts at the middle of a box and of two triangles, which a third of their width is
+   * from */
+  const double at =
+      0.6 * h * 1.3 + h * left / 2 * (1 - left / 3) + h * beach / 2 * (1.6 + beach / 3);
+  EXPECT_NEAR(first(f, "moment") / weight, -(at - 2.2 * h * (0.6 + (left + beach) / 2)), 1e-9);
+  result_file_destroy(f);
+}
+
+/* ---- moving ---- */
+
+enum { FIELDS = 3 };
+
+struct flow_case {
+  struct case_file *c;
+  struct bem_shore *shore;
+  struct bem_flow flow;
+  struct bem_pressure pressure;
+  double t, *k; /* k: rates of the four stages and a state */
+};
+
+static void begin(struct flow_case *w, const char *text) {
+  w->c = run_case(text);
+  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 2000}, &w->flow.solve));
+  if (bem_basin_is_mapped(w->c)) EXPECT_OK(bem_basin_shore(w->c, &w->shore));
+  EXPECT_OK(bem_start_surface(w->c, &w->c->runs[0], w->shore, &w->flow));
+  EXPECT_OK(bem_flow_reserve(&w->flow, w->flow.surface.n));
+  w->k = calloc(5 * FIELDS * w->flow.surface.n, sizeof *w->k);
+}
+
+static void end(struct flow_case *w) {
+  bem_pressure_destroy(&w->pressure);
+  bem_flow_destroy(&w->flow);
+  bem_shore_destroy(w->shore);
+  case_destroy(w->c);
+  free(w->k);
+}
+
+/* Runge & Kutta's method. */
+static void step(struct flow_case *w, double dt) {
+  static const double at[4] = {0, 0.5, 0.5, 1}, part[4] = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
+  const size_t n = FIELDS * w->flow.surface.n;
+  double *state = w->flow.surface.state, *trial = w->k + 4 * n;
+  for (int s = 0; s < 4; s++) {
+    const double *before = w->k + (size_t)(s ? s - 1 : 0) * n;
+    for (size_t i = 0; i < n; i++) trial[i] = state[i] + at[s] * dt * before[i];
+    EXPECT_OK(bem_flow_rates(&w->flow, w->t + at[s] * dt, trial, w->k + (size_t)s * n));
+  }
+  for (size_t i = 0; i < n; i++)
+    for (int s = 0; s < 4; s++) state[i] += part[s] * dt * w->k[(size_t)s * n + i];
+  w->t += dt;
+}
+
+static void momentum_of(struct flow_case *w, double momentum[2]) {
+  struct bem_flow *f = &w->flow;
+  struct bem_spin spin;
+  f->time = w->t;
+  EXPECT_OK(bem_flow_solve(f, f->surface.state, 1));
+  EXPECT_OK(bem_pressure_wet(&w->pressure, f));
+  if (!f->motion.rolls) {
+    bem_forces_momentum(f, f->surface.state, momentum);
+    return;
+  }
+  bem_spin_find(f, f->surface.state, &w->pressure.wet, &spin);
+  memcpy(momentum, spin.momentum, sizeof spin.momentum);
+}
+
+/* Volume, and integrals of x and y over the water from the origin of the motion. */
+static void moments_of(const struct flow_case *w, double moment[3]) {
+  const struct bem_surface *s = &w->flow.surface;
+  const struct bem_rule *wet = &w->pressure.wet;
+  const double *x = s->state, *y = x + s->n;
+  const double complex origin = w->flow.motion.origin;
+  double *a = w->k, *b = a + s->n, *c = b + s->n;
+  for (size_t k = 0; k < s->n; k++) {
+    c[k] = y[k] + cimag(origin);
+    a[k] = 0.5 * (x[k] + creal(origin)) * (x[k] + creal(origin));
+    b[k] = 0.5 * c[k] * c[k];
+  }
+  moment[0] = bem_surface_integral(s, c, x);
+  moment[1] = -bem_surface_integral(s, a, y);
+  moment[2] = bem_surface_integral(s, b, x);
+  for (size_t j = 0; j < BEM_RULE * wet->panels; j++) {
+    const double complex r = wet->z[j] + origin, dz = wet->weight[j] * wet->slope[j];
+    moment[0] -= cimag(r) * creal(dz);
+    moment[1] += 0.5 * creal(r) * creal(r) * cimag(dz);
+    moment[2] -= 0.5 * cimag(r) * cimag(r) * creal(dz);
+  }
+}
+
+static const char moving[] = "title: moving tank\n"
+                             "fluid: {density: 1, gravity: 1}\n"
+                             "scales: {H: 1}\n"
+                             "tank:\n"
+                             "  walls: [[%s]]\n"
+                             "  motions: [%s]\n"
+                             "water: {wave: {kind: still, depth: 0.8}}\n"
+                             "time: {end: 9, every: 1}\n"
+                             "runs: [{name: bem, solver: bem, resolution: %d}]\n";
+
+/* By how much the rate of change of momentum at t = 2 is not what weight, the forces in the frame
+ * and those on the walls make it, with differences of fourth order. */
+static double momentum_error(const char *walls, const char *motions, int resolution,
+                             double *force) {
+  const double dt = 0.04, late = 0.02;
+  char text[800];
+  struct flow_case w = {0};
+  double p[5][2], moment[3] = {0}, momentum[2] = {0}, error[2] = {0};
+  struct bem_forces on = {0};
+  snprintf(text, sizeof text, moving, walls, motions, resolution);
+  begin(&w, text);
+  while (w.t < 2 - 2.5 * late) step(&w, fmin(dt, 2 - 2 * late - w.t));
+  for (int i = 0; i < 5; i++) {
+    momentum_of(&w, p[i]);
+    if (i == 2) {
+      memcpy(momentum, p[i], sizeof momentum);
+      EXPECT_OK(bem_pressure_solve(&w.pressure, &w.flow, w.flow.surface.state));
+      EXPECT_OK(bem_forces_find(&w.pressure, &w.flow, w.flow.surface.state, momentum, &on));
+      moments_of(&w, moment);
+      const struct bem_motion *m = &w.flow.motion;
+      const double turn2 = m->turn * m->turn;
+      error[0] = moment[0] * m->push[0] + m->turning * moment[2] + turn2 * moment[1] +
+                 2 * m->turn * momentum[1] - on.force_x;
+      error[1] = moment[0] * (m->push[1] - 1) - m->turning * moment[1] + turn2 * moment[2] -
+                 2 * m->turn * momentum[0] - on.force_y;
+    }
+    step(&w, late);
+  }
+  for (int k = 0; k < 2; k++)
+    error[k] -= (p[0][k] - 8 * p[1][k] + 8 * p[3][k] - p[4][k]) / (12 * late);
+  *force = hypot(on.force_x, on.force_y + moment[0]);
+  end(&w);
+  return hypot(error[0], error[1]);
+}
+
+static void test_forces_on_the_walls_change_the_momentum(void) {
+  static const struct {
+    const char *name, *walls, *motions;
+  } tank[] = {
+      {"bar that sways", "[0, 2], [0, 0], [1, 0], [1.4, 0.3], [1.7, 0.3], [2, 0], [3, 0], [3, 2]",
+       "{kind: sway, amplitude: 0.04, period: 3.3}"},
+      {"box that rolls", "[0, 2], [0, 0], [2, 0], [2, 2]",
+       "{kind: roll, amplitude: 0.08, period: 3.1, about: [0.8, 0.3]}"},
+      {"beach that rolls", "[0, 2], [0, 0], [1, 0], [5, 2]",
+       "{kind: roll, amplitude: 0.05, period: 3.1, about: [2, -1]}, "
+       "{kind: sway, amplitude: 0.05, period: 2.7}"},
+  };
+  for (size_t i = 0; i < sizeof tank / sizeof *tank; i++) {
+    double force, coarse = momentum_error(tank[i].walls, tank[i].motions, 10, &force);
+    const double fine = momentum_error(tank[i].walls, tank[i].motions, 20, &force);
+    printf("  %-16s: force %.3g from rest; off by %.1e, %.1e\n", tank[i].name, force, coarse, fine);
+    EXPECT(force > 0.01);
+    EXPECT(fine < 2e-3 * force && fine < coarse);
+  }
+}
+
+int main(void) {
+  RUN(test_water_at_rest_weighs_on_its_walls);
+  RUN(test_forces_on_the_walls_change_the_momentum);
+  return TEST_RESULT;
+}
