@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/cuts.h"
 #include "compare/family.h"
 #include "compare/filters.h"
 #include "compare/measure.h"
@@ -149,8 +150,8 @@ static const struct cmp_series *pick_gauge(const struct cmp_data *d, const char 
 }
 
 static const struct cmp_series *pick_own(const struct cmp_data *d, const char *name) {
-  const struct cmp_series *own[] = {&d->kinetic, &d->potential, &d->mechanical, &d->closure,
-                                    &d->front};
+  const struct cmp_series *own[] = {&d->kinetic, &d->potential, &d->mechanical,
+                                    &d->closure, &d->removed,   &d->front};
   for (size_t k = 0; k < sizeof own / sizeof *own; k++)
     if (!strcmp(own[k]->name, name)) return own[k]->n ? own[k] : NULL;
   return NULL;
@@ -178,22 +179,32 @@ static enum status picked_chart(const struct comparison *c, struct cmp_figures *
 static enum status energy_charts(const struct comparison *c, struct cmp_figures *f) {
   static const struct {
     const char *name, *file, *label, *caption;
+    bool cuts;
   } charts[] = {
       {"mechanical", "energy", "(E_k + E_p − E_{rest}) / E_0",
-       "Mechanical energy (kinetic + potential, relative to the same water at rest) over "
-       "its initial value in the reference: what is lost shows as decay."},
-      {"kinetic", "energy-kinetic", "E_k / E_0", "Kinetic energy."},
+       "Mechanical energy (kinetic + potential, relative to the same water at rest, with that of "
+       "water taken out added back) over its initial value in the reference: what is lost shows as "
+       "decay.",
+       false},
+      {"kinetic", "energy-kinetic", "E_k / E_0", "Kinetic energy.", true},
       {"potential", "energy-potential", "(E_p − E_{rest}) / E_0",
-       "Potential energy relative to the same water at rest."},
+       "Potential energy relative to the same water at rest.", true},
+      {"removed", "energy-removed", "E_{removed} / E_0",
+       "Energy of water that was taken out of the computation so far, since it left the tank or "
+       "could not be followed.",
+       true},
       {"closure", "energy-budget", "budget error / E_0",
        "Closure of each energy budget: kinetic + potential + elastic + everything "
        "dissipated or taken out, minus its value at t = 0. It is zero where every loss is "
-       "accounted for."}};
+       "accounted for.",
+       false}};
   for (size_t k = 0; k < sizeof charts / sizeof *charts; k++) {
     char column[64];
+    if (!strcmp(charts[k].name, "removed") && !cmp_cuts_any(c)) continue;
     snprintf(column, sizeof column, "%s [E0]", charts[k].name);
     struct cmp_family family = {
         .label = charts[k].label,
+        .cuts = charts[k].cuts,
         .plan = {.section = CMP_SECTION_ENERGY, .name = charts[k].file, .columns = column}};
     TRY(picked_chart(c, f, charts[k].caption, pick_own, charts[k].name, family));
   }

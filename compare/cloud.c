@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "common/base/array.h"
 
@@ -12,9 +13,20 @@ static size_t output_at(const struct comparison *c, const struct result_file *f,
   return SIZE_MAX;
 }
 
-static bool fills_the_water(const struct cmp_run *run, size_t n) {
-  double area = (double)n * run->data.dx * run->data.dx;
-  return n && !(run->data.volume.n && fabs(area / run->data.volume.value[0] - 1) > 0.5);
+static bool has_field(const struct result_file *f, const char *name) {
+  for (size_t i = 0; i < f->n_fields; i++)
+    if (!strcmp(f->fields[i], name)) return true;
+  return false;
+}
+
+/* Of n points that fill the water, particles of the run's spacing or others that say which volume
+ * they stand for: their spacing; 0 of boundary nodes. */
+static double spacing_of(const struct cmp_run *run, size_t n) {
+  const struct cmp_series *volume = &run->data.volume;
+  const double area = (double)n * run->data.dx * run->data.dx;
+  if (!n) return 0;
+  if (!(volume->n && fabs(area / volume->value[0] - 1) > 0.5)) return run->data.dx;
+  return has_field(run->data.file, "volume") ? sqrt(volume->value[0] / (double)n) : 0;
 }
 
 /* Sorts the pressures of `points`, which are done with then. */
@@ -23,7 +35,8 @@ static enum status cloud_write(const struct comparison *c, size_t r, struct cmp_
                                struct cmp_cloud *cloud) {
   FILE *data;
   char suffix[48];
-  if (!fills_the_water(&c->run[r], points->n)) return OK;
+  const double spacing = spacing_of(&c->run[r], points->n);
+  if (!(spacing > 0)) return OK;
   snprintf(suffix, sizeof suffix, "-particles-%zu.csv", r + 1);
   TRY(cmp_figure_data(f, fig, suffix, &data));
   fputs("x [H],y [H],pressure [rho g H]\n", data);
@@ -31,8 +44,8 @@ static enum status cloud_write(const struct comparison *c, size_t r, struct cmp_
     fprintf(data, "%.6g,%.6g,%.5g\n", points->p[i][0] / c->scales.H, points->p[i][1] / c->scales.H,
             points->value[i] / c->scales.p);
   qsort(points->value, points->n, sizeof *points->value, array_ascending);
-  *cloud =
-      (struct cmp_cloud){points->n, points->value[points->n - 1 - points->n / 100] / c->scales.p};
+  *cloud = (struct cmp_cloud){
+      points->n, points->value[points->n - 1 - points->n / 100] / c->scales.p, spacing};
   return cmp_figure_data_end(fig, data);
 }
 

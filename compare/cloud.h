@@ -1,11 +1,13 @@
-/* The particles of a run at the comparison times, as tables that pictures are drawn from. */
+/* The particles of a run, or other points that fill its water, at the comparison times, as tables
+ * that pictures are drawn from. */
 #pragma once
 #include "compare/comparison.h"
 #include "compare/figure.h"
 
 struct cmp_cloud {
-  size_t n;   /* 0: there are none then, or none that fill the water (boundary nodes do not) */
-  double top; /* the pressure that all but one in a hundred stay below */
+  size_t n;       /* 0: there are none then, or none that fill the water (boundary nodes do not) */
+  double top;     /* the pressure that all but one in a hundred stay below */
+  double spacing; /* H */
 };
 
 /* Of run r at every comparison time, read at once; `figure` [n_times] are the indices in `f` of

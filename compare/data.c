@@ -161,9 +161,10 @@ const struct cmp_series *cmp_series_find(const struct cmp_series *s, size_t n, c
 
 static enum status energies(const struct result_file *f, const struct cmp_scales *s,
                             struct cmp_data *d) {
-  struct cmp_series *all[] = {&d->kinetic, &d->potential, &d->mechanical, &d->internal,
-                              &d->closure};
-  static const char *const names[] = {"kinetic", "potential", "mechanical", "internal", "closure"};
+  struct cmp_series *all[] = {&d->kinetic,  &d->potential, &d->mechanical,
+                              &d->internal, &d->closure,   &d->removed};
+  static const char *const names[] = {"kinetic",  "potential", "mechanical",
+                                      "internal", "closure",   "removed"};
   enum { SERIES = sizeof all / sizeof *all };
   for (size_t k = 0; k < SERIES; k++) TRY(series_room(all[k], names[k], f->n_energy));
   for (size_t k = 0; k < 3 && f->n_energy_errors; k++) TRY(series_error_room(all[k], f->n_energy));
@@ -171,12 +172,19 @@ static enum status energies(const struct result_file *f, const struct cmp_scales
       f->rest_potential; /* its own: a compressible fluid's is not the reference's */
   for (size_t i = 0; i < f->n_energy; i++) {
     const struct result_energy *e = &f->energy[i];
-    double value[SERIES] = {e->kinetic, e->potential - rest,
-                            e->kinetic + e->potential + e->removed - rest, e->internal,
-                            result_energy_budget(e) - result_energy_budget(&f->energy[0])};
+    double value[SERIES] = {e->kinetic,
+                            e->potential - rest,
+                            e->kinetic + e->potential + e->removed - rest,
+                            e->internal,
+                            result_energy_budget(e) - result_energy_budget(&f->energy[0]),
+                            e->removed};
     const struct result_energy *error = f->n_energy_errors ? &f->energy_error[i] : NULL;
-    const double bar[SERIES] = {error ? error->kinetic : NAN, error ? error->potential : NAN,
-                                error ? error->total : NAN, NAN, NAN};
+    const double bar[SERIES] = {error ? error->kinetic : NAN,
+                                error ? error->potential : NAN,
+                                error ? error->total : NAN,
+                                NAN,
+                                NAN,
+                                NAN};
     for (size_t k = 0; k < SERIES; k++)
       series_add(all[k], e->time / s->T, value[k] / s->E, bar[k] / s->E);
   }
@@ -342,8 +350,9 @@ void cmp_data_destroy(struct cmp_data *d) {
   free(d->surface);
   free(d->jet);
   geo_lines_destroy(&d->walls);
-  struct cmp_series *single[] = {&d->kinetic, &d->potential, &d->mechanical, &d->internal,
-                                 &d->closure, &d->volume,    &d->fronts[0],  &d->fronts[1]};
+  struct cmp_series *single[] = {&d->kinetic,  &d->potential, &d->mechanical,
+                                 &d->internal, &d->closure,   &d->removed,
+                                 &d->volume,   &d->fronts[0], &d->fronts[1]};
   for (size_t k = 0; k < sizeof single / sizeof *single; k++) series_free(single[k]);
   struct {
     struct cmp_series *s;

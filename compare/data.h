@@ -56,8 +56,9 @@ struct cmp_data {
   double bed; /* y of the lowest wall point */
 
   /* Each on the energy series' own times. mechanical = kinetic + potential + removed, relative to
-   * rest; closure = sum of the budget minus its first value. */
-  struct cmp_series kinetic, potential, mechanical, internal, closure;
+   * rest; closure = sum of the budget minus its first value; removed: with water that was taken
+   * out. */
+  struct cmp_series kinetic, potential, mechanical, internal, closure, removed;
   size_t n_terms;
   struct cmp_series *terms; /* what has left by each of the solver's own terms, [n_terms] */
   struct cmp_series volume; /* with what was removed added back, in H^2 */

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/cuts.h"
+
 void cmp_family_caption_end(const struct comparison *c, struct cmp_figure *fig) {
   size_t used = strlen(fig->caption);
   cmp_picked_say(c, CMP_NAMED, "are drawn in thin grey", fig->caption + used,
@@ -35,6 +37,21 @@ static void series_rows(struct cmp_chart *chart, const struct cmp_family *family
   }
 }
 
+/* Series of marks come behind those of experiments. */
+static size_t cuts_series(const struct comparison *c, size_t r) {
+  return c->n_runs + 1 + c->ref.data.n_experiments + r;
+}
+
+static void cut_rows(struct cmp_chart *chart, const struct cmp_family *family, size_t r) {
+  const struct cmp_data *d = &cmp_run_or_ref(chart->c, r < chart->c->n_runs ? r : SIZE_MAX)->data;
+  const struct cmp_series *s = family->run[r];
+  for (size_t i = 1; i < s->n; i++) {
+    const double row[] = {s->value[i], NAN, NAN};
+    if (cmp_cut_shows(d, i))
+      cmp_chart_row(chart, cuts_series(chart->c, r), "cut", s->t[i], row, family->errors ? 3 : 1);
+  }
+}
+
 static void family_rows(struct cmp_chart *chart, const struct cmp_family *family) {
   const struct comparison *c = chart->c;
   for (size_t r = 0; r <= c->n_runs; r++)
@@ -45,6 +62,8 @@ static void family_rows(struct cmp_chart *chart, const struct cmp_family *family
     if (family_shows(c, family, k))
       series_rows(chart, family, c->n_runs + 1 + k, c->ref.data.experiments[k].name,
                   &c->ref.data.experiments[k]);
+  for (size_t r = 0; family->cuts && r <= c->n_runs; r++)
+    if (family->run[r]) cut_rows(chart, family, r);
 }
 
 /* ---- the range of the axis ---- */
@@ -160,6 +179,15 @@ static void run_draw(struct cmp_chart *chart, const struct cmp_family *family, s
                          });
 }
 
+static void cuts_draw(struct cmp_chart *chart, const struct cmp_family *family, size_t r) {
+  const struct comparison *c = chart->c;
+  if (!family->cuts || !family->run[r] || !family->run[r]->n) return;
+  cmp_chart_curve(chart,
+                  &(struct cmp_curve){.series = cuts_series(c, r),
+                                      .style = cmp_run_style(c, r < c->n_runs ? r : SIZE_MAX),
+                                      .symbol = 2});
+}
+
 /* What a mean was taken of, thin and below every mean. */
 static void raw_draw(struct cmp_chart *chart, const struct cmp_family *family, size_t r) {
   if (!family->run[r] || !family->run[r]->n || !family->run[r]->raw) return;
@@ -175,6 +203,8 @@ static void runs_draw(struct cmp_chart *chart, const struct cmp_family *family) 
   run_draw(chart, family, c->n_runs, true);
   for (size_t r = 0; r < c->n_runs; r++)
     if (cmp_run_is_picked(c, r, CMP_NAMED)) run_draw(chart, family, r, true);
+  for (size_t r = 0; r <= c->n_runs; r++)
+    if (r == c->n_runs || cmp_run_is_picked(c, r, CMP_NAMED)) cuts_draw(chart, family, r);
 }
 
 enum status cmp_family_chart(const struct comparison *c, struct cmp_figures *f, const char *caption,
@@ -183,6 +213,7 @@ enum status cmp_family_chart(const struct comparison *c, struct cmp_figures *f, 
   family->plan.panels = 1;
   family->plan.panel_height = 280;
   TRY(family_begin(c, f, caption, family, &chart));
+  if (family->cuts) cmp_cuts_say(c, chart.fig->caption, sizeof chart.fig->caption);
   cmp_family_caption_end(c, chart.fig);
   family_rows(&chart, family);
   cmp_chart_panel(&chart, 0, &family->frame, family->label, NULL);

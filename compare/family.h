@@ -8,6 +8,7 @@ struct cmp_family {
   const char *label;             /* of the axis */
   struct cmp_chart_plan plan;    /* without a target no experiments are drawn */
   struct cmp_frame frame;
+  bool cuts;        /* of an energy, in which marks show where water was cut away */
   bool raw, errors; /* any series has these: columns of the table, after the value */
 };
 

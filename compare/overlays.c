@@ -173,7 +173,7 @@ static void layers_draw(const struct cmp_figure *fig, const struct layout *l,
       fprintf(fig->script,
               "set output '%s.layer%zu.png'\nplot '%s-particles-%zu.csv' skip 1 using 1:2:(%.6g):3 "
               "with circles linecolor palette\n",
-              fig->name, r, fig->name, r + 1, c->run[r].data.dx / 2);
+              fig->name, r, fig->name, r + 1, cloud[r].spacing / 2);
   fputs("unset output\nreset\nset datafile separator ','\n", fig->script);
 }
 
