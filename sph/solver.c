@@ -285,6 +285,12 @@ static void check_tank(const struct case_file *c, const struct case_run *r,
                        struct problems *problems) {
   const struct sph_scheme *o = r->options;
   if (c->rectangular) return;
+  if (c->flow->on_surface_alone && c->flow->on_surface_alone(c))
+    problems_add(problems, case_run_line(r, "solver"),
+                 "runs.%s.solver: found 'sph' with the motion of a surface from a file in a tank "
+                 "that is not rectangular, where nothing tells the velocities below it; allowed: "
+                 "lines 'x, eta' of water at rest; take solver: bem, or another file",
+                 r->name);
   if (sph_walls[o->walls]->moving) check_corners(c, r, problems);
   if (sph_walls[o->walls] == &sph_wall_dynamic)
     problems_add(

@@ -90,19 +90,19 @@ enum status case_read_walls(struct case_draft *d, int node);
 enum status case_read_regions(struct case_draft *d, int node);
 extern const struct case_table case_line_tables[];
 
-/* case_rows.c: two or three columns of numbers from a text file, its path relative to the case
+/* case_rows.c: two to four columns of numbers from a text file, its path relative to the case
  * file, in SI units. Adds problems; `line` and `path` are those of the key that names it. */
-enum { CASE_MOST_COLUMNS = 3 };
+enum { CASE_MOST_COLUMNS = 4 };
 struct case_columns {
-  const char *what;               /* "time, value" */
-  size_t most;                    /* 2, or 3: the third may be missing in all lines */
+  const char *what; /* "time, value" */
+  size_t most;      /* 2, or more: those after the second may be missing in all lines */
   double unit[CASE_MOST_COLUMNS]; /* of the file's numbers, SI */
   enum { CASE_ROWS_ANY, CASE_ROWS_DO_NOT_FALL, CASE_ROWS_RISE } order; /* of the first one */
   const char *ordered, *si; /* "times that increase"; SI unit of the first one */
 };
 struct case_rows {
   size_t n, columns;
-  double *x, *y, *z; /* [n], owned; z NULL: two columns */
+  double *x, *y, *z, *w; /* [n], owned; z, w NULL: fewer columns */
 };
 enum status case_read_rows(struct case_draft *d, const char *file, int line, const char *path,
                            const struct case_columns *columns, struct case_rows *r);

@@ -1,6 +1,6 @@
 /* Columns of numbers in text files that a case names,
  *     # any number of header lines (lines of at most 1000 bytes, files of at most 64 MB)
- *     number, number        (or three)
+ *     number, number        (or three, or four)
  */
 #include <math.h>
 #include <stdlib.h>
@@ -33,7 +33,7 @@ static size_t parse_row(char *line, double row[CASE_MOST_COLUMNS]) {
 
 static enum status append(struct case_rows *r, size_t *room, const double *row,
                           const double *unit) {
-  double **columns[] = {&r->x, &r->y, &r->z};
+  double **columns[] = {&r->x, &r->y, &r->z, &r->w};
   size_t more = array_room(*room, r->n + 1);
   for (size_t k = 0; k < r->columns; k++) {
     if (more > *room) TRY(array_resize(columns[k], more, "values of a file"));
@@ -51,7 +51,7 @@ static const char *judge_line(char *line, struct case_rows *r, const struct case
   const size_t n = parse_row(line, row);
   if (n < 2 || n > columns->most || (r->n && n != r->columns))
     return columns->most == 2 ? "two numbers with a comma between them"
-                              : "two or three numbers with commas between them, in all lines alike";
+                              : "two to four numbers with commas between them, in all lines alike";
   const double last = r->n ? r->x[r->n - 1] : -INFINITY, next = row[0] * columns->unit[0];
   if (columns->order == CASE_ROWS_RISE && !(next > last)) return columns->ordered;
   if (columns->order == CASE_ROWS_DO_NOT_FALL && next < last) return columns->ordered;
@@ -89,6 +89,7 @@ void case_rows_destroy(struct case_rows *r) {
   free(r->x);
   free(r->y);
   free(r->z);
+  free(r->w);
   *r = (struct case_rows){0};
 }
 

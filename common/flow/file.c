@@ -1,4 +1,5 @@
-/* A surface from a file: its height over x, and the potential on it or water at rest. */
+/* A surface from a file: its height over x, and water at rest or the potential on it, or the
+ * velocities there, along which the potential is found. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,8 +11,9 @@
 #include "common/flow/harmonic.h"
 #include "common/tank/motion.h"
 
-enum { MOST_TERMS = 240 };            /* of the harmonic functions */
-static const double SAME_ENDS = 1e-6; /* of the depth: a period ends as it begins */
+enum { MOST_TERMS = 240 };              /* of the harmonic functions */
+static const double LITTLE_GAIN = 1e-3; /* of the potential's largest, in a period */
+static const double SAME_ENDS = 1e-6;   /* of the depth: a period ends as it begins */
 
 struct form {
   double depth; /* m */
@@ -25,9 +27,9 @@ struct form {
 static const struct param rows[] = {
     FLOW_LENGTH(struct form, depth, PARAM_ABOVE_0, "of the water at rest, above which eta counts"),
     TEXT(struct form, file, 1000, NULL,
-         "lines 'x, eta' in m of water at rest, or 'x, eta, phi' in m and m^2/s with the potential "
-         "on the surface, from side to side; relative to the case; a cubic spline goes through "
-         "them"),
+         "lines 'x, eta' in m of water at rest, 'x, eta, phi' with the potential on the surface "
+         "(m^2/s), or 'x, eta, u, v' with the velocity there (m/s), from side to side; relative to "
+         "the case; a cubic spline goes through them"),
 };
 
 /* ---- reading ---- */
@@ -43,6 +45,54 @@ static enum status repeat(size_t n, double **value, double step) {
   free(*value);
   *value = all;
   return OK;
+}
+
+/* u + v eta', times half the way, at a place between two rows; s: splines of eta, u, v. */
+static double slope_at(const struct tank_record s[3], double x) {
+  double q[3][3];
+  for (int i = 0; i < 3; i++) tank_record_at(&s[i], x, q[i]);
+  return q[1][0] + q[2][0] * q[0][1];
+}
+
+/* phi at the rows by Simpson's rule along the surface, and what it has gained at the end of a
+ * period, which is an error of the file or a current, spread evenly if it is little. */
+static void integrate(const struct tank_record s[3], bool round, double *phi) {
+  const size_t n = s[0].n;
+  const double *x = s[0].t;
+  double largest = 0;
+  phi[0] = 0;
+  for (size_t i = 0; i + 1 < n; i++) {
+    const double a = x[i], b = x[i + 1];
+    phi[i + 1] =
+        phi[i] + (b - a) / 6 * (slope_at(s, a) + 4 * slope_at(s, (a + b) / 2) + slope_at(s, b));
+    largest = fmax(largest, fabs(phi[i + 1]));
+  }
+  const double gain = phi[n - 1];
+  if (!round || fabs(gain) > LITTLE_GAIN * largest) return;
+  for (size_t i = 1; i < n; i++) phi[i] -= gain * (x[i] - x[0]) / (x[n - 1] - x[0]);
+}
+
+static enum status copy(const double *from, size_t n, double **to) {
+  TRY(array_create(to, n, "a surface"));
+  memcpy(*to, from, n * sizeof **to);
+  return OK;
+}
+
+/* Puts the potential in the place of the velocities. */
+static enum status find_potential(const struct case_file *c, struct case_rows *r) {
+  struct tank_record s[3] = {0};
+  const double *column[] = {r->y, r->z, r->w};
+  enum status status = OK;
+  for (int i = 0; i < 3; i++) {
+    s[i].n = r->n;
+    ATTEMPT(copy(r->x, r->n, &s[i].t));
+    ATTEMPT(copy(column[i], r->n, &s[i].q));
+    ATTEMPT(tank_record_finish(&s[i]));
+  }
+  integrate(s, c->periodic[0], r->z);
+done:
+  for (int i = 0; i < 3; i++) tank_record_destroy(&s[i]);
+  return status;
 }
 
 static enum status go_round(struct case_rows *r) {
@@ -83,6 +133,7 @@ static void measure(struct form *f, double left, double right) {
 static enum status take(const struct case_file *c, struct form *f, struct case_rows *r) {
   f->from = r->x[0];
   f->to = r->x[r->n - 1];
+  if (r->w) TRY(find_potential(c, r));
   if (c->periodic[0]) TRY(go_round(r));
   f->eta = (struct tank_record){.n = r->n, .t = r->x, .q = r->y};
   r->x = r->y = NULL;
@@ -99,7 +150,7 @@ static enum status take(const struct case_file *c, struct form *f, struct case_r
 static enum status read_surface(struct case_draft *d, int node) {
   static const char *const path = "water.wave.file";
   static const struct case_columns columns = {
-      "x, eta", 3, {1, 1, 1}, CASE_ROWS_RISE, "places x that increase", "m"};
+      "x, eta", 4, {1, 1, 1, 1}, CASE_ROWS_RISE, "places x that increase", "m"};
   struct form *f = d->c->form;
   const size_t faults = d->doc.faults;
   const int line = case_doc_member_line(&d->doc, node, "file");
@@ -174,9 +225,6 @@ static void check(const struct case_file *c, struct case_draft *d) {
     snprintf(allowed, sizeof allowed, "a surface above the bed, %.6g m below it", f->depth);
     case_flow_problem(d, "file", found, allowed, "correct the file or the depth");
   }
-  if (!c->rectangular && f->phi.n)
-    case_flow_problem(d, "file", "a potential in a tank that is not rectangular",
-                      "lines 'x, eta' of water at rest", "remove the third column");
 }
 
 /* ---- the water ---- */
@@ -212,7 +260,17 @@ static void velocity(const struct flow_water *w, double x, double y, double t, d
 static double potential(const struct flow_water *w, double x, double y, double t) {
   (void)t;
   const struct inside *in = w->own;
-  return in && in->phi ? flow_harmonic_at(in->phi, x, y, NULL) : 0;
+  const struct form *f = w->c->form;
+  double q[3] = {0};
+  if (in && in->phi) return flow_harmonic_at(in->phi, x, y, NULL);
+  if (f->phi.n) tank_record_at(&f->phi, x, q);
+  return q[0];
+}
+
+/* In other tanks than rectangular ones no cosines go along the walls. */
+static bool on_surface_alone(const struct case_file *c) {
+  const struct form *f = c->form;
+  return !c->rectangular && f->phi.n > 0;
 }
 
 static double dynamic_head(const struct flow_water *w, double x, double y) {
@@ -282,6 +340,7 @@ const struct flow flow_file = {
     .destroy = destroy,
     .scale = scale,
     .elevation = elevation,
+    .on_surface_alone = on_surface_alone,
     .potential = potential,
     .velocity = velocity,
     .head = head,

@@ -104,6 +104,9 @@ struct flow {
   bool at_rest; /* at t = 0, when neither is asked */
   bool round;   /* they go round a tank with periodic sides; there are none between walls */
   bool sounds;  /* only in compressible water: all of them want use.sound */
+  /* Of a case, or NULL: whether the potential is known on the surface alone, and the velocity
+   * nowhere. */
+  bool (*on_surface_alone)(const struct case_file *c);
   double (*potential)(const struct flow_water *w, double x, double y, double t);
   void (*velocity)(const struct flow_water *w, double x, double y, double t, double velocity[2]);
 

@@ -22,10 +22,10 @@ static inline struct case_file *run_case(const char *text) {
   return c;
 }
 
-static inline struct result_file *run_bem(const char *text) {
+/* Destroys the case. */
+static inline struct result_file *run_bem_case(struct case_file *c) {
   char path[] = "/tmp/plunge-bem-XXXXXX.h5", xdmf[sizeof path + 2];
   int handle = mkstemps(path, 3);
-  struct case_file *c = run_case(text);
   struct result *out = NULL;
   struct result_file *f = NULL;
   struct progress *progress = progress_create(PROGRESS_QUIET);
@@ -45,6 +45,10 @@ static inline struct result_file *run_bem(const char *text) {
   snprintf(xdmf, sizeof xdmf, "%.*s.xdmf", (int)strlen(path) - 3, path);
   unlink(xdmf);
   return f;
+}
+
+static inline struct result_file *run_bem(const char *text) {
+  return run_bem_case(run_case(text));
 }
 
 static inline double run_statistic(const struct result_file *f, const char *name) {

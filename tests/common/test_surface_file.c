@@ -32,7 +32,9 @@ static void write_text(const char *path, const char *text) {
   EXPECT(out && fputs(text, out) >= 0 && fclose(out) == 0);
 }
 
-static void write_surface(int parts, bool round, bool moves) {
+enum content { AT_REST, POTENTIAL, VELOCITY };
+
+static void write_surface(int parts, bool round, enum content content) {
   FILE *out = fopen("surface-file.csv", "w");
   EXPECT(out != NULL);
   if (!out) return;
@@ -40,16 +42,21 @@ static void write_surface(int parts, bool round, bool moves) {
   for (int i = 0; i <= parts; i++) {
     const double x = 2.0 * i / parts, eta = eta_at(x, round);
     fprintf(out, "%.17g, %.17g", x, eta);
-    if (moves) fprintf(out, ", %.17g", phi_at(x, DEPTH + eta, round));
+    const double k = wave_number(round), y = DEPTH + eta, angle = k * x + phase_of(round),
+                 rate = k * STRENGTH / cosh(k * DEPTH);
+    if (content == POTENTIAL) fprintf(out, ", %.17g", phi_at(x, y, round));
+    if (content == VELOCITY)
+      fprintf(out, ", %.17g, %.17g", -rate * sin(angle) * cosh(k * y),
+              rate * cos(angle) * sinh(k * y));
     fputc('\n', out);
   }
   EXPECT(fclose(out) == 0);
 }
 
-static struct case_file *load(int parts, bool round, bool moves) {
+static struct case_file *load(int parts, bool round, enum content content) {
   struct problems problems = {0};
   struct case_file *c = NULL;
-  write_surface(parts, round, moves);
+  write_surface(parts, round, content);
   write_text("surface-file.yaml",
              round ? "tank: {walls: [[[0, 1], [0, 0], [2, 0], [2, 1]]], sides: periodic}\n"
                      "water: {wave: {kind: file, depth: 0.5, file: surface-file.csv}}\n"
@@ -66,8 +73,8 @@ static struct case_file *load(int parts, bool round, bool moves) {
 }
 
 /* Largest errors of surface, m, and of velocities in the water, m/s. */
-static void measure(int parts, bool round, double error[2]) {
-  struct case_file *c = load(parts, round, true);
+static void measure(int parts, bool round, enum content content, double error[2]) {
+  struct case_file *c = load(parts, round, content);
   struct flow_water w;
   const double k = wave_number(round);
   error[0] = error[1] = 0;
@@ -91,11 +98,11 @@ static void measure(int parts, bool round, double error[2]) {
 /* A cubic spline errs by 5/384 h^4 of the fourth derivative inside, some ten times that at ends
  * without a knot; twice as many rows make it 16 times smaller. The velocities come from the spline
  * of phi by a fit that damps what it cannot see; they lose at most one order. */
-static void expect_order(bool round) {
+static void expect_order(bool round, enum content content) {
   double coarse[2], fine[2];
   const double h = 2.0 / 32;
-  measure(32, round, coarse);
-  measure(64, round, fine);
+  measure(32, round, content, coarse);
+  measure(64, round, content, fine);
   EXPECT(coarse[0] <= 10 * 5.0 / 384 * AMPLITUDE * pow(wave_number(round) * h, 4));
   EXPECT(fine[0] > 0 && fine[0] <= coarse[0] / 12);
   EXPECT(coarse[1] <= 1e-3 * STRENGTH * wave_number(round));
@@ -104,14 +111,16 @@ static void expect_order(bool round) {
 }
 
 static void test_surface_and_velocities_are_those_of_the_file(void) {
-  expect_order(false);
-  expect_order(true);
+  for (enum content content = POTENTIAL; content <= VELOCITY; content++) {
+    expect_order(false, content);
+    expect_order(true, content);
+  }
 }
 
 /* No pressure on the surface; with the square of the velocity and the height it is harmonic, so its
  * mean over a circle is what it is in the middle. */
 static void test_pressure_of_moving_water_is_bernoullis(void) {
-  struct case_file *c = load(64, false, true);
+  struct case_file *c = load(64, false, POTENTIAL);
   struct flow_water w;
   double mean = 0, middle = 0;
   if (!c) return;
@@ -142,7 +151,7 @@ static void test_pressure_of_moving_water_is_bernoullis(void) {
 /* The same water from one file and from another is the same; other heights are other water, and a
  * result's case, without its file, is level. */
 static void test_fingerprint_is_that_of_the_rows(void) {
-  struct case_file *a = load(32, false, false), *b = load(32, false, true), *again = NULL;
+  struct case_file *a = load(32, false, AT_REST), *b = load(32, false, POTENTIAL), *again = NULL;
   struct problems problems = {0};
   char of_a[33], of_b[33];
   if (!a || !b) return;
@@ -154,7 +163,7 @@ static void test_fingerprint_is_that_of_the_rows(void) {
   if (again) EXPECT_NEAR(again->flow->scale(again).amplitude, 0, 0);
   problems_destroy(&problems);
   case_destroy(again);
-  again = load(32, false, false);
+  again = load(32, false, AT_REST);
   if (again) case_water_fingerprint(again, of_b);
   EXPECT(strcmp(of_a, of_b) == 0);
   case_destroy(a);
