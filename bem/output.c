@@ -413,7 +413,7 @@ enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f
       {"spilled_volume", o->c->H * o->c->H * o->spilled_volume, "m^2",
        "cut from the thin film that passed the top of the wall that the water runs to"},
       {"steps_cut", steps_cut, "1",
-       "time steps more than ten times shorter than the median of the 51 before them, those just "
+       "time steps more than ten times shorter than the median of the 15 before them, those just "
        "after a new start of the integrator left out"},
       {"cvode_steps", n.steps, "1", "internal steps of CVODE"},
       {"evaluations", n.evaluations, "1", "of the right-hand side by CVODE"},

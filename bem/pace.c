@@ -10,7 +10,7 @@ static const double CRAWL = 0.002;   /* sqrt(H/g) in a stretch: a hundredth of t
 static const double RUNAWAY = 3e-4;  /* of the energy, in as long as a stretch that crawls */
 static const double CUT = 0.1; /* of the pace of the WINDOW before: a step that was cut short */
 enum {
-  WINDOW = 51,   /* steps */
+  WINDOW = 15,   /* steps */
   PATIENCE = 50, /* steps */
   STRETCH = 200,
   SETTLE = 60 /* steps that CVODE's order and step need to grow after a start */

@@ -32,6 +32,6 @@ bool bem_pace_is_lost(const struct bem_pace *p, double time);
  * budget: the surface is winding up where it cannot be followed. whole: the energy at the start. */
 bool bem_pace_runs_away(struct bem_pace *p, double time, double energy, double whole);
 
-/* Settled steps that were more than ten times shorter than the median of the 51 before them. Where
+/* Settled steps that were more than ten times shorter than the median of the 15 before them. Where
  * the flow itself becomes fast, as in a jet, or before a contact, they shrink by and by. */
 double bem_pace_cut(const struct bem_pace *p);
