@@ -239,25 +239,52 @@ static void check_gravity(const struct case_file *c, const struct case_run *r,
                  r->name, sph_scheme_name(o, "eos"), c->down[0], c->down[1]);
 }
 
-/* The whole tank may move, its sides stand. */
+/* The first motion of a side, or NULL. */
+static const struct tank_motion *motion_of_side(const struct case_file *c) {
+  for (size_t k = 0; k < c->n_motions; k++)
+    if (tank_motion_is_of_side(&c->motions[k])) return &c->motions[k];
+  return NULL;
+}
+
+static bool has_flap(const struct case_file *c) {
+  for (size_t k = 0; k < c->n_motions; k++)
+    if (c->motions[k].kind == TANK_MOTION_flap) return true;
+  return false;
+}
+
+/* Ghosts in sharper corners than that have no water at their mirror points. */
+static void check_flaps(const struct case_file *c, const struct case_run *r,
+                        struct problems *problems) {
+  double angle = M_PI;
+  if (sph_sides_sharpest(c, &angle) != OK) problems->out_of_memory = true;
+  if (angle >= M_PI / 4 * (1 - 1e-9)) return;
+  problems_add(problems, case_run_line(r, "solver"),
+               "runs.%s.solver: found 'sph' with a flap that folds its wall to a corner of %.3g "
+               "degrees; allowed: at least 45 degrees; make its stroke smaller",
+               r->name, angle * 180 / M_PI);
+}
+
+/* Which walls know what a tank and sides that move do. */
 static void check_motions(const struct case_file *c, const struct case_run *r,
                           struct problems *problems) {
-  const struct sph_scheme *o = r->options;
-  bool shakes = false;
-  for (size_t k = 0; k < c->n_motions; k++) {
-    const struct tank_motion *m = &c->motions[k];
-    shakes |= !tank_motion_is_of_side(m);
-    if (tank_motion_is_of_side(m))
-      problems_add(problems, case_run_line(r, "solver"),
-                   "runs.%s.solver: found 'sph' with a %s; allowed: motions of the whole tank; "
-                   "change tank.motions or take another solver",
-                   r->name, tank_motion_name(m));
-  }
-  if (shakes && sph_walls[o->walls] == &sph_wall_mirror_exponential)
+  const int walls = ((const struct sph_scheme *)r->options)->walls;
+  const struct tank_motion *side = motion_of_side(c);
+  if (c->n_motions && sph_walls[walls] == &sph_wall_mirror_exponential)
     problems_add(problems, case_run_line(r, "walls"),
                  "runs.%s.walls: found 'mirror-exponential' in a tank that moves, beside whose "
                  "walls it knows no pressure; allowed: in a tank at rest; write walls: mirror",
                  r->name);
+  else if (side && !sph_walls[walls]->move)
+    problems_add(problems, case_run_line(r, "walls"),
+                 "runs.%s.walls: found '%s' with a %s, which it cannot follow; allowed: ghost, "
+                 "mirror, mirror-plain; write walls: ghost",
+                 r->name, sph_wall_names[walls], tank_motion_name(side));
+  else if (has_flap(c) && sph_walls[walls]->moving)
+    problems_add(problems, case_run_line(r, "walls"),
+                 "runs.%s.walls: found '%s' with a flap, whose corners images do not fill once; "
+                 "allowed: ghost; write walls: ghost",
+                 r->name, sph_wall_names[walls]);
+  if (has_flap(c)) check_flaps(c, r, problems);
 }
 
 /* Images fill no corner of the water that is sharper than a right angle, and jump from face to face
@@ -265,7 +292,7 @@ static void check_motions(const struct case_file *c, const struct case_run *r,
 static void check_corners(const struct case_file *c, const struct case_run *r,
                           struct problems *problems) {
   struct sph_faces faces = {0};
-  if (sph_faces_set(&faces, &c->walls, 0) != OK) problems->out_of_memory = true;
+  if (sph_faces_set(&faces, &c->walls, 0, NULL) != OK) problems->out_of_memory = true;
   for (size_t k = 0; k < faces.n; k++) {
     const struct sph_face *f = &faces.face[k];
     if (f->end[1] == SPH_END_TOP || (f->turn >= 0 && f->turn < M_PI / 2 + 1e-6)) continue;

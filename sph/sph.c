@@ -29,6 +29,11 @@ static double wall_reserve(const struct sph *s) {
   return s->wall->moving ? s->wall_skin / 2 : s->wall_skin;
 }
 
+/* What water and walls go since the walls were listed, or up to `ahead` (s) later. */
+static double way_at_walls(const struct sph *s, double ahead) {
+  return sph_drift_at_walls(s, ahead) + sph_sides_way(s, s->t + ahead);
+}
+
 struct sph_sources sph_sources_of_water(const struct sph *s) {
   const struct sph_period *p = &s->period;
   const double drift = sph_drift_since_sorted(s);
@@ -47,12 +52,14 @@ static enum status list_walls(struct sph *s, double least) {
     f->y_walls[i] = f->w.y[i];
   }
   s->wall_skin = fmin(fmax(usual_wall_skin * s->dx, least), widest_skin * s->dx);
-  s->drift.walls = sph_drift_at_walls(s, s->drift.ahead);
+  sph_sides_list(s);
+  s->drift.walls = way_at_walls(s, s->drift.ahead);
   const double wanted = (s->wall->moving ? 2.2 : 1.1) * s->drift.walls;
   if (wanted > s->wall_skin) {
     s->wall_skin = fmin(wanted, widest_skin * s->dx);
-    s->drift.walls = sph_drift_at_walls(s, s->drift.ahead); /* wider lists concern more water */
+    s->drift.walls = way_at_walls(s, s->drift.ahead); /* wider lists concern more water */
   }
+  if (s->sides.move) TRY(sph_wall_see(s));
   sph_period_move(s);
   TRY(s->wall->list(s));
   const struct sph_sources walls = {1, {{&s->w.grid, s->w.x, s->w.y, 0, 0}}};
@@ -95,7 +102,8 @@ bool sph_lists_hold(const struct sph *s, double elapsed) {
   const struct sph_particles *f = &s->f;
   if (s->stand_in) return true;
   if (elapsed > s->drift.ahead)
-    return sph_drift_since_sorted(s) <= s->skin / 2 && sph_drift_at_walls(s, 0) <= wall_reserve(s);
+    return sph_drift_since_sorted(s) <= s->skin / 2 &&
+           sph_drift_at_walls(s, 0) + sph_sides_way(s, s->t + elapsed) <= wall_reserve(s);
   double off2 = 0;
 #pragma omp parallel for simd schedule(static) reduction(max : off2)
   for (size_t i = 0; i < f->n; i++) {
@@ -112,7 +120,7 @@ static enum status update(struct sph *s) {
   const double left = sph_drift_left(s);
   const bool wide = s->skin > 2 * usual_skin * s->dx && left > s->skin / 2 && !s->again;
   if (left < 0 || wide || sph_period_left(s) < 0) return sort_and_list(s, NULL, 0, 0);
-  s->drift.walls = sph_drift_at_walls(s, s->drift.ahead);
+  s->drift.walls = way_at_walls(s, s->drift.ahead);
   if (s->drift.walls > wall_reserve(s)) return list_walls(s, 0);
   return sph_wall_look(s);
 }
@@ -187,6 +195,7 @@ enum status sph_create(const struct case_file *c, double resolution, const struc
   if (c->flow->pull) s->pull = c->flow->pull(c);
   s->eos = (struct eos){(enum sph_eos)o->eos, s->rho0, s->c0, s->g, level_at_rest(c)};
   sph_force_create(s, c);
+  ATTEMPT(sph_sides_create(s, c));
   s->adjoint = sph_forms_adjoint(o);
   s->dx = c->H / resolution;
   s->h = o->h_over_dx * s->dx;
@@ -216,6 +225,7 @@ done:
 
 void sph_tank_set(struct sph *s, double t) {
   if (s->force.n) sph_force_set(s, t);
+  if (s->sides.move) sph_sides_set(s, t);
 }
 
 void sph_destroy(struct sph *s) {

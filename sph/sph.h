@@ -13,6 +13,7 @@
 #include "common/flow/flow.h"
 #include "common/tank/tank.h"
 #include "sph/domain/period.h"
+#include "sph/domain/sides.h"
 #include "sph/domain/sight.h"
 #include "sph/fluid/drift.h"
 #include "sph/fluid/force.h"
@@ -47,7 +48,11 @@ struct sph_wall_particles {
   uint32_t *chain;       /* [n], of faces that each continues the water behind (sight.h), owned */
   struct sph_pack *pack; /* [n], owned */
   struct sph_pack *drag; /* [n], as viscosity has them at walls without slip, else NULL; owned */
-  struct sph_vector *G;  /* [n], as the water's, owned */
+  struct sph_vector *V;  /* [n], velocity of the wall along its normal, m/s, where any moves, else
+                            NULL; owned */
+  struct sph_pack *part[2][2]; /* of pack, and of drag if there is: along x and y, with volumes
+                                  times V there, where V is, [n] each, owned */
+  struct sph_vector *G;        /* [n], as the water's, owned */
   struct sph_grid grid;
   void *data; /* of the treatment */
 };
@@ -125,6 +130,7 @@ struct sph {
       *fitted; /* [f.n at t = 0], by id: whether in the first row (fitted.h), or NULL; owned */
 
   struct sph_faces faces; /* of the walls */
+  struct sph_sides sides;
   struct sph_sight sight;
   const struct sph_wall *wall;
   struct sph_wall_particles w;

@@ -194,6 +194,12 @@ void problems_finish(struct problems *p, const char *file, size_t n_set, const c
 /* Where to point when value `key` of a run is wrong: the line of the key, of the run without it. */
 int case_run_line(const struct case_run *r, const char *key);
 
+/* What a side does at most: to the left and to the right, m and rad. */
+struct case_strokes {
+  double piston[2], flap[2];
+};
+struct case_strokes case_find_strokes(const struct case_file *c, int side);
+
 /* For the check of a solver whose walls do not move: refuses tank.motions. */
 void case_refuse_motions(const struct case_file *c, const struct case_run *r,
                          struct problems *problems);

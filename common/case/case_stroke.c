@@ -14,11 +14,6 @@ enum {
   STEPS = 16, /* between rest and the extreme, at which the walls are looked at */
 };
 
-/* What one side does at most: to the left and to the right, m and rad. */
-struct strokes {
-  double piston[2], flap[2];
-};
-
 static double shortest_time(const struct case_file *c, int side) {
   double shortest = c->end;
   for (size_t i = 0; i < c->n_motions; i++) {
@@ -31,8 +26,8 @@ static double shortest_time(const struct case_file *c, int side) {
   return shortest;
 }
 
-static struct strokes find_strokes(const struct case_file *c, int side) {
-  struct strokes s = {{0, 0}, {0, 0}};
+struct case_strokes case_find_strokes(const struct case_file *c, int side) {
+  struct case_strokes s = {{0, 0}, {0, 0}};
   const double samples = c->end / shortest_time(c, side) * SAMPLES_PER_PERIOD;
   const int n = (int)fmin(fmax(samples, SAMPLES_PER_PERIOD), MOST_SAMPLES);
   for (int i = 0; i <= n; i++) {
@@ -69,8 +64,8 @@ static const char *judge_walls(const struct case_file *c, const struct geo_lines
 }
 
 /* The same with a side that has gone `part` of its stroke to one end. */
-static const char *judge_part(const struct case_file *c, int side, const struct strokes *s, int end,
-                              double part, struct geo_lines *w, enum status *status) {
+static const char *judge_part(const struct case_file *c, int side, const struct case_strokes *s,
+                              int end, double part, struct geo_lines *w, enum status *status) {
   struct tank_side where;
   struct tank_shift shift = {.piston = {part * s->piston[end]},
                              .flap = {part * s->flap[end]},
@@ -87,7 +82,7 @@ static size_t first_of_side(const struct case_file *c, int side, enum tank_motio
   return i;
 }
 
-static void say_stroke(struct case_draft *d, int side, const struct strokes *s, int end,
+static void say_stroke(struct case_draft *d, int side, const struct case_strokes *s, int end,
                        double least, const char *why) {
   const struct case_file *c = d->c;
   const bool turns = fabs(s->flap[end]) > 0;
@@ -103,7 +98,7 @@ static void say_stroke(struct case_draft *d, int side, const struct strokes *s, 
 }
 
 /* The first part of the stroke that does not go, and then between it and the last that does. */
-static enum status check_end(struct case_draft *d, int side, const struct strokes *s, int end,
+static enum status check_end(struct case_draft *d, int side, const struct case_strokes *s, int end,
                              struct geo_lines *w) {
   enum status status = OK;
   const char *why = NULL, *then;
@@ -138,7 +133,7 @@ enum status case_check_strokes(struct case_draft *d) {
   enum status status = OK;
   for (int side = TANK_LEFT; side <= TANK_RIGHT && status == OK; side++) {
     if (!moves(d->c, side)) continue;
-    const struct strokes s = find_strokes(d->c, side);
+    const struct case_strokes s = case_find_strokes(d->c, side);
     for (int end = 0; end < 2 && status == OK; end++) status = check_end(d, side, &s, end, &w);
   }
   geo_lines_destroy(&w);

@@ -237,3 +237,25 @@ void tank_vertices_at(const struct geo_lines *walls, const struct tank_motion *m
     if (tank_find_side(walls, side, &s)) tank_side_move(walls, &s, &shift, p, v, a);
   }
 }
+
+void tank_point_at(const struct geo_lines *walls, const struct tank_motion *motions, size_t n,
+                   double t, double near, double p[2]) {
+  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) {
+    struct tank_side s;
+    double foot[2];
+    if (!tank_find_side(walls, side, &s)) continue;
+    geo_segment_foot(walls->p[s.foot], walls->p[s.top], p, foot);
+    if (hypot(p[0] - foot[0], p[1] - foot[1]) > near) continue;
+    struct tank_shift shift = {.hinge = tank_hinge(motions, n, side)};
+    tank_side_at(motions, n, TANK_MOTION_piston, side, t, shift.piston);
+    tank_side_at(motions, n, TANK_MOTION_flap, side, t, shift.flap);
+    const double *ends[2] = {walls->p[s.top], walls->p[s.foot]};
+    double at[3][2] = {{ends[0][0], ends[0][1]}, {p[0], p[1]}, {ends[1][0], ends[1][1]}};
+    double now[3][2];
+    memcpy(now, at, sizeof now);
+    const struct geo_lines line = {.p = at, .points = 3};
+    tank_side_move(&line, &(struct tank_side){0, 2, 2}, &shift, now, NULL, NULL);
+    memcpy(p, now[1], sizeof now[1]);
+    return; /* no point is on both sides */
+  }
+}

@@ -77,6 +77,12 @@ void tank_frame_force(const struct tank_frame *f, double gravity, const double p
 void tank_vertices_at(const struct geo_lines *walls, const struct tank_motion *motions, size_t n,
                       double t, double (*p)[2], double (*v)[2], double (*a)[2]);
 
+/* Where a point is at t that is on the walls at rest, within `near` (m): one of a side goes with
+ * it.
+ */
+void tank_point_at(const struct geo_lines *walls, const struct tank_motion *motions, size_t n,
+                   double t, double near, double p[2]);
+
 /* The vertices of a side: from first to last in the order of the walls, along the first or the last
  * straight stretch of the vessel. One of them is its top, the other is on the bed. False where
  * there is no vessel. */

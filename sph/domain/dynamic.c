@@ -72,8 +72,9 @@ static void start_cluster(struct sph *s, struct dynamic *d, size_t cluster) {
       const double scale = s->rho0 * s->c0 * s->c0;
       const double p = near.pack[near.list[0]].p + scale * a.p[l] / a.w[l];
       const double aside = s->h * a.x[l] / a.w[l], above = s->h * a.y[l] / a.w[l];
+      const double rest[2] = {0, 0};
       const struct sph_vector weight =
-          sph_weight(s, eos_stored(&s->eos, p, y + above), i.x[l] + aside, y + above, 0, 0);
+          sph_weight(s, eos_stored(&s->eos, p, y + above), i.x[l] + aside, y + above, 0, 0, rest);
       const double here = p - (weight.x * aside + weight.y * above);
       d->rho[at + l] = larger(eos_stored(&s->eos, here, y), lowest);
     }
@@ -99,7 +100,7 @@ static void dynamic_fill(struct sph *s) {
     const double y = s->w.y[k], rho = d->rho[k];
     s->w.pack[k] = (struct sph_pack){
         .x = s->w.x[k], .y = y, .p = eos_driving(&s->eos, rho, y), .V = d->m[k] / rho, .rho = rho};
-    if (s->scheme.slip == SPH_SLIP_no) sph_wall_hold(s, k, 0, 0);
+    if (s->scheme.slip == SPH_SLIP_no) sph_wall_hold(s, k, 0, 0, &(struct sph_drive){0});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "common/base/array.h"
 #include "common/base/geometry_check.h"
@@ -22,40 +23,48 @@ static double turn_from(const double t[2], const double to[2]) {
 
 /* ---- pieces ---- */
 
-static enum status add(struct sph_faces *f, const double a[2], const double b[2]) {
-  const double x = b[0] - a[0], y = b[1] - a[1], length = hypot(x, y);
-  if (!(length > 0)) return OK;
+static void put(struct sph_face *f, const double a[2], const double b[2]) {
+  const double x = b[0] - a[0], y = b[1] - a[1];
+  memcpy(f->a, a, sizeof f->a);
+  memcpy(f->b, b, sizeof f->b);
+  f->length = hypot(x, y);
+  f->t[0] = x / f->length;
+  f->t[1] = y / f->length;
+}
+
+static enum status add(struct sph_faces *f, const double a[2], const double b[2], uint32_t at_a,
+                       uint32_t at_b) {
+  struct sph_face new = {.before = SPH_NO_FACE, .next = SPH_NO_FACE, .point = {at_a, at_b}};
+  put(&new, a, b);
+  if (!(new.length > 0)) return OK;
   TRY(array_grow(&f->face, &f->room, f->n + 1, "faces of walls"));
-  f->face[f->n++] = (struct sph_face){
-      .a = {a[0], a[1]},
-      .b = {b[0], b[1]},
-      .t = {x / length, y / length},
-      .length = length,
-      .before = SPH_NO_FACE,
-      .next = SPH_NO_FACE,
-  };
+  f->face[f->n++] = new;
   return OK;
 }
 
-/* The vertex after i at which a piece turns, or its last. */
-static size_t next_corner(const struct geo_lines *walls, size_t piece, size_t i) {
+/* The vertex after i at which a piece turns, or may, or its last. */
+static size_t next_corner(const struct geo_lines *walls, size_t piece, size_t i,
+                          const bool *bends) {
   const size_t first = walls->first[piece], n = walls->first[piece + 1] - first;
   const size_t last = walls->closed[piece] ? n : n - 1;
   for (size_t j = i + 1; j < last; j++) {
     const double *p = walls->p[first + i], *q = walls->p[first + j];
     const double *r = walls->p[first + (j + 1) % n];
     const double in[2] = {q[0] - p[0], q[1] - p[1]}, out[2] = {r[0] - q[0], r[1] - q[1]};
+    if (bends && bends[first + j]) return j;
     if (fabs(turn_from(in, out)) > same_angle) return j;
   }
   return last;
 }
 
-static enum status add_piece(struct sph_faces *f, const struct geo_lines *walls, size_t piece) {
+static enum status add_piece(struct sph_faces *f, const struct geo_lines *walls, size_t piece,
+                             const bool *bends) {
   const size_t first = walls->first[piece], n = walls->first[piece + 1] - first;
   const size_t last = walls->closed[piece] ? n : n - 1;
   for (size_t i = 0, j; n > 1 && i < last; i = j) {
-    j = next_corner(walls, piece, i);
-    TRY(add(f, walls->p[first + i], walls->p[first + j % n]));
+    j = next_corner(walls, piece, i, bends);
+    const size_t a = first + i, b = first + j % n;
+    TRY(add(f, walls->p[a], walls->p[b], (uint32_t)a, (uint32_t)b));
   }
   return OK;
 }
@@ -64,7 +73,7 @@ static enum status add_piece(struct sph_faces *f, const struct geo_lines *walls,
 static enum status add_backs(struct sph_faces *f, size_t from) {
   for (size_t k = f->n; k > from; k--) {
     const struct sph_face front = f->face[k - 1];
-    TRY(add(f, front.b, front.a));
+    TRY(add(f, front.b, front.a, front.point[1], front.point[0]));
   }
   return OK;
 }
@@ -87,10 +96,10 @@ static enum status divide(struct sph_faces *f, double near) {
         if (s <= near || s >= whole.length - near) continue;
         if (fabs(sph_face_distance(&whole, at[0], at[1])) > near) continue;
         const size_t n = f->n;
-        TRY(add(f, whole.a, at));
+        TRY(add(f, whole.a, at, whole.point[0], SPH_NO_POINT));
         f->face[k] = f->face[n];
         f->n = n;
-        TRY(add(f, at, whole.b));
+        TRY(add(f, at, whole.b, SPH_NO_POINT, whole.point[1]));
       }
   return OK;
 }
@@ -164,19 +173,39 @@ static enum status list_tops(struct sph_faces *f) {
   return OK;
 }
 
-enum status sph_faces_set(struct sph_faces *f, const struct geo_lines *walls, double thin) {
+enum status sph_faces_set(struct sph_faces *f, const struct geo_lines *walls, double thin,
+                          const bool *bends) {
   const struct geo_box box = geo_lines_box(walls);
   const double near = same_place * hypot(box.max[0] - box.min[0], box.max[1] - box.min[1]);
   const size_t vessel = walls->pieces == 1 ? 0 : geo_lines_vessel(walls);
   f->n = 0;
   for (size_t piece = 0; piece < walls->pieces; piece++) {
     const size_t from = f->n;
-    TRY(add_piece(f, walls, piece));
+    TRY(add_piece(f, walls, piece, bends));
     if (piece != vessel && !walls->closed[piece]) TRY(add_backs(f, from));
   }
   TRY(divide(f, near));
   join(f, near, thin);
   return list_tops(f);
+}
+
+/* A wall that turns back upon itself stays what it was. */
+static void bend(struct sph_faces *f, struct sph_face *face) {
+  if (face->next == SPH_NO_FACE || fabs(face->turn) > M_PI - same_angle) return;
+  struct sph_face *next = &f->face[face->next];
+  face->turn = turn_from(face->t, next->t);
+  if (face->end[1] == SPH_END_CORNER || face->end[1] == SPH_END_BLUNT)
+    face->end[1] = next->end[0] = face->turn > -same_angle ? SPH_END_CORNER : SPH_END_BLUNT;
+}
+
+void sph_faces_move(struct sph_faces *f, const double (*p)[2]) {
+  for (size_t k = 0; k < f->n; k++) {
+    struct sph_face *face = &f->face[k];
+    const struct sph_face was = *face;
+    put(face, was.point[0] == SPH_NO_POINT ? was.a : p[was.point[0]],
+        was.point[1] == SPH_NO_POINT ? was.b : p[was.point[1]]);
+  }
+  for (size_t k = 0; k < f->n; k++) bend(f, &f->face[k]);
 }
 
 bool sph_face_stops(const struct sph_face *f, const double p[2], const double q[2], double slack,

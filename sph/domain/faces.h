@@ -24,7 +24,8 @@ enum sph_end {
   SPH_END_EDGE    /* of the solid, where a chain ends */
 };
 
-#define SPH_NO_FACE UINT32_MAX
+#define SPH_NO_FACE  UINT32_MAX
+#define SPH_NO_POINT UINT32_MAX
 
 struct sph_face {
   double a[2], b[2]; /* m */
@@ -34,6 +35,7 @@ struct sph_face {
   double turn;           /* of the next face against this one, anticlockwise, rad */
   uint32_t before, next; /* or SPH_NO_FACE */
   uint32_t chain;
+  uint32_t point[2]; /* of the walls, at a and b; or SPH_NO_POINT where another wall divides one */
 };
 
 struct sph_faces {
@@ -43,8 +45,14 @@ struct sph_faces {
   uint32_t *top; /* ends over which water may pass: 2 k of face k's beginning, 2 k + 1; owned */
 };
 
-/* Replaces what is in *f. Walls are thin up to `thin` (m). ERR_MEMORY. */
-enum status sph_faces_set(struct sph_faces *f, const struct geo_lines *walls, double thin);
+/* Replaces what is in *f. Walls are thin up to `thin` (m); points that `bends` marks (NULL: none)
+ * are corners, even where the walls are straight. ERR_MEMORY. */
+enum status sph_faces_set(struct sph_faces *f, const struct geo_lines *walls, double thin,
+                          const bool *bends);
+
+/* The points of the walls have moved: what follows what stays, but that a corner of the water may
+ * become a blunt one of the solid, and back. */
+void sph_faces_move(struct sph_faces *f, const double (*p)[2]);
 void sph_faces_destroy(struct sph_faces *f);
 
 /* How far a point is to the left of the line of a face, where the water is, m. */

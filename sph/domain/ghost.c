@@ -1,4 +1,4 @@
-/* Fixed ghost particles (Marrone, Antuono, Colagrossi, Colicchio, Le Touze &
+/* Ghost particles fixed to the walls (Marrone, Antuono, Colagrossi, Colicchio, Le Touze &
  * Graziani, Comput. Methods Appl. Mech. Engrg. 200, 2011), for a tank with upright sides and a flat
  * bed.
  *
@@ -9,7 +9,7 @@
  * corners of the solid, layers.h); p_g = p* +
  * rho* f . (r_g - r*): at a fixed flat wall dp/dn = rho f.n, and r_g - r* points along the normal,
  * so below the bed at depth d the ghost gets 2 d rho g more than its node, and beside an upright
- * wall the same.
+ * wall the same. What walls that move add to either is in sides.h.
  *
  * Ghosts take part in everything: divergence, pressure force, viscosity, diffusion and the
  * renormalised gradient. In still water the density is linear in y; the ghosts' values then
@@ -40,12 +40,8 @@ struct ghosts {
   struct sph_lists lists; /* water near the nodes, which are the mirror points */
 };
 
-static enum status ghosts_create(struct sph *s, const struct geo_lines *walls) {
-  (void)walls;
-  struct ghosts *g;
-  TRY(sph_allocate(1, sizeof *g, &g));
-  s->w.data = g;
-  TRY(sph_layers_create(s, &g->layers));
+static enum status make_packs(struct sph *s) {
+  const struct ghosts *g = s->w.data;
   TRY(sph_wall_make_packs(s, s->w.n));
   for (size_t i = 0; i < s->w.n; i++)
     s->w.pack[i] =
@@ -53,8 +49,31 @@ static enum status ghosts_create(struct sph *s, const struct geo_lines *walls) {
   return OK;
 }
 
+static enum status ghosts_create(struct sph *s, const struct geo_lines *walls) {
+  (void)walls;
+  struct ghosts *g;
+  TRY(sph_allocate(1, sizeof *g, &g));
+  s->w.data = g;
+  TRY(sph_layers_create(s, &g->layers));
+  return make_packs(s);
+}
+
+static void ghosts_move(struct sph *s) {
+  struct ghosts *g = s->w.data;
+  sph_layers_move(s, &g->layers);
+  for (size_t i = 0; i < s->w.n; i++) {
+    s->w.pack[i].x = s->w.x[i];
+    s->w.pack[i].y = s->w.y[i];
+    s->w.pack[i].V = g->layers.V[i];
+  }
+}
+
 static enum status ghosts_list(struct sph *s) {
   struct ghosts *g = s->w.data;
+  if (s->sides.move) {
+    TRY(sph_layers_sort(s, &g->layers));
+    TRY(make_packs(s));
+  }
   const struct sph_sources water = sph_sources_of_water(s);
   return sph_lists_build(&g->lists, s->w.n, g->layers.x, g->layers.y, &water,
                          s->support + s->wall_skin);
@@ -92,13 +111,15 @@ static void fill_cluster(struct sph *s, size_t cluster) {
   sph_mls_at(s, sph_loops_for(s, &i), farthest2 * s->scale.inside, &i, &near, &f);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
     const struct sph_motion *turn = &node->turn[node->motion[at + l]];
+    const struct sph_drive drive =
+        sph_wall_drive(s, node->motion[at + l], i.x[l], i.y[l], f.u[l], f.v[l]);
     const struct sph_vector weight =
-        sph_weight(s, eos_stored(&s->eos, f.p[l], i.y[l]), i.x[l], i.y[l], f.u[l], f.v[l]);
+        sph_weight(s, eos_stored(&s->eos, f.p[l], i.y[l]), i.x[l], i.y[l], f.u[l], f.v[l], drive.A);
     struct sph_pack *w = &s->w.pack[at + l];
     set_velocity(w, turn, f.u[l], f.v[l], node->slide[at + l]);
     w->p = f.p[l] + weight.x * (w->x - i.x[l]) + weight.y * (w->y - i.y[l]);
     w->rho = eos_stored(&s->eos, w->p, w->y);
-    sph_wall_hold(s, at + l, f.u[l], f.v[l]);
+    sph_wall_hold(s, at + l, f.u[l], f.v[l], &drive);
     struct sph_vector *G = &s->w.G[at + l];
     sph_motion_turn(turn, f.px[l] - weight.x, f.py[l] - weight.y, &G->x, &G->y);
     G->x += weight.x;
@@ -124,6 +145,7 @@ const struct sph_wall sph_wall_ghost = {
     .create = ghosts_create,
     .list = ghosts_list,
     .look = ghosts_look,
+    .move = ghosts_move,
     .fill = ghosts_fill,
     .layer = 2,
     .destroy = ghosts_destroy,

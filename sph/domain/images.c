@@ -52,7 +52,7 @@ static void set_end(const struct sph_images *t, const struct sph_face *f, int en
 }
 
 enum status sph_images_set_walls(struct sph_images *t, const struct geo_lines *walls, double thin) {
-  TRY(sph_faces_set(&t->faces, walls, thin));
+  TRY(sph_faces_set(&t->faces, walls, thin, NULL));
   t->n = t->faces.n;
   TRY(make_room(t, t->n));
   for (size_t i = 0; i < t->n; i++) {
@@ -62,6 +62,15 @@ enum status sph_images_set_walls(struct sph_images *t, const struct geo_lines *w
     for (int end = 0; end < 2; end++) set_end(t, f, end, thin == 0, &t->wall[i]);
   }
   return OK;
+}
+
+void sph_images_move(struct sph_images *t, const struct sph_faces *faces) {
+  for (size_t i = 0; i < t->n; i++) {
+    const struct sph_face *f = &faces->face[i];
+    t->faces.face[i] = *f;
+    t->wall[i].motion[0] = sph_motion_mirror(f->a, f->b);
+    t->wall[i].motion[1] = sph_motion_half_turn(f->a);
+  }
 }
 
 /* Beyond an edge as far as the reach. */

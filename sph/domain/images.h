@@ -69,6 +69,10 @@ struct sph_images {
  * thin ones all images are in one room, and edges are divided like blunt corners. ERR_MEMORY. */
 enum status sph_images_set_walls(struct sph_images *t, const struct geo_lines *walls, double thin);
 
+/* The walls have moved to where these faces of the same walls are, whose corners have kept their
+ * angles. */
+void sph_images_move(struct sph_images *t, const struct sph_faces *faces);
+
 /* How far from the line of a segment points have images in it, and how far beyond its ends (m). */
 void sph_images_set_reach(struct sph_images *t, double reach, double beyond);
 void sph_images_destroy(struct sph_images *t);

@@ -11,7 +11,7 @@ static const double least_part = 1e-6;  /* of a cell that is worth a particle */
 
 /* ---- what is found ---- */
 
-struct site {
+struct sph_site {
   double x, y, V; /* m, m^2 */
   double node[2]; /* the mirror point, m */
   double slide;
@@ -21,8 +21,8 @@ struct site {
 struct sites {
   const struct sph *s;
   const struct sph_faces *faces;
-  size_t n, room, layers;
-  struct site *site; /* [n], owned */
+  size_t layers;
+  struct sph_layers *g; /* its sites */
 };
 
 /* Half-way to the first wall between `from`, on the walls, and the mirror point. */
@@ -35,20 +35,28 @@ static void pull(const struct sph_faces *faces, const double from[2], double nod
     node[axis] = from[axis] + first / 2 * (node[axis] - from[axis]);
 }
 
+/* The hinge of a flap, where the walls may bend either way. */
+static bool bends(const struct sph *s, const struct sph_face *f) {
+  return s->sides.move && f->next != SPH_NO_FACE && f->point[1] != SPH_NO_POINT &&
+         s->sides.bends[f->point[1]];
+}
+
 /* All of it two supports away from corners of the solid, nothing nearer than one. */
 static double slide_at(const struct sites *all, double x, double y) {
   double near = INFINITY;
   for (size_t k = 0; k < all->faces->n; k++) {
     const struct sph_face *f = &all->faces->face[k];
-    if (f->end[1] == SPH_END_BLUNT) near = fmin(near, hypot(x - f->b[0], y - f->b[1]));
+    if (f->end[1] == SPH_END_BLUNT && !bends(all->s, f))
+      near = fmin(near, hypot(x - f->b[0], y - f->b[1]));
   }
   return fmin(fmax(near / all->s->support - 1, 0), 1);
 }
 
 /* The image of `node` by that motion, as seen from `from`. */
-static enum status add(struct sites *all, const struct site *site, const double from[2]) {
-  TRY(array_grow(&all->site, &all->room, all->n + 1, "wall particles"));
-  struct site *new = &all->site[all->n++];
+static enum status add(struct sites *all, const struct sph_site *site, const double from[2]) {
+  struct sph_layers *g = all->g;
+  TRY(array_grow(&g->site, &g->site_room, g->n_sites + 1, "wall particles"));
+  struct sph_site *new = &g->site[g->n_sites++];
   *new = *site;
   new->slide = slide_at(all, site->x, site->y);
   pull(all->faces, from, new->node);
@@ -126,9 +134,9 @@ static bool side_at(const struct sph_faces *faces, const struct sph_face *f, int
 
 static struct strip strip_of(const struct sites *all, uint32_t face) {
   const struct sph_face *f = &all->faces->face[face];
-  struct strip t = {.face = face, .cells = geo_intervals(f->length, all->s->dx)};
-  t.upright = fabs(f->t[1]) > fabs(f->t[0]);
-  const bool back = (t.upright ? f->t[1] : f->t[0]) < 0;
+  const struct sph_division *d = &all->g->division[face];
+  struct strip t = {.face = face, .cells = d->cells, .upright = d->upright};
+  const bool back = d->back;
   t.ds = f->length / (double)t.cells;
   for (int axis = 0; axis < 2; axis++) {
     t.base[axis] = back ? f->b[axis] : f->a[axis];
@@ -153,7 +161,7 @@ static struct strip strip_of_periods(const struct sites *all, uint32_t face) {
   return t;
 }
 
-static enum status add_to_strip(struct sites *all, const struct strip *t, struct site *site) {
+static enum status add_to_strip(struct sites *all, const struct strip *t, struct sph_site *site) {
   const struct sph_face *f = &all->faces->face[t->face];
   const struct sph_motion m = sph_motion_mirror(f->a, f->b);
   sph_motion_turn(&m, site->x, site->y, &site->node[0], &site->node[1]);
@@ -165,18 +173,19 @@ static enum status add_to_strip(struct sites *all, const struct strip *t, struct
 }
 
 /* The cell `i` along the strip and `j` into the wall: its middle and its area. */
-static struct site middle_of(const struct sites *all, const struct strip *t, size_t i, size_t j) {
+static struct sph_site middle_of(const struct sites *all, const struct strip *t, size_t i,
+                                 size_t j) {
   const double dx = all->s->dx;
   double at[2];
   for (int axis = 0; axis < 2; axis++) {
     at[axis] = t->base[axis] + t->into[axis] * (dx / 2) + t->t[axis] * ((0.5 + t->first) * t->ds);
     at[axis] += (double)j * (t->into[axis] * dx) + (double)i * (t->t[axis] * t->ds);
   }
-  return (struct site){.x = at[0], .y = at[1], .V = fabs(dx * t->ds)};
+  return (struct sph_site){.x = at[0], .y = at[1], .V = fabs(dx * t->ds)};
 }
 
 static struct cell cell_around(const struct sites *all, const struct strip *t,
-                               const struct site *site) {
+                               const struct sph_site *site) {
   const double s = t->ds / 2, d = all->s->dx / 2;
   struct cell c = {.n = 4};
   for (int k = 0; k < 4; k++) {
@@ -189,13 +198,19 @@ static struct cell cell_around(const struct sites *all, const struct strip *t,
 
 static enum status add_cell(struct sites *all, const struct strip *t, size_t i, size_t j,
                             const struct side *sides, int n_sides) {
-  struct site site = middle_of(all, t, i, j);
+  struct sph_site site = middle_of(all, t, i, j);
   if (n_sides) {
     struct cell c = cell_around(all, t, &site);
     for (int k = 0; k < n_sides; k++) cut(&c, &sides[k]);
-    const double whole = site.V, area = measure(&c, &site.x, &site.y);
-    if (area < least_part * whole) return OK;
-    site.V = area;
+    double x, y;
+    const double whole = site.V, area = measure(&c, &x, &y);
+    const bool any = area >= least_part * whole;
+    if (!any && !all->s->sides.move) return OK; /* else it may become one */
+    if (any) {
+      site.x = x;
+      site.y = y;
+    }
+    site.V = any ? area : 0;
   }
   return add_to_strip(all, t, &site);
 }
@@ -239,7 +254,7 @@ static enum status add_strip(struct sites *all, uint32_t face) {
 
 /* ---- corners ---- */
 
-static enum status add_to_corner(struct sites *all, uint32_t face, struct site *site) {
+static enum status add_to_corner(struct sites *all, uint32_t face, struct sph_site *site) {
   const struct sph_face *f = &all->faces->face[face];
   site->motion = 2 * f->next + 1;
   site->chain = f->chain;
@@ -258,7 +273,7 @@ static enum status add_square(struct sites *all, uint32_t face) {
       for (int axis = 0; axis < 2; axis++)
         at[axis] = f->b[axis] + across[axis] * (dx / 2) + other[axis] * (dx / 2) +
                    (double)i * (across[axis] * dx) + (double)j * (other[axis] * dx);
-      struct site site = {
+      struct sph_site site = {
           .x = at[0], .y = at[1], .V = dx * dx, .node = {2 * f->b[0] - at[0], 2 * f->b[1] - at[1]}};
       TRY(add_to_corner(all, face, &site));
     }
@@ -271,15 +286,15 @@ static enum status add_rings(struct sites *all, uint32_t face) {
   const struct sph_face *f = &all->faces->face[face];
   const double dx = all->s->dx, start = atan2(-f->t[0], f->t[1]);
   for (size_t j = 0; j < all->layers; j++) {
-    const double r = ((double)j + 0.5) * dx, arc = r * f->turn;
-    const size_t m = geo_intervals(arc, dx);
+    const double r = ((double)j + 0.5) * dx, arc = r * fmax(f->turn, 0);
+    const size_t m = geo_intervals(r * all->g->division[face].turn, dx);
     for (size_t i = 0; i < m; i++) {
       const double angle = start + ((double)i + 0.5) / (double)m * f->turn;
       const double back = f->turn > M_PI / 2 ? start + f->turn / 2 : angle;
-      struct site site = {.x = f->b[0] + r * cos(angle),
-                          .y = f->b[1] + r * sin(angle),
-                          .V = arc * dx / (double)m,
-                          .node = {f->b[0] - r * cos(back), f->b[1] - r * sin(back)}};
+      struct sph_site site = {.x = f->b[0] + r * cos(angle),
+                              .y = f->b[1] + r * sin(angle),
+                              .V = arc * dx / (double)m,
+                              .node = {f->b[0] - r * cos(back), f->b[1] - r * sin(back)}};
       TRY(add_to_corner(all, face, &site));
     }
   }
@@ -288,38 +303,79 @@ static enum status add_rings(struct sites *all, uint32_t face) {
 
 static enum status add_corner(struct sites *all, uint32_t face) {
   const struct sph_face *f = &all->faces->face[face];
+  if (bends(all->s, f)) return add_rings(all, face);
   if (f->end[1] != SPH_END_CORNER || f->turn < right_angle) return OK;
   return fabs(f->turn - M_PI / 2) < right_angle ? add_square(all, face) : add_rings(all, face);
 }
 
 /* ---- all ---- */
 
-static enum status find(struct sites *all) {
-  if (all->s->tank.periodic[1]) return OK;
+static struct sph_division division_of(const struct sph *s, const struct sph_face *f) {
+  const bool upright = fabs(f->t[1]) > fabs(f->t[0]);
+  return (struct sph_division){.cells = geo_intervals(f->length, s->dx),
+                               .upright = upright,
+                               .back = (upright ? f->t[1] : f->t[0]) < 0,
+                               .turn = fmax(f->turn, 0)};
+}
+
+static bool fits(const struct sph *s, const struct sph_face *f, const struct sph_division *d) {
+  return fabs(f->length / ((double)d->cells * s->dx) - 1) < 0.1 + 0.5 / (double)d->cells &&
+         fabs(fmax(f->turn, 0) - d->turn) < 0.2;
+}
+
+/* Anew, unless all are well divided. */
+static void divide(struct sph *s, struct sph_layers *g, bool anew) {
+  for (size_t k = 0; k < s->faces.n; k++) anew |= !fits(s, &s->faces.face[k], &g->division[k]);
+  for (size_t k = 0; k < s->faces.n && anew; k++)
+    g->division[k] = division_of(s, &s->faces.face[k]);
+}
+
+/* Always as many, in the same order, as long as the division is the same. */
+static enum status find(struct sph *s, struct sph_layers *g) {
+  struct sites all = {.s = s, .faces = &s->faces, .g = g};
+  all.layers = (size_t)ceil(s->support / s->dx - 1e-9);
+  g->n_sites = 0;
+  if (s->tank.periodic[1]) return OK;
   for (int upright = 1; upright >= 0; upright--)
-    for (uint32_t k = 0; k < all->faces->n; k++) {
-      const double *t = all->faces->face[k].t;
-      if ((fabs(t[1]) > fabs(t[0])) == upright) TRY(add_strip(all, k));
-    }
-  for (uint32_t k = 0; k < all->faces->n; k++) TRY(add_corner(all, k));
+    for (uint32_t k = 0; k < s->faces.n; k++)
+      if (g->division[k].upright == upright) TRY(add_strip(&all, k));
+  for (uint32_t k = 0; k < s->faces.n; k++) TRY(add_corner(&all, k));
   return OK;
 }
 
+static void free_particles(struct sph *s, struct sph_layers *g) {
+  double **const numbers[] = {&s->w.x, &s->w.y, &g->sx, &g->sy, &g->x, &g->y, &g->V, &g->slide};
+  uint32_t **const others[] = {&s->w.chain, &g->key, &g->order, &g->motion};
+  for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
+    free(*numbers[k]);
+    *numbers[k] = NULL;
+  }
+  for (size_t k = 0; k < sizeof others / sizeof *others; k++) {
+    free(*others[k]);
+    *others[k] = NULL;
+  }
+}
+
 static enum status make_room(struct sph *s, size_t n, struct sph_layers *g) {
+  if (g->x && n == g->n) return OK;
+  free_particles(s, g);
   g->n = s->w.n = n;
   g->room = (n + SPH_LANES - 1) / SPH_LANES * SPH_LANES;
   TRY(sph_allocate(n, sizeof(double), &s->w.x));
   TRY(sph_allocate(n, sizeof(double), &s->w.y));
   TRY(sph_allocate(n, sizeof *s->w.chain, &s->w.chain));
+  TRY(sph_allocate(n, sizeof *g->sx, &g->sx));
+  TRY(sph_allocate(n, sizeof *g->sy, &g->sy));
+  TRY(sph_allocate(n, sizeof *g->key, &g->key));
+  TRY(sph_allocate(n, sizeof *g->order, &g->order));
   TRY(sph_allocate(g->room, sizeof(double), &g->x));
   TRY(sph_allocate(g->room, sizeof(double), &g->y));
   TRY(sph_allocate(g->room, sizeof *g->motion, &g->motion));
-  TRY(sph_allocate(2 * s->faces.n, sizeof *g->turn, &g->turn));
   TRY(sph_allocate(g->room, sizeof(double), &g->slide));
   return sph_allocate(g->room, sizeof(double), &g->V);
 }
 
-static void place(struct sph *s, size_t i, const struct site *site, struct sph_layers *g) {
+static void place(struct sph *s, size_t i, const struct sph_site *site, struct sph_layers *g) {
   g->x[i] = site->node[0];
   g->y[i] = site->node[1];
   g->motion[i] = site->motion;
@@ -331,49 +387,43 @@ static void place(struct sph *s, size_t i, const struct site *site, struct sph_l
   s->w.chain[i] = site->chain;
 }
 
-/* Scratch of the sort. */
-struct sorted {
-  double *x, *y;
-  uint32_t *key, *order;
-};
-
-static enum status sort(struct sph *s, const struct sites *all, struct sorted *t) {
-  const struct geo_box box = tank_around(&s->tank, s->support + s->dx);
-  TRY(sph_allocate(all->n, sizeof *t->x, &t->x));
-  TRY(sph_allocate(all->n, sizeof *t->y, &t->y));
-  TRY(sph_allocate(all->n, sizeof *t->key, &t->key));
-  TRY(sph_allocate(all->n, sizeof *t->order, &t->order));
-  for (size_t i = 0; i < all->n; i++) {
-    t->x[i] = all->site[i].x;
-    t->y[i] = all->site[i].y;
-  }
-  TRY(sph_grid_create(&s->w.grid, &box, s->dx));
-  sph_grid_sort(&s->w.grid, all->n, t->x, t->y, NULL, t->key, t->order);
-  return OK;
-}
-
-enum status sph_layers_create(struct sph *s, struct sph_layers *g) {
-  struct sites all = {.s = s, .faces = &s->faces};
-  struct sorted t = {0};
-  enum status status = OK;
-  all.layers = (size_t)ceil(s->support / s->dx - 1e-9);
-  ATTEMPT(find(&all));
-  ATTEMPT(make_room(s, all.n, g));
-  ATTEMPT(sort(s, &all, &t));
-  for (size_t i = 0; i < g->room; i++)
-    place(s, i, &all.site[t.order[i < all.n ? i : all.n - 1]], g);
+static void place_all(struct sph *s, struct sph_layers *g) {
+  for (size_t i = 0; i < g->room; i++) place(s, i, &g->site[g->order[i < g->n ? i : g->n - 1]], g);
   for (size_t k = 0; k < s->faces.n; k++) {
     const struct sph_face *f = &s->faces.face[k];
     g->turn[2 * k] = sph_motion_mirror(f->a, f->b);
     g->turn[2 * k + 1] = sph_motion_half_turn(f->a);
   }
-done:
-  free(all.site);
-  free(t.x);
-  free(t.y);
-  free(t.key);
-  free(t.order);
-  return status;
+}
+
+static enum status find_and_sort(struct sph *s, struct sph_layers *g, bool anew) {
+  divide(s, g, anew);
+  TRY(find(s, g));
+  TRY(make_room(s, g->n_sites, g));
+  for (size_t i = 0; i < g->n; i++) {
+    g->sx[i] = g->site[i].x;
+    g->sy[i] = g->site[i].y;
+  }
+  sph_grid_sort(&s->w.grid, g->n, g->sx, g->sy, NULL, g->key, g->order);
+  place_all(s, g);
+  return OK;
+}
+
+enum status sph_layers_create(struct sph *s, struct sph_layers *g) {
+  const struct geo_box box = tank_around(&s->tank, s->support + s->dx);
+  TRY(sph_allocate(s->faces.n, sizeof *g->division, &g->division));
+  TRY(sph_allocate(2 * s->faces.n, sizeof *g->turn, &g->turn));
+  TRY(sph_grid_create(&s->w.grid, &box, s->dx));
+  return find_and_sort(s, g, true);
+}
+
+enum status sph_layers_sort(struct sph *s, struct sph_layers *g) {
+  return find_and_sort(s, g, false);
+}
+
+/* There is room for what has been found before. */
+void sph_layers_move(struct sph *s, struct sph_layers *g) {
+  if (find(s, g) == OK) place_all(s, g);
 }
 
 void sph_layers_destroy(struct sph_layers *g) {
@@ -383,4 +433,10 @@ void sph_layers_destroy(struct sph_layers *g) {
   free(g->turn);
   free(g->V);
   free(g->slide);
+  free(g->division);
+  free(g->site);
+  free(g->order);
+  free(g->sx);
+  free(g->sy);
+  free(g->key);
 }

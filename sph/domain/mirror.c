@@ -25,7 +25,8 @@
  *
  *   V_i V_j ((p_j u_i + p_i R u_j) . grad_i W_ij' + (p_i u_j + p_j R u_i) . grad_j W_ji') = 0,
  *
- * vanishes term by term. At the bed only the work of the hydrostatic part is left. Values fitted to
+ * vanishes term by term, and where the wall moves it is the work on it. At the bed only the work of
+ * the hydrostatic part is left. Values fitted to
  * the water (ghost.c) lack this symmetry between the velocity in the continuity equation and the
  * pressure in the momentum equation: where nothing damps the noise, without viscosity and
  * diffusion, ghosts pump energy into the noisy sheets on a wall, several times what the dam break
@@ -61,6 +62,11 @@ static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
 static enum status add_images(struct mirror *m, size_t of, double x, double y) {
   const size_t n = sph_images_of(&m->images, x, y);
   return n ? sph_copies_add(&m->copies, (uint32_t)of, n, m->images.found) : OK;
+}
+
+static void mirror_move(struct sph *s) {
+  struct mirror *m = s->w.data;
+  sph_images_move(&m->images, &s->faces);
 }
 
 static enum status make_room(struct sph *s) {
@@ -103,18 +109,19 @@ static bool has_image(const struct sph *s, const struct sph_images *t, const str
 /* How the pressure goes on below the bed. */
 enum continuation { PLAIN, LINEAR, EXPONENTIAL };
 
-static struct sph_vector weight_of(const struct sph *s, const struct sph_pack *j) {
-  return sph_weight(s, j->rho, j->x, j->y, j->u, j->v);
+static struct sph_vector weight_of(const struct sph *s, const struct sph_pack *j,
+                                   const struct sph_drive *d) {
+  return sph_weight(s, j->rho, j->x, j->y, j->u, j->v, d->A);
 }
 
 /* Of the image at (x, y). */
 SPECIALISE double pressure_at(const struct sph *s, enum continuation c, const struct sph_pack *j,
-                              double x, double y) {
+                              const struct sph_drive *d, double x, double y) {
   switch (c) {
   case PLAIN:
     return j->p;
   case LINEAR: {
-    const struct sph_vector weight = weight_of(s, j);
+    const struct sph_vector weight = weight_of(s, j, d);
     return j->p + weight.x * (x - j->x) + weight.y * (y - j->y);
   }
   case EXPONENTIAL:
@@ -135,7 +142,8 @@ SPECIALISE void fill(struct sph *s, enum continuation c) {
     sph_motion_turn(motion, j->u, j->v, &u, &v);
     x += motion->at[0];
     y += motion->at[1];
-    const double p = pressure_at(s, c, j, x, y);
+    const struct sph_drive drive = sph_wall_drive(s, a->motion, j->x, j->y, j->u, j->v);
+    const double p = pressure_at(s, c, j, &drive, x, y);
     s->w.pack[k] = (struct sph_pack){.x = x,
                                      .y = y,
                                      .u = u,
@@ -143,14 +151,14 @@ SPECIALISE void fill(struct sph *s, enum continuation c) {
                                      .p = p,
                                      .V = has_image(s, &m->images, a) ? j->V : 0,
                                      .rho = eos_stored(&s->eos, p, y)};
-    sph_wall_hold(s, k, j->u, j->v);
+    sph_wall_hold(s, k, j->u, j->v, &drive);
   }
 }
 
 /* The gradient at rest of what is reflected, and of its image, Pa/m; their excess is alike. */
 SPECIALISE struct sph_vector gradient_at_rest(const struct sph *s, enum continuation c,
-                                              const struct sph_pack *a) {
-  return c == PLAIN ? (struct sph_vector){0, 0} : weight_of(s, a);
+                                              const struct sph_pack *a, const struct sph_drive *d) {
+  return c == PLAIN ? (struct sph_vector){0, 0} : weight_of(s, a, d);
 }
 
 SPECIALISE void fill_gradients(struct sph *s, enum continuation c) {
@@ -161,8 +169,10 @@ SPECIALISE void fill_gradients(struct sph *s, enum continuation c) {
     const struct sph_vector *G = &s->G[a->of];
     struct sph_vector *w = &s->w.G[k];
     const struct sph_pack *j = &s->pack[a->of];
-    const struct sph_vector rest = gradient_at_rest(s, c, j);
-    const struct sph_vector there = c == EXPONENTIAL ? gradient_at_rest(s, c, &s->w.pack[k]) : rest;
+    const struct sph_drive drive = sph_wall_drive(s, a->motion, j->x, j->y, j->u, j->v);
+    const struct sph_vector rest = gradient_at_rest(s, c, j, &drive);
+    const struct sph_vector there =
+        c == EXPONENTIAL ? gradient_at_rest(s, c, &s->w.pack[k], &drive) : rest;
     sph_motion_turn(sph_images_motion(&m->images, a->motion), G->x - rest.x, G->y - rest.y, &w->x,
                     &w->y);
     w->x += there.x;
@@ -189,6 +199,7 @@ static void mirror_destroy(struct sph *s) {
   const struct sph_wall sph_wall_##variant = {                                                     \
       .create = mirror_create,                                                                     \
       .list = mirror_list,                                                                         \
+      .move = mirror_move,                                                                         \
       .fill = variant##_fill,                                                                      \
       .fill_gradients = variant##_fill_gradients,                                                  \
       .destroy = mirror_destroy,                                                                   \

@@ -13,6 +13,7 @@ struct sph_wall {
   enum status (*list)(struct sph *s);
   /* What walls hide from it, of what it has listed (sight.h); or NULL. */
   enum status (*look)(struct sph *s);
+  void (*move)(struct sph *s); /* walls have moved: places follow; NULL: these cannot */
   void (*fill)(struct sph *s); /* what else is in s->w.pack */
   /* s->w.G, where the diffusion needs it: after that of the water, which needs s->w.pack; or NULL,
    * and then `fill` does it. */
@@ -66,6 +67,22 @@ extern const char *const sph_wall_helps[]; /* what each is */
 
 enum status sph_wall_create(struct sph *s, const struct geo_lines *walls);
 
+/* Who sees whom past walls that have moved, for ways of the support and the walls' skin.
+ * ERR_MEMORY.
+ */
+enum status sph_wall_see(struct sph *s);
+
+/* Wall particles are filled. */
+void sph_wall_fill(struct sph *s);
+
+/* What its wall does to wall particle k, turned by `motion` from water at (x, y) that moves with
+ * (u, v). */
+static inline struct sph_drive sph_wall_drive(const struct sph *s, uint32_t motion, double x,
+                                              double y, double u, double v) {
+  if (!s->sides.move) return (struct sph_drive){0};
+  return sph_sides_drive(s, motion, (const double[2]){x, y}, (const double[2]){u, v});
+}
+
 /* Makes s->w.pack, s->w.G and, where there is no slip, s->w.drag of n particles. ERR_MEMORY. */
 enum status sph_wall_make_packs(struct sph *s, size_t n);
 
@@ -73,12 +90,17 @@ enum status sph_wall_make_packs(struct sph *s, size_t n);
  * viscosity finds the opposite there. In the continuity equation wall particles keep the reflected
  * velocity R u, which pressure takes no work from (mirror.c): with -u, whose divergence along the
  * wall is the wrong way round, the two would exchange energy that is nobody's. Water that the wall
- * holds has that velocity at the wall, too, since u = 0 there. */
-static inline void sph_wall_hold(const struct sph *s, size_t k, double u, double v) {
+ * holds has that velocity at the wall, too, since u = 0 there. Where the wall moves, either
+ * velocity is one against the wall. */
+static inline void sph_wall_hold(const struct sph *s, size_t k, double u, double v,
+                                 const struct sph_drive *d) {
+  s->w.pack[k].u += 2 * d->V[0];
+  s->w.pack[k].v += 2 * d->V[1];
+  if (s->w.V) s->w.V[k] = (struct sph_vector){d->V[0], d->V[1]};
   if (!s->w.drag) return;
   s->w.drag[k] = s->w.pack[k];
-  s->w.drag[k].u = -u;
-  s->w.drag[k].v = -v;
+  s->w.drag[k].u = 2 * d->held[0] - u;
+  s->w.drag[k].v = 2 * d->held[1] - v;
 }
 
 /* The density of wall particles, where it evolves (above), goes with the water's. */

@@ -9,12 +9,13 @@
 #define SPH_PAIR_POWERS(X)                                                                         \
   X(viscosity, "energy taken out so far by viscosity")                                             \
   X(diffusion, "energy taken out so far by density diffusion")                                     \
-  X(walls, "energy given to walls so far (zero for fixed walls in exact arithmetic)")              \
+  X(walls, "energy given to walls so far (zero in exact arithmetic)")                              \
   X(pairs, "energy taken out so far by forms of momentum and continuity that are not adjoint")
 
 /* Those to and from what moves the tank. */
 #define SPH_TANK_POWERS(X)                                                                         \
-  X(frame, "energy given so far to a tank that moves, by the force on water in its frame")
+  X(frame, "energy given so far to a tank that moves, by the force on water in its frame")         \
+  X(sides, "energy given so far to sides that move, by the forces of the water on them")
 
 /* All that an evaluation of the rates finds as powers, W/m, and the integrator adds up. */
 #define SPH_POWERS(X) SPH_PAIR_POWERS(X) SPH_TANK_POWERS(X) SPH_CORRECTIONS(X)

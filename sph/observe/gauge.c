@@ -118,9 +118,9 @@ static enum status look(struct looker *l, const struct sph *s, const struct sph_
 }
 
 static enum status look_at_all(struct sph_gauges *g, const struct sph *s,
-                               const struct sph_cloud *cloud) {
+                               const struct sph_cloud *cloud, const struct geo_lines *walls) {
   struct looker *first = g->gauge;
-  TRY(sph_surface_extract(first->extractor, cloud, &g->outline, &first->surface));
+  TRY(sph_surface_extract(first->extractor, cloud, walls, &first->surface));
   for (size_t k = 0; k < g->n; k++)
     g->gauge[k].elevation = sph_gauge(s, &first->surface, g->gauge[k].x);
   return OK;
@@ -128,12 +128,13 @@ static enum status look_at_all(struct sph_gauges *g, const struct sph *s,
 
 enum status sph_gauges_measure(struct sph_gauges *g, const struct sph *s,
                                const struct sph_cloud *cloud) {
-  if (g->crowded) return look_at_all(g, s, cloud);
+  const struct geo_lines *walls = sph_sides_walls(s, &g->outline);
+  if (g->crowded) return look_at_all(g, s, cloud, walls);
   int failed = 0;
 #pragma omp parallel for schedule(dynamic, 1) reduction(| : failed)
-  for (size_t k = 0; k < g->n; k++) failed |= look(&g->gauge[k], s, cloud, &g->outline) != OK;
+  for (size_t k = 0; k < g->n; k++) failed |= look(&g->gauge[k], s, cloud, walls) != OK;
   for (size_t k = 0; k < g->n && failed; k++) /* once more, for the message on this thread */
-    TRY(look(&g->gauge[k], s, cloud, &g->outline));
+    TRY(look(&g->gauge[k], s, cloud, walls));
   return OK;
 }
 

@@ -5,6 +5,7 @@
 
 #include "common/base/progress.h"
 #include "common/result/record.h"
+#include "sph/domain/wall.h"
 #include "sph/fluid/energy.h"
 #include "sph/observe/diagnose.h"
 #include "sph/observe/gauge.h"
@@ -178,7 +179,7 @@ static enum status write_state(struct sph_output *o, const struct sph *s) {
   TRY(result_points(o->result, s->t, n, o->x, o->y, RESULT_VERTICES, sizeof fields / sizeof *fields,
                     fields));
   const struct sph_cloud cloud = cloud_of(o, s);
-  TRY(sph_surface_extract(o->extractor, &cloud, &o->outline, &o->surface));
+  TRY(sph_surface_extract(o->extractor, &cloud, sph_sides_walls(s, &o->outline), &o->surface));
   TRY(result_surface(o->result, s->t, &o->surface));
   return result_flush(o->result);
 }
@@ -191,7 +192,12 @@ struct moment {
 
 static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
   const struct moment *m = solver;
-  return sph_probe(m->s, probe, &m->o->c->walls, pressure);
+  struct case_probe now = *probe;
+  double at[2] = {probe->x, probe->y};
+  sph_sides_carry(m->s, at);
+  now.x = at[0];
+  now.y = at[1];
+  return sph_probe(m->s, &now, sph_sides_walls(m->s, &m->o->c->walls), pressure);
 }
 
 static enum status elevation_of(void *solver, const struct case_gauge *gauge, double *elevation) {
@@ -229,7 +235,8 @@ static enum status write_impact(struct sph_output *o, const struct sph *s, size_
   const double open = way - s->dx / 2;
   if (open > 0) return OK;
   o->dry[face] = false;
-  const double speed = f->t[1] * s->f.w.u[i] - f->t[0] * s->f.w.v[i];
+  const struct sph_drive d = sph_wall_drive(s, 2 * (uint32_t)face, s->f.w.x[i], s->f.w.y[i], 0, 0);
+  const double speed = f->t[1] * (s->f.w.u[i] - d.V[0]) - f->t[0] * (s->f.w.v[i] - d.V[1]);
   const double ago = speed > 0 ? -open / speed : 0;
   const double along = fmin(fmax(sph_face_along(f, s->f.w.x[i], s->f.w.y[i]), 0), f->length);
   return result_event(o->result, "wall_impact", s->t - ago, f->a[0] + along * f->t[0],

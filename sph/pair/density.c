@@ -1,4 +1,5 @@
 #include "sph/pair/density.h"
+#include "sph/domain/wall.h"
 
 #include "sph/fluid/clusters.h"
 #include "sph/pair/continuity.h"
@@ -25,6 +26,6 @@ void sph_density_sum(struct sph *s) {
   sum_masses(s, false);
   if (!continuity_divides((enum sph_continuity)s->scheme.continuity)) return;
   sph_pack_water(s);
-  s->wall->fill(s);
+  sph_wall_fill(s);
   sum_masses(s, true);
 }

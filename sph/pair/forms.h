@@ -22,12 +22,12 @@ enum { SPH_ADVICE = 400 };
 void sph_forms_advise(const struct sph *s, char advice[SPH_ADVICE]);
 
 /* The gradient of the driving pressure in water at (x, y) whose velocity (u, v) in the frame of the
- * tank does not change, Pa/m, by the momentum equation: from the density that evolves. */
+ * tank changes by A (m/s^2), Pa/m, by the momentum equation: from the density that evolves. */
 static inline struct sph_vector sph_weight(const struct sph *s, double stored, double x, double y,
-                                           double u, double v) {
+                                           double u, double v, const double A[2]) {
   const double rho = momentum_density((enum sph_momentum)s->scheme.momentum, s->rho0,
                                       eos_density(&s->eos, stored, y));
   double f[2];
   sph_force_at(&s->force, x, y, u, v, f);
-  return (struct sph_vector){rho * f[0], rho * f[1]};
+  return (struct sph_vector){rho * (f[0] - A[0]), rho * (f[1] - A[1])};
 }

@@ -9,12 +9,14 @@
  * other pairs of forms that are adjoint (forms.h); what the rest make or take is the power of the
  * pressure forces and the rate of the elastic energy, `pairs` of the budget. What a wall
  * particle w takes out is the power sum_i V_i sum_w V_w (p_w u_i + p_i u_w) . grad_i W_iw. It is
- * summed from the wall pairs alone, so that the closure of the budget checks the rest. */
+ * summed from the wall pairs alone, so that the closure of the budget checks the rest. Of walls
+ * that move (sides.h) the power of their forces with their velocity is the sides'. */
 #include "sph/pair/rates.h"
 
 #include <math.h>
 
 #include "sph/domain/fitted.h"
+#include "sph/domain/wall.h"
 #include "sph/fluid/clusters.h"
 #include "sph/fluid/energy.h"
 #include "sph/pair/continuity.h"
@@ -96,6 +98,7 @@ struct evaluation {
  * the velocity, diffusion (kg m^-3 s^-1). */
 struct effects {
   double wall_x[SPH_LANES], wall_y[SPH_LANES], wall_div[SPH_LANES];
+  double pushed[SPH_LANES], dragged[SPH_LANES]; /* by V of walls, m^2 s^-3 */
   double water_x[SPH_LANES], water_y[SPH_LANES], water_div[SPH_LANES];
   double drag_x[SPH_LANES], drag_y[SPH_LANES];
   double ax[SPH_LANES], ay[SPH_LANES], div[SPH_LANES], D[SPH_LANES];
@@ -205,9 +208,10 @@ static struct sph_totals totals_of(const struct sph *s, size_t at, const struct 
   double acceleration2 = 0, speed = 0;
   for (size_t l = 0; l < SPH_LANES; l++) {
     const double m = s->f.m[at + l], u = w->u[at + l], v = w->v[at + l];
-    t.viscosity -= m * (u * e->drag_x[l] + v * e->drag_y[l]);
+    t.viscosity -= m * (u * e->drag_x[l] + v * e->drag_y[l] - e->dragged[l]);
     t.diffusion -= k->elastic[l] * e->D[l];
-    t.walls -= m * (u * e->wall_x[l] + v * e->wall_y[l]) - k->pV[l] * e->wall_div[l];
+    t.walls -= m * (u * e->wall_x[l] + v * e->wall_y[l] - e->pushed[l]) - k->pV[l] * e->wall_div[l];
+    t.sides -= m * (e->pushed[l] + e->dragged[l]);
     t.pairs -= m * (u * e->water_x[l] + v * (e->water_y[l] + unbalanced)) + k->lift[l] * v -
                k->pV[l] * e->water_div[l];
     acceleration2 = larger(e->ax[l] * e->ax[l] + e->ay[l] * e->ay[l], acceleration2);
@@ -242,6 +246,44 @@ static void sum_walls(const struct sph *s, const struct evaluation *how, enum sp
   }
 }
 
+static bool any_part(const struct sph_near *walls, const struct sph_pack *part) {
+  for (size_t k = 0; k < walls->n; k++)
+    if (part[walls->list[k]].V != 0) return true;
+  return false;
+}
+
+/* Of sums with volumes times V along an axis: the pressure force, and viscosity of the same walls
+ * or of those that hold the water. */
+static void push_along(struct sph *s, int axis, const struct sph_targets *i,
+                       const struct sph_near *walls, struct effects *e) {
+  const struct sph_scheme *o = &s->scheme;
+  const double per_time = kernel_slope_scale((enum sph_kernel)o->kernel) * s->c0 / s->h;
+  const double force = per_time * s->c0 * s->rho0, drag = o->alpha * force;
+  const struct sph_rates_how how = {SPH_DIFFUSION_none, false, s->wall->moving ? 1e-4 : 1e-24};
+  struct sph_near part = *walls;
+  struct sph_rates_sums a, b;
+  part.pack = s->w.part[0][axis];
+  if (!any_part(walls, part.pack)) return;
+  sph_loops_for(s, i)->rates(s, &how, i, &part, &a);
+  b = a;
+  if (s->w.drag) {
+    part.pack = s->w.part[1][axis];
+    sph_loops_for(s, i)->rates(s, &how, i, &part, &b);
+  }
+  for (int l = 0; l < SPH_LANES; l++) {
+    e->pushed[l] -= force * (axis ? a.py : a.px)[l] / i->rho[l];
+    e->dragged[l] += drag * (axis ? b.vy : b.vx)[l] / i->rho[l];
+  }
+}
+
+/* A fit does not tell walls from water. */
+static void push_sides(struct sph *s, const struct sph_targets *i, const struct sph_near *walls,
+                       struct effects *e) {
+  for (int l = 0; l < SPH_LANES; l++) e->pushed[l] = e->dragged[l] = 0;
+  if (!s->w.V || !walls->n || derivative_is_fit((enum sph_derivative)s->scheme.derivative)) return;
+  for (int axis = 0; axis < (s->sides.level ? 1 : 2); axis++) push_along(s, axis, i, walls, e);
+}
+
 static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
   const struct evaluation *how = wanted;
   const enum sph_diffusion d =
@@ -260,6 +302,7 @@ static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {
   effects_of(s, s->f.w.rho + at, &a, &b, &e);
   if (derivative_is_fit((enum sph_derivative)s->scheme.derivative))
     fit_effects(s, &i, &water, &walls, &e);
+  push_sides(s, &i, &walls, &e);
   add_effects(s, &e);
   if (s->pull.rate > 0) add_pull(&s->pull, &i, &e);
   double frame = 0;
@@ -293,6 +336,7 @@ static void add_totals(struct sph *s) {
     t.acceleration2 = larger(k->acceleration2, t.acceleration2);
     t.speed = larger(k->speed, t.speed);
   }
+  t.speed = larger(s->sides.speed, t.speed);
   s->totals = t;
 }
 
@@ -304,7 +348,7 @@ static void sum_densities(struct sph *s, int stage) {
   sph_particles_pad(&s->f);
   if (stage == 0) s->budget.pairs += before - sph_energy(s).total;
   sph_pack_water(s);
-  s->wall->fill(s);
+  sph_wall_fill(s);
 }
 
 enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
@@ -319,7 +363,7 @@ enum status sph_rates(struct sph *s, int stage, bool diffuse, bool bounds) {
     TRY(sph_neighbours_update(s));
   }
   sph_pack_water(s);
-  s->wall->fill(s);
+  sph_wall_fill(s);
   if (continuity_sums((enum sph_continuity)s->scheme.continuity)) sum_densities(s, stage);
   if (how.diffuse && diffusion_needs_gradient(s->scheme.diffusion)) {
     sph_gradient(s);

@@ -73,6 +73,7 @@ static enum status start_again(struct sph *s, int attempt) {
   sph_particles_pad(&s->f);
   sph_wall_advance(s, NULL, 0, 0);
   TRY(status);
+  sph_tank_set(s, s->t);
   TRY(sph_neighbours_widen(s));
   TRY(sph_rates(s, 0, true, false));
   copy_state(s->f.n, &s->f.w0, &s->f.w); /* in their new places */

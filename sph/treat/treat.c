@@ -92,7 +92,7 @@ static bool is_due(const struct sph *s, int treatment) {
 static enum status apply(struct sph *s, int treatment) {
   TRY(sph_neighbours_update(s));
   sph_pack_water(s);
-  s->wall->fill(s);
+  sph_wall_fill(s);
   const double before = sph_energy(s).total;
   TRY(treatments[treatment]->apply(s));
   sph_fitted_set(s);
