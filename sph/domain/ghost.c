@@ -35,6 +35,9 @@
  * energy into them (without diffusion and alpha = 0.01 the run-up explodes). */
 static const double farthest2 = 1.2;
 
+/* Water as fast as that, over c0, slides past corners of the solid (layers.h). */
+static const double passing = 0.02;
+
 struct ghosts {
   struct sph_layers layers;
   struct sph_lists lists; /* water near the nodes, which are the mirror points */
@@ -86,14 +89,16 @@ static enum status ghosts_look(struct sph *s) {
                         s->support);
 }
 
-/* The velocity u, v at the mirror point, turned, with as much as `slide` of it along the face: that
- * is half of the sum of a vector and its mirror image. */
-static void set_velocity(struct sph_pack *w, const struct sph_motion *turn, double u, double v,
-                         double slide) {
-  double x, y;
-  sph_motion_turn(turn, u, v, &x, &y);
-  w->u = x - (1 - slide) / 2 * (u + x);
-  w->v = y - (1 - slide) / 2 * (v + y);
+/* The velocity u, v at the mirror point, turned; of what is along the face, half of the sum of a
+ * vector and its mirror image, slow water is given as much as `slide`. */
+static void set_velocity(const struct sph *s, struct sph_pack *w, const struct sph_motion *turn,
+                         double u, double v, double slide) {
+  sph_motion_turn(turn, u, v, &w->u, &w->v);
+  if (slide == 1) return;
+  const double passes = fmin(hypot(u, v) / (passing * s->c0), 1);
+  const double lost = (1 - slide) * (1 - passes) / 2, x = u + w->u, y = v + w->v;
+  w->u -= lost * x;
+  w->v -= lost * y;
 }
 
 static void fill_cluster(struct sph *s, size_t cluster) {
@@ -116,7 +121,7 @@ static void fill_cluster(struct sph *s, size_t cluster) {
     const struct sph_vector weight =
         sph_weight(s, eos_stored(&s->eos, f.p[l], i.y[l]), i.x[l], i.y[l], f.u[l], f.v[l], drive.A);
     struct sph_pack *w = &s->w.pack[at + l];
-    set_velocity(w, turn, f.u[l], f.v[l], node->slide[at + l]);
+    set_velocity(s, w, turn, f.u[l], f.v[l], node->slide[at + l]);
     w->p = f.p[l] + weight.x * (w->x - i.x[l]) + weight.y * (w->y - i.y[l]);
     w->rho = eos_stored(&s->eos, w->p, w->y);
     sph_wall_hold(s, at + l, f.u[l], f.v[l], &drive);
