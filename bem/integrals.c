@@ -111,7 +111,7 @@ static void correct_carried(const struct bem_panels *p, size_t k, struct equatio
 
 /* Between walls no panel is nearer to the mirror image of node k than to the node itself. */
 static void correct_panels(const struct bem_panels *p, size_t k, struct equation *e) {
-  const size_t panels = bem_panels_count(p), none = p->n + BEM_STENCIL;
+  const size_t panels = bem_panels_count(p), none = bem_stencil_none(p);
   const double complex tau = p->zeta[k], mirrored = bem_panels_mirror(p, tau);
   for (size_t j = find_near(p, tau, 0); j < panels; j = find_near(p, tau, j + 1)) {
     if (bem_panel_is_mirrored(p, j)) continue;
@@ -203,7 +203,7 @@ static void add_edges(const struct bem_panels *p, size_t k, struct equation *e) 
   for (int i = 0; i < 2; i++) {
     if (!bem_panel_is_mirrored(p, edge[i])) continue;
     add_mirrored(p, edge[i], p->zeta[k], k, 1, e);
-    add_mirrored(p, edge[i], conj(p->zeta[k]), p->n + BEM_STENCIL, -1, e);
+    add_mirrored(p, edge[i], conj(p->zeta[k]), bem_stencil_none(p), -1, e);
   }
 }
 

@@ -120,7 +120,13 @@ static inline double complex bem_stencil_value(const struct bem_panels *p, ptrdi
   return CMPLX(f[k], image ? -h[k] : h[k]);
 }
 
-/* Where a node, or none (n + BEM_STENCIL), is in a stencil; outside it if it is not one of it. */
+/* No node: so far beyond the last that it is in no stencil of a closed chain either, seen once
+ * round it. */
+static inline size_t bem_stencil_none(const struct bem_panels *p) {
+  return 2 * (p->n + BEM_STENCIL);
+}
+
+/* Where a node, or none, is in a stencil; outside it if it is not one of it. */
 static inline ptrdiff_t bem_stencil_place(const struct bem_panels *p, ptrdiff_t first,
                                           size_t node) {
   const ptrdiff_t n = (ptrdiff_t)p->n, at = (ptrdiff_t)node - first;

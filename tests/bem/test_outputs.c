@@ -88,7 +88,23 @@ static void test_events_are_the_same_bits_whatever_is_written(void) {
   }
 }
 
+/* The coarser run is another one, whose results are seen in no bit but of the errors. */
+static void test_a_run_with_error_bars_is_the_same_bits(void) {
+  static const char times[] = "every: 0.5, sample: 0.05";
+  struct result_file *plain = dam_break(times, probes, 15, "");
+  struct result_file *held = dam_break(times, probes, 15, ", error_bars: true");
+  if (plain && held) {
+    expect_same_run(plain, held);
+    expect_same_series(plain, held);
+    EXPECT(plain->n_energy == held->n_energy && plain->n_surfaces == held->n_surfaces);
+    EXPECT(!plain->n_energy_errors && held->n_energy_errors == held->n_energy);
+  }
+  result_file_destroy(plain);
+  result_file_destroy(held);
+}
+
 int main(void) {
   RUN(test_events_are_the_same_bits_whatever_is_written);
+  RUN(test_a_run_with_error_bars_is_the_same_bits);
   return TEST_RESULT;
 }
