@@ -6,8 +6,7 @@
 
 #include "common/base/array.h"
 
-/* The output of particles at t, SIZE_MAX for none. */
-static size_t output_at(const struct comparison *c, const struct result_file *f, double t) {
+size_t cmp_cloud_output(const struct comparison *c, const struct result_file *f, double t) {
   for (size_t i = 0; i < f->n_outputs; i++)
     if (fabs(f->output_time[i] / c->scales.T - t) < 1e-6) return i;
   return SIZE_MAX;
@@ -19,14 +18,12 @@ static bool has_field(const struct result_file *f, const char *name) {
   return false;
 }
 
-/* Of n points that fill the water, particles of the run's spacing or others that say which volume
- * they stand for: their spacing; 0 of boundary nodes. */
-static double spacing_of(const struct cmp_run *run, size_t n) {
-  const struct cmp_series *volume = &run->data.volume;
-  const double area = (double)n * run->data.dx * run->data.dx;
+double cmp_cloud_spacing(const struct cmp_data *d, size_t n) {
+  const struct cmp_series *volume = &d->volume;
+  const double area = (double)n * d->dx * d->dx;
   if (!n) return 0;
-  if (!(volume->n && fabs(area / volume->value[0] - 1) > 0.5)) return run->data.dx;
-  return has_field(run->data.file, "volume") ? sqrt(volume->value[0] / (double)n) : 0;
+  if (!(volume->n && fabs(area / volume->value[0] - 1) > 0.5)) return d->dx;
+  return has_field(d->file, "volume") ? sqrt(volume->value[0] / (double)n) : 0;
 }
 
 /* Sorts the pressures of `points`, which are done with then. */
@@ -35,7 +32,7 @@ static enum status cloud_write(const struct comparison *c, size_t r, struct cmp_
                                struct cmp_cloud *cloud) {
   FILE *data;
   char suffix[48];
-  const double spacing = spacing_of(&c->run[r], points->n);
+  const double spacing = cmp_cloud_spacing(&c->run[r].data, points->n);
   if (!(spacing > 0)) return OK;
   snprintf(suffix, sizeof suffix, "-particles-%zu.csv", r + 1);
   TRY(cmp_figure_data(f, fig, suffix, &data));
@@ -57,7 +54,8 @@ enum status cmp_clouds_write(const struct comparison *c, size_t r, struct cmp_fi
   enum status status = OK;
   for (size_t k = 0; output && k < c->n_times; k++) {
     cloud[k] = (struct cmp_cloud){0};
-    size_t at = figure[k] == SIZE_MAX ? SIZE_MAX : output_at(c, run->data.file, run->at[k].t);
+    size_t at =
+        figure[k] == SIZE_MAX ? SIZE_MAX : cmp_cloud_output(c, run->data.file, run->at[k].t);
     if (at == SIZE_MAX) continue;
     output[n] = at;
     time[n++] = k;

@@ -14,3 +14,10 @@ struct cmp_cloud {
  * those that they belong to, SIZE_MAX for none. Fills cloud [n_times]. */
 enum status cmp_clouds_write(const struct comparison *c, size_t r, struct cmp_figures *f,
                              const size_t *figure, struct cmp_cloud *cloud);
+
+/* The output of points at t, SIZE_MAX for none. */
+size_t cmp_cloud_output(const struct comparison *c, const struct result_file *f, double t);
+
+/* Of n points that fill the water, particles of the run's spacing or others that say which volume
+ * they stand for: their spacing, H; 0 of boundary nodes. */
+double cmp_cloud_spacing(const struct cmp_data *d, size_t n);

@@ -7,18 +7,9 @@
 #include "common/base/array.h"
 #include "compare/chart.h"
 #include "compare/cloud.h"
-#include "compare/outline.h"
-#include "compare/polyline.h"
+#include "compare/panes.h"
 #include "compare/profiles.h"
 #include "compare/text.h"
-
-enum { WIDTH = 900, LEFT = 74, RIGHT = 100, TOP = 8, TITLE = 24, BOTTOM = 52, GAP = 26 };
-
-/* Nine colours of matplotlib's viridis (public domain, CC0): perceptually uniform, safe for
- * colour-blind readers. */
-static const char palette[] =
-    "set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', "
-    "5 '#27ad81', 6 '#5cc863', 7 '#aadc32', 8 '#fde725')\n";
 
 /* The top of the colours, common to all runs: the (lower) median of theirs, so that a run full of
  * noise does not take the contrast from the others. */
@@ -35,130 +26,11 @@ static double colour_top(const struct comparison *c, const struct cmp_cloud *clo
   return fmax(0.2, ceil(median * 5 - 1e-9) / 5);
 }
 
-/* ---- data files ---- */
-
-/* Pieces are kept apart by an empty line, which CSV readers skip and gnuplot needs. */
-static void lines_write(FILE *data, size_t id, const char *name, const struct geo_lines *l) {
-  for (size_t k = 0; k < l->pieces; k++) {
-    size_t a = l->first[k], n = l->first[k + 1] - a;
-    for (size_t i = 0; i < n + l->closed[k] && n; i++) {
-      fprintf(data, "%zu,", id);
-      cmp_csv_string(data, name);
-      fprintf(data, ",%zu,%.8g,%.8g\n", k, l->p[a + i % n][0], l->p[a + i % n][1]);
-    }
-    fputc('\n', data);
-  }
-}
-
-/* Series n_runs + 2: a point a row. */
-static void profiles_write(const struct comparison *c, FILE *data, size_t time) {
-  const struct result_file *f = c->ref.data.file;
-  for (size_t k = 0; k < f->n_profiles; k++)
-    for (size_t i = 0; i < f->profiles[k].n && cmp_profile_is_at(c, k, time); i++) {
-      fprintf(data, "%zu,", c->n_runs + 2);
-      cmp_csv_string(data, f->profiles[k].label);
-      fprintf(data, ",%zu,%.8g,%.8g\n", k, f->profiles[k].x[i] / c->scales.H,
-              f->profiles[k].y[i] / c->scales.H);
-    }
-}
-
-static bool any_profile(const struct comparison *c, size_t time) {
-  size_t k = 0;
-  while (k < c->ref.data.file->n_profiles && !cmp_profile_is_at(c, k, time)) k++;
-  return k < c->ref.data.file->n_profiles;
-}
-
-/* Of the runs picked when there is room for `most`. Walls are series n_runs + 1, the reference
- * n_runs, run r is r. */
-static enum status surfaces_write(const struct comparison *c, struct cmp_figures *f,
-                                  const struct cmp_figure *fig, size_t time, size_t most) {
-  FILE *data;
-  TRY(cmp_figure_data(f, fig, "-surfaces.csv", &data));
-  fputs("series,name,piece,x [H],y [H]\n", data);
-  lines_write(data, c->n_runs + 1, "tank", &c->ref.data.walls);
-  profiles_write(c, data, time);
-  bool reference = false;
-  for (size_t r = 0; r < c->n_runs; r++) {
-    const struct cmp_at *at = &c->run[r].at[time];
-    if (at->output != SIZE_MAX && cmp_run_is_picked(c, r, most))
-      lines_write(data, r, c->run[r].data.label, &c->run[r].data.surface[at->output]);
-    if (at->ref_output == SIZE_MAX || reference) continue;
-    lines_write(data, c->n_runs, c->ref.data.label, &c->ref.data.surface[at->ref_output]);
-    reference = true;
-  }
-  return cmp_figure_data_end(fig, data);
-}
-
-static void surface_plot(const struct cmp_figure *fig, size_t id, const char *style) {
-  fprintf(fig->script,
-          ", \\\n  '%s-surfaces.csv' skip 1 using ($1==%zu?$4:NaN):5 with lines %s notitle",
-          fig->name, id, style);
-}
-
-/* ---- what is seen ---- */
-
-/* Up to the top of the main surface, films on walls left out. */
-static void view_include(const struct comparison *c, const struct geo_lines *surface,
-                         struct geo_box *view) {
-  struct geo_lines main = {0}, thick = {0};
-  if (cmp_lines_main(surface, CMP_MAIN_FRACTION, &main) == OK &&
-      cmp_lines_away(&main, &c->ref.data.walls, c->depth, &thick) == OK && thick.points)
-    view->max[1] = fmax(view->max[1], geo_lines_box(&thick).max[1]);
-  geo_lines_destroy(&main);
-  geo_lines_destroy(&thick);
-}
-
-/* The tank's width, up to a little above the main surfaces; spray may fly out of the picture. */
-static struct geo_box view_choose(const struct comparison *c, size_t time) {
-  struct geo_box view = geo_lines_box(&c->ref.data.walls);
-  double top = view.max[1];
-  view.max[1] = view.min[1] + 0.3;
-  for (size_t r = 0; r < c->n_runs; r++) {
-    const struct cmp_at *at = &c->run[r].at[time];
-    if (!cmp_run_is_picked(c, r, CMP_PANELS)) continue;
-    if (at->output != SIZE_MAX) view_include(c, &c->run[r].data.surface[at->output], &view);
-    if (at->ref_output != SIZE_MAX) view_include(c, &c->ref.data.surface[at->ref_output], &view);
-  }
-  view.max[1] = fmin(fmax(top, 0.5), view.max[1] + 0.08);
-  for (int k = 0; k < 2; k++) { /* a window narrower than the tank is what matters */
-    view.min[k] = fmax(view.min[k], c->window.min[k]);
-    view.max[k] = fmin(view.max[k], c->window.max[k]);
-  }
-  return view;
-}
-
-struct layout {
-  size_t columns, rows;
-  double width, height; /* of a panel, px */
-  int total;            /* height of the figure, px */
-};
-
-static struct layout layout_choose(const struct geo_box *view, size_t panels) {
-  double aspect = (view->max[0] - view->min[0]) / (view->max[1] - view->min[1]);
-  struct layout l = {.columns = aspect > 1.9 || panels < 2 ? 1 : 2};
-  l.rows = (panels + l.columns - 1) / l.columns;
-  l.width = (WIDTH - LEFT - RIGHT - 30.0 * (double)(l.columns - 1)) / (double)l.columns;
-  l.height = l.width / aspect;
-  l.total =
-      (int)ceil(TOP + BOTTOM + (double)l.rows * (l.height + TITLE) + GAP * (double)(l.rows - 1));
-  return l;
-}
-
-static void panel_place(const struct cmp_figure *fig, const struct layout *l, size_t k) {
-  double left = LEFT + (double)(k % l->columns) * (l->width + 30);
-  double top = TOP + TITLE + (double)(k / l->columns) * (l->height + TITLE + GAP);
-  fprintf(fig->script,
-          "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
-          "set bmargin at screen %.5f\n",
-          left / fig->width, (left + l->width) / fig->width, 1 - top / fig->height,
-          1 - (top + l->height) / fig->height);
-}
-
 /* ---- overlays ---- */
 
 /* Particles are drawn once into a transparent picture of the panel's size, which the three formats
  * then share: as vectors twenty thousand discs a panel would make files of a hundred megabytes. */
-static void layers_draw(const struct cmp_figure *fig, const struct layout *l,
+static void layers_draw(const struct cmp_figure *fig, const struct cmp_layout *l,
                         const struct geo_box *view, const struct comparison *c,
                         const struct cmp_cloud *cloud, double top) {
   int w = (int)lround(2 * l->width), h = (int)lround(2 * l->height);
@@ -167,7 +39,7 @@ static void layers_draw(const struct cmp_figure *fig, const struct layout *l,
           "set terminal pngcairo transparent size %d,%d\nset margins 0,0,0,0\n"
           "unset border\nunset tics\nunset colorbox\nunset key\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n",
-          palette, top, w, h, view->min[0], view->max[0], view->min[1], view->max[1]);
+          cmp_panes_palette, top, w, h, view->min[0], view->max[0], view->min[1], view->max[1]);
   for (size_t r = 0; r < c->n_runs; r++)
     if (cloud[r].n)
       fprintf(fig->script,
@@ -200,29 +72,19 @@ static void panel_title(const struct comparison *c, const struct cmp_run *run, s
 }
 
 static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
-                       const struct layout *l, const struct geo_box *view,
+                       const struct cmp_layout *l, const struct geo_box *view,
                        const struct cmp_cloud *cloud, bool particles, size_t time, size_t k,
                        size_t r) {
   const struct cmp_run *run = &c->run[r];
   const struct cmp_at *at = &run->at[time];
   FILE *s = fig->script;
-  panel_place(fig, l, k);
+  cmp_pane_place(fig, l, k);
   char title[256];
   panel_title(c, run, time, title, sizeof title);
-  fputs("unset label\nset label 1 ", s);
-  cmp_gnuplot_string(s, title);
-  fputs(" at graph 0, graph 1 offset 0, character 0.7 left noenhanced\n", s);
-  fputs(k / l->columns + 1 == l->rows || k + l->columns >= cmp_runs_picked(c, CMP_PANELS)
-            ? "set format x\nset xlabel 'x / H'\n"
-            : "set format x ''\nunset xlabel\n",
-        s);
-  fputs(k % l->columns == 0 ? "set format y\nset ylabel 'y / H'\n"
-                            : "set format y ''\nunset ylabel\n",
-        s);
+  cmp_pane_title(fig, title);
+  cmp_pane_axes(fig, l, k, cmp_runs_picked(c, CMP_PANELS));
   if (k == 0 && particles)
-    fprintf(s, "set colorbox user origin screen %.5f, screen %.5f size screen 0.016, screen %.5f\n",
-            1 - (RIGHT - 16.0) / WIDTH, 1 - (TOP + TITLE + l->height) / fig->height,
-            l->height / fig->height);
+    cmp_pane_colours(fig, l);
   else
     fputs("unset colorbox\n", s);
   /* one point of the palette, so that the colour box appears */
@@ -234,13 +96,13 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
             fig->name, r, view->min[0], view->min[1],
             (view->max[0] - view->min[0]) / round(2 * l->width),
             (view->max[1] - view->min[1]) / round(2 * l->height));
-  surface_plot(fig, c->n_runs + 1, "linewidth 1.6 linecolor '#666666'");
-  surface_plot(fig, r, "linewidth 0.8 linecolor '#d55e00'");
+  cmp_panes_plot(fig, c->n_runs + 1, "linewidth 1.6 linecolor '#666666'");
+  cmp_panes_plot(fig, r, "linewidth 0.8 linecolor '#d55e00'");
   if (at->ref_output != SIZE_MAX) {
-    surface_plot(fig, c->n_runs, "linewidth 2.6 linecolor '#ffffff'");
-    surface_plot(fig, c->n_runs, "linewidth 1.2 linecolor '#000000'");
+    cmp_panes_plot(fig, c->n_runs, "linewidth 2.6 linecolor '#ffffff'");
+    cmp_panes_plot(fig, c->n_runs, "linewidth 1.2 linecolor '#000000'");
   }
-  if (any_profile(c, time))
+  if (cmp_panes_profiled(c, time))
     fprintf(s,
             ", \\\n  '%s-surfaces.csv' skip 1 using ($1==%zu?$4:NaN):5 with points pointtype 6 "
             "pointsize 0.7 linecolor '#0072b2' notitle",
@@ -251,7 +113,7 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
 struct overlay { /* at one comparison time */
   size_t figure; /* index of; SIZE_MAX: none */
   struct geo_box view;
-  struct layout layout;
+  struct cmp_layout layout;
 };
 
 static enum status overlay_begin(const struct comparison *c, struct cmp_figures *f, size_t time,
@@ -259,12 +121,12 @@ static enum status overlay_begin(const struct comparison *c, struct cmp_figures 
   struct cmp_figure *fig;
   o->figure = SIZE_MAX;
   if (!cmp_comparison_has_output(c, time)) return OK;
-  o->view = view_choose(c, time);
-  o->layout = layout_choose(&o->view, cmp_runs_picked(c, CMP_PANELS));
-  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, WIDTH, o->layout.total, &fig, "overlay-t%.4g",
-                       c->times[time]));
+  o->view = cmp_panes_view(c, time);
+  o->layout = cmp_panes_layout(&o->view, cmp_runs_picked(c, CMP_PANELS));
+  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, CMP_PANES_WIDTH, o->layout.total, &fig,
+                       "overlay-t%.4g", c->times[time]));
   o->figure = f->n - 1;
-  return surfaces_write(c, f, fig, time, CMP_PANELS);
+  return cmp_panes_surfaces(c, f, fig, time, CMP_PANELS);
 }
 
 static bool any_particles(const struct comparison *c, const struct cmp_cloud *cloud) {
@@ -322,7 +184,7 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
           "%sset cbrange [0:%g]\nset cbtics %g\nset cblabel 'p / (ρ g H)'\n"
           "unset key\nunset grid\nset tics front\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset ytics 0.5\nset multiplot\n",
-          palette, top, top / 4, view->min[0], view->max[0], view->min[1], view->max[1]);
+          cmp_panes_palette, top, top / 4, view->min[0], view->max[0], view->min[1], view->max[1]);
   for (size_t r = 0, k = 0; r < c->n_runs; r++)
     if (cmp_run_is_picked(c, r, CMP_PANELS))
       panel_draw(c, fig, &o->layout, view, &cloud[r], particles, time, k++, r);
@@ -384,13 +246,13 @@ static struct jet_figure jet_layout(const struct comparison *c, const struct cmp
   struct jet_figure l;
   view_around(jet, &l.view);
   double aspect = (l.view.max[0] - l.view.min[0]) / (l.view.max[1] - l.view.min[1]);
-  l.height = fmin(620, (640 - LEFT - 20) / aspect);
+  l.height = fmin(620, (640 - CMP_PANES_LEFT - 20) / aspect);
   l.width = l.height * aspect;
   size_t longest = cmp_key_length(c->ref.data.label);
   for (size_t r = 0; r < c->n_runs; r++)
     if (cmp_run_is_picked(c, r, CMP_NAMED) && cmp_key_length(c->run[r].data.label) > longest)
       longest = cmp_key_length(c->run[r].data.label);
-  l.total_width = (int)fmax(l.width + LEFT + 20, 420);
+  l.total_width = (int)fmax(l.width + CMP_PANES_LEFT + 20, 420);
   l.columns = cmp_key_columns(longest, l.total_width - 20);
   l.total_height =
       (int)(l.height + 20) + cmp_key_height(cmp_runs_picked(c, CMP_NAMED) + 1, l.columns);
@@ -429,7 +291,7 @@ static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, s
            c->times[time]);
   size_t used = strlen(fig->caption);
   cmp_picked_say(c, CMP_NAMED, "are left out", fig->caption + used, sizeof fig->caption - used);
-  TRY(surfaces_write(c, f, fig, time, CMP_NAMED));
+  TRY(cmp_panes_surfaces(c, f, fig, time, CMP_NAMED));
   cmp_figure_formats(fig);
   FILE *s = fig->script;
   fprintf(s,
@@ -438,10 +300,10 @@ static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, s
           "set xlabel 'x / H' offset 0, character 0.4\nset ylabel 'y / H'\n"
           "set key at screen 0.5, screen %.5f bottom center horizontal maxcols %d samplen 2.2 "
           "reverse Left noenhanced\nplot NaN notitle",
-          (double)LEFT / l.total_width, (LEFT + l.width) / l.total_width, 1 - 20.0 / l.total_height,
-          1 - (20 + l.height) / l.total_height, l.view.min[0], l.view.max[0], l.view.min[1],
-          l.view.max[1], 8.0 / l.total_height, l.columns);
-  surface_plot(fig, c->n_runs + 1, "linewidth 1.6 linecolor '#666666'");
+          (double)CMP_PANES_LEFT / l.total_width, (CMP_PANES_LEFT + l.width) / l.total_width,
+          1 - 20.0 / l.total_height, 1 - (20 + l.height) / l.total_height, l.view.min[0],
+          l.view.max[0], l.view.min[1], l.view.max[1], 8.0 / l.total_height, l.columns);
+  cmp_panes_plot(fig, c->n_runs + 1, "linewidth 1.6 linecolor '#666666'");
   jet_curve(c, fig, time, c->n_runs); /* the reference below: a run that lies on it is seen */
   for (size_t r = 0; r < c->n_runs; r++)
     if (cmp_run_is_picked(c, r, CMP_NAMED)) jet_curve(c, fig, time, r);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compare/charts.h"
+#include "compare/currents.h"
 #include "compare/drawing.h"
 #include "compare/html.h"
 #include "compare/json.h"
@@ -36,6 +37,7 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   ATTEMPT(cmp_figures_open(out_dir, &figures));
   ATTEMPT(cmp_charts_write(c, &figures));
   ATTEMPT(cmp_overlays_write(c, &figures));
+  ATTEMPT(cmp_currents_write(c, &figures));
   ATTEMPT(cmp_stacks_write(c, &figures));
   ATTEMPT(cmp_spectra_write(c, &figures));
   enum status drawn = cmp_figures_draw(&figures, CMP_DRAWING_LIMITS);

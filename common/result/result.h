@@ -205,13 +205,16 @@ void result_file_destroy(struct result_file *f);
 struct result_cloud {
   size_t n;
   double (*p)[2]; /* m, [n] */
-  double *value;  /* [n] */
+  double *value;  /* [n]; of vectors their x and y in turn, [2 n] */
 };
 
 /* The points of some outputs and one scalar field of theirs, for which the file is opened and
  * checked once. `cloud` [n] is the caller's to free, and empty after a failure. */
 enum status result_read_points(const char *path, const char *field, size_t n, const size_t *output,
                                struct result_cloud *cloud);
+/* The same of a vector. */
+enum status result_read_vectors(const char *path, const char *field, size_t n, const size_t *output,
+                                struct result_cloud *cloud);
 void result_cloud_free(struct result_cloud *cloud);
 
 /* Whether `path` is a finished result with this fingerprint (never raises). */

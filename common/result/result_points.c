@@ -8,12 +8,19 @@
 
 struct points_request {
   const char *path, *field;
+  size_t width; /* numbers of a row of the field in the file: 0, a scalar, or 3, a vector */
   size_t n;
   const size_t *output;       /* [n] */
   struct result_cloud *cloud; /* [n] */
 };
 
-static enum status read_points(hid_t file, const char *field, size_t output,
+/* x and y of vectors alone. */
+static void keep_plane(struct result_cloud *q) {
+  for (size_t i = 0; i < q->n; i++)
+    for (size_t k = 0; k < 2; k++) q->value[2 * i + k] = q->value[3 * i + k];
+}
+
+static enum status read_points(hid_t file, const char *field, size_t width, size_t output,
                                struct result_cloud *q) {
   int64_t *first = NULL, *count = NULL;
   double(*xyz)[3] = NULL;
@@ -28,7 +35,8 @@ static enum status read_points(hid_t file, const char *field, size_t output,
   q->n = (size_t)*count;
   ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first, q->n, &xyz));
   ATTEMPT(hdf_open_group(file, "VTKHDF/PointData", &data));
-  ATTEMPT(hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, 0, (hsize_t)*first, q->n, &q->value));
+  ATTEMPT(hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, width, (hsize_t)*first, q->n, &q->value));
+  if (width) keep_plane(q);
   q->p = malloc((q->n + 1) * sizeof *q->p);
   if (!q->p) {
     status = status_raise(ERR_MEMORY, "no memory for %zu points", q->n);
@@ -49,7 +57,7 @@ done:
 static enum status read_points_file(const hid_t *file, void *data) {
   struct points_request *q = data;
   for (size_t k = 0; k < q->n; k++) {
-    enum status status = read_points(*file, q->field, q->output[k], &q->cloud[k]);
+    enum status status = read_points(*file, q->field, q->width, q->output[k], &q->cloud[k]);
     if (status != OK) return status_context(status, "%s, output %zu: ", q->path, q->output[k]);
   }
   return OK;
@@ -59,10 +67,12 @@ static enum status carry_points(struct carrier *c, void *data) {
   struct points_request *q = data;
   for (size_t k = 0; k < q->n; k++) {
     struct result_cloud *cloud = &q->cloud[k];
-    size_t n = cloud->n;
+    const size_t each = q->width ? 2 : 1;
+    size_t n = each * cloud->n;
     TRY(carry_array(c, &cloud->n, &cloud->p));
     TRY(carry_array(c, &n, &cloud->value));
-    CHECK(n == cloud->n, ERR_INPUT, "%s, output %zu, is inconsistent", q->path, q->output[k]);
+    CHECK(n == each * cloud->n, ERR_INPUT, "%s, output %zu, is inconsistent", q->path,
+          q->output[k]);
   }
   return OK;
 }
@@ -73,12 +83,20 @@ void result_cloud_free(struct result_cloud *cloud) {
   *cloud = (struct result_cloud){0};
 }
 
+static enum status read_safely(struct points_request *q) {
+  for (size_t k = 0; k < q->n; k++) q->cloud[k] = (struct result_cloud){0};
+  enum status status = result_read_safely(&(struct result_request){
+      1, {q->path}, .data = q, .read = read_points_file, .carry = carry_points});
+  for (size_t k = 0; k < q->n && status != OK; k++) result_cloud_free(&q->cloud[k]);
+  return status;
+}
+
 enum status result_read_points(const char *path, const char *field, size_t n, const size_t *output,
                                struct result_cloud *cloud) {
-  struct points_request q = {path, field, n, output, cloud};
-  for (size_t k = 0; k < n; k++) cloud[k] = (struct result_cloud){0};
-  enum status status = result_read_safely(&(struct result_request){
-      1, {path}, .data = &q, .read = read_points_file, .carry = carry_points});
-  for (size_t k = 0; k < n && status != OK; k++) result_cloud_free(&cloud[k]);
-  return status;
+  return read_safely(&(struct points_request){path, field, 0, n, output, cloud});
+}
+
+enum status result_read_vectors(const char *path, const char *field, size_t n, const size_t *output,
+                                struct result_cloud *cloud) {
+  return read_safely(&(struct points_request){path, field, 3, n, output, cloud});
 }
