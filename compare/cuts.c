@@ -20,7 +20,7 @@ static bool any(const struct cmp_data *d) {
 bool cmp_cuts_any(const struct comparison *c) {
   for (size_t r = 0; r <= c->n_runs; r++) {
     const struct cmp_data *d = &cmp_run_or_ref(c, r < c->n_runs ? r : SIZE_MAX)->data;
-    if (d->removed.n && d->removed.value[d->removed.n - 1] != 0) return true;
+    if (d->removed.n && fabs(d->removed.value[d->removed.n - 1]) > LEAST) return true;
   }
   return false;
 }
@@ -62,7 +62,9 @@ void cmp_cuts_say(const struct comparison *c, char *out, size_t room) {
   for (size_t r = 0; r <= c->n_runs && used < room; r++) {
     const struct cmp_data *d = &cmp_run_or_ref(c, r < c->n_runs ? r : SIZE_MAX)->data;
     if (!any(d) || (r < c->n_runs && !cmp_run_is_picked(c, r, CMP_NAMED))) continue;
-    if (first) snprintf(out + used, room - used, " Crosses: water was cut away there. In all:");
+    if (first)
+      snprintf(out + used, room - used,
+               " Crosses: water was taken out there, cut away or spilled. In all:");
     used += strlen(out + used);
     say_run(d, first, out + used, room - used);
     used += strlen(out + used);

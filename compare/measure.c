@@ -43,8 +43,10 @@ static struct cmp_row row_make(const struct comparison *c, size_t m, size_t r, s
   const struct cmp_run *run = &c->run[r];
   struct cmp_row row = {.measure = &cmp_measures[m], .run = r, .time = time, .limit = NAN};
   const struct cmp_at *at = time == SIZE_MAX ? NULL : &run->at[time];
-  struct cmp_look look = {c, run, at, at ? c->times[time] : NAN, row.detail, sizeof row.detail, 0};
+  struct cmp_look look = {c,     run, at, at ? c->times[time] : NAN, row.detail, sizeof row.detail,
+                          false, 0};
   row.value = cmp_measure_take(m, &look);
+  row.absent = look.absent;
   row.left_out = cmp_known(&row.value) ? look.left_out : 0;
   const struct cmp_data *d = &run->data, *ref = &c->ref.data;
   row.noise = evaluators[m].noise == OVERTURNING ? d->overturning.error + ref->overturning.error
@@ -55,8 +57,10 @@ static struct cmp_row row_make(const struct comparison *c, size_t m, size_t r, s
   return row;
 }
 
+/* One for all times is not for those at which nothing can be measured, as it can at others. */
 static bool tolerance_applies(const struct comparison *c, const struct case_tolerance *t,
                               const struct cmp_row *row) {
+  if (!isfinite(t->at) && row->absent) return false;
   if (isfinite(t->at) && row->time != SIZE_MAX &&
       fabs(t->at / c->scales.T - c->times[row->time]) > 1e-6)
     return false;

@@ -16,6 +16,7 @@ struct cmp_row {
   size_t time; /* index in comparison.times; SIZE_MAX: over the whole run */
   struct cmp_value value;
   char detail[192];         /* where the worst value was found, and without what, or "" */
+  bool absent;              /* of a time at which there is nothing to compare with, as at others */
   size_t left_out;          /* sensors that have no such number, where others have */
   double noise;             /* noise floor in the measure's units; NaN: none */
   double limit;             /* the strictest tolerance that applies; NaN: none */

@@ -142,14 +142,13 @@ static void profiles_say(const struct comparison *c, size_t time, struct cmp_fig
   for (size_t k = 0; k < f->n_profiles; k++) {
     if (!cmp_profile_is_at(c, k, time)) continue;
     size_t at = strlen(fig->caption);
-    snprintf(fig->caption + at, room - at, " Circles: %.60s; mean distance from",
-             f->profiles[k].label);
+    snprintf(fig->caption + at, room - at, " Circles: %.60s", f->profiles[k].label);
     for (size_t r = 0, shown = 0; r < c->n_runs; r++) {
       const struct cmp_value v = cmp_profile_distance(c, &c->run[r], k, time);
       if (!cmp_run_is_picked(c, r, CMP_PANELS) || !cmp_known(&v)) continue;
       at = strlen(fig->caption);
-      snprintf(fig->caption + at, room - at, "%s %.30s %.2g H", shown++ ? "," : "",
-               c->run[r].data.label, v.value);
+      snprintf(fig->caption + at, room - at, "%s %.30s %.2g H",
+               shown++ ? "," : "; mean distance from", c->run[r].data.label, v.value);
     }
     at = strlen(fig->caption);
     snprintf(fig->caption + at, room - at, ".");

@@ -147,7 +147,7 @@ static void evolution_take(const struct comparison *c, const struct task *k,
                            const struct cmp_at *at) {
   char detail[192];
   for (size_t m = 0; m < CMP_N_MEASURES; m++) {
-    struct cmp_look look = {c, k->run, at, at->t, detail, sizeof detail, 0};
+    struct cmp_look look = {c, k->run, at, at->t, detail, sizeof detail, false, 0};
     if (cmp_measure_always(m))
       k->run->evolution.value[m][k->row] = cmp_measure_take(m, &look).value;
   }

@@ -23,16 +23,18 @@ const struct case_table case_profile_tables[] = {
     {0},
 };
 
+/* A wrong entry keeps its place, without points or a time. */
 static enum status read_profile(struct case_draft *d, int node, size_t i) {
   struct case_file *c = d->c;
   struct profile_section s = {0};
   const struct case_columns columns = {"x, y", 2, {c->H, c->H}, CASE_ROWS_ANY, "", "m"};
-  struct case_profile *p = &c->compare.profiles[c->compare.n_profiles];
+  struct case_profile *p = &c->compare.profiles[c->compare.n_profiles++];
   struct case_rows rows = {0};
   char path[CASE_PATH], key[CASE_PATH + 16];
   enum status status = OK;
   snprintf(path, sizeof path, "compare.profiles[%zu]", i);
   snprintf(key, sizeof key, "%s.file", path);
+  *p = (struct case_profile){.time = NAN};
   if (case_read_section(d, node, path, profile_rows, ROWS(profile_rows), &s)) {
     const char *slash = strrchr(s.file, '/');
     status = case_read_rows(d, s.file, case_doc_member_line(&d->doc, node, "file"), key, &columns,
@@ -44,7 +46,6 @@ static enum status read_profile(struct case_draft *d, int node, size_t i) {
                                .x = rows.x,
                                .y = rows.y};
     s.label = s.source = NULL;
-    c->compare.n_profiles++;
     if (!p->label || !p->source) status = status_raise(ERR_MEMORY, "no memory for a profile");
   }
   params_release(profile_rows, ROWS(profile_rows), &s);
@@ -70,6 +71,7 @@ void case_check_profiles(struct case_draft *d) {
     struct case_profile *p = &c->compare.profiles[i];
     const int item = case_doc_item(&d->doc, list, i);
     size_t k = 0;
+    if (isnan(p->time)) continue;
     while (k < c->compare.n_times &&
            fabs(c->compare.times[k] - p->time) > CASE_SAME * fmax(p->time, c->every))
       k++;

@@ -10,6 +10,7 @@ struct cmp_look {
   double t;                /* the comparison time asked for */
   char *detail;            /* a measure may say here where it found the worst */
   size_t detail_room;
+  bool absent;     /* and here that others have one at other times */
   size_t left_out; /* and here how many sensors have no such number, where others have */
 };
 

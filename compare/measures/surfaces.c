@@ -18,17 +18,21 @@ struct cmp_value cmp_measure_largest_distance(struct cmp_look *l) {
   return l->at->largest;
 }
 
+/* The worst over those of the profiles of this time that can be measured. */
 struct cmp_value cmp_measure_profile_distance(struct cmp_look *l) {
   const struct comparison *c = l->c;
+  const struct result_file *f = c->ref.data.file;
   struct cmp_value worst = cmp_unknown("no surface measured at this time");
-  size_t time = 0;
-  while (time < c->n_times && c->times[time] != l->t) time++;
-  for (size_t k = 0; time < c->n_times && k < c->ref.data.file->n_profiles; k++) {
+  const size_t time = (size_t)(l->at - l->run->at);
+  l->absent = f->n_profiles > 0;
+  for (size_t k = 0; k < f->n_profiles; k++) {
     if (!cmp_profile_is_at(c, k, time)) continue;
     const struct cmp_value v = cmp_profile_distance(c, l->run, k, time);
-    if (cmp_known(&v) && cmp_known(&worst) && v.value <= worst.value) continue;
+    l->absent = false;
+    l->left_out += !cmp_known(&v);
+    if (cmp_known(&worst) && !(v.value > worst.value)) continue;
     worst = v;
-    snprintf(l->detail, l->detail_room, "%s", c->ref.data.file->profiles[k].label);
+    snprintf(l->detail, l->detail_room, "%.60s", f->profiles[k].label);
   }
   return worst;
 }

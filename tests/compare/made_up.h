@@ -150,6 +150,16 @@ static struct cmp_verdict compare(struct case_file *settings, struct result_file
   return verdict;
 }
 
+static inline bool file_says(const char *name, const char *words) {
+  char path[PATH_MAX], *bytes = NULL;
+  size_t n;
+  path_in(name, path);
+  EXPECT_OK(cmp_file_read(path, &bytes, &n));
+  bool said = bytes && strstr(bytes, words);
+  free(bytes);
+  return said;
+}
+
 static inline double value_of(const char *measure, const char *run, double t) {
   size_t i;
   json_t *row;

@@ -196,16 +196,6 @@ static char *script_of(const char *figure) {
   return bytes ? bytes : text("");
 }
 
-static bool file_says(const char *name, const char *words) {
-  char path[PATH_MAX], *bytes = NULL;
-  size_t n;
-  path_in(name, path);
-  EXPECT_OK(cmp_file_read(path, &bytes, &n));
-  bool said = bytes && strstr(bytes, words);
-  free(bytes);
-  return said;
-}
-
 static size_t count(const char *in, const char *what) {
   size_t n = 0;
   for (const char *at = in; (at = strstr(at, what)); at += strlen(what)) n++;
@@ -446,41 +436,6 @@ static void test_probes_are_compared_by_their_means(void) {
   result_file_destroy(b);
 }
 
-/* A surface seen 0.2 above half of the reference's at t = 0 and 0.1 above the other half, of which
- * a run raised by 0.05 is nearer by that; a measured point beyond the window does not count. The
- * slope of at most 0.1 pi brings points nearer than the height above the surface, by less than its
- * square's half: a twentieth. */
-static void test_measured_surfaces_are_laid_over(void) {
-  enum { POINTS = 40 };
-  struct case_file c;
-  settings_make(&c);
-  struct result_file *a = made_up("a", "seen", (struct flaws){.until = end});
-  struct result_file *b = made_up("b", "seen", (struct flaws){.until = end, .raised = 0.05});
-  a->n_profiles = 1;
-  a->profiles = calloc(1, sizeof *a->profiles);
-  struct case_profile *p = a->profiles;
-  *p = (struct case_profile){text("seen <b>"), text("a & b"), c.compare.times[0],
-                             POINTS + 1,       NULL,          NULL};
-  p->x = calloc(POINTS + 1, sizeof *p->x);
-  p->y = calloc(POINTS + 1, sizeof *p->y);
-  const double t = c.compare.times[0] / sqrt(H / g);
-  for (int i = 0; i < POINTS; i++) {
-    const double x = 0.05 + 1.9 * i / (POINTS - 1), above = i % 2 ? 0.2 : 0.1;
-    p->x[i] = x * H;
-    p->y[i] = H * (1 + above + 0.1 * cos(M_PI * x) * cos(2 * t));
-  }
-  p->x[POINTS] = 1e3;
-  compare(&c, a, 1, &b);
-  const double seen = value_of("profile_distance", "b", t);
-  EXPECT(seen <= 0.1 + 1e-12 && seen >= 0.95 * 0.1);
-  EXPECT(isnan(value_of("profile_distance", "b", c.compare.times[1] / sqrt(H / g))));
-  EXPECT(file_says("report.html", "Circles: seen &lt;b&gt;"));
-  EXPECT(file_says("report.html", "seen &lt;b&gt; (surface): a &amp; b"));
-  settings_free(&c);
-  result_file_destroy(a);
-  result_file_destroy(b);
-}
-
 /* Every figure is there in three formats with its data and script, and nothing temporary is left.
  */
 static void test_figures_are_complete(void) {
@@ -518,7 +473,6 @@ int main(void) {
   RUN(test_unnamed_runs_are_drawn);
   RUN(test_curves_beyond_the_frame);
   RUN(test_probes_are_compared_by_their_means);
-  RUN(test_measured_surfaces_are_laid_over);
   RUN(test_names_stay_text);
   RUN(test_figures_are_complete);
   gnuplot_pretend(); /* pictures are drawn enough */
