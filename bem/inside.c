@@ -1,5 +1,6 @@
 #include "bem/inside.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "bem/integrals.h"
@@ -22,6 +23,9 @@ enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f) {
     double complex own = f->w[k];
     if (bem_flow_has_part(f)) own -= f->known[k].w;
     if (!bem_surface_is_closed(&f->surface)) own /= f->panels.dzeta[k];
+    CHECK(isfinite(cabs(own)), ERR_SOLVER,
+          "the surface is on a bend of the walls, x = %g H, y = %g H", f->surface.state[k],
+          f->surface.state[n + k]);
     b->re[k] = creal(own);
     b->im[k] = cimag(own);
   }
@@ -30,6 +34,11 @@ enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f) {
 
 void bem_inside_start(struct bem_inside *b, const struct bem_flow *f, size_t node) {
   if (f->surface.walls) b->chart = f->panels.chart[node];
+}
+
+bool bem_inside_start_on_wall(struct bem_inside *b, const struct bem_flow *f, double complex z) {
+  const struct bem_conformal *m = f->surface.walls;
+  return bem_conformal_start(m, bem_conformal_side(m, z), z, &b->chart) == OK;
 }
 
 static bool map(struct bem_inside *b, const struct bem_surface *s, double complex z,

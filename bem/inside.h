@@ -17,12 +17,16 @@ struct bem_place {
 };
 
 /* For the state that was solved last, by bem_flow_solve with keep = 1 and bem_pressure_solve.
- * ERR_MEMORY. */
+ * ERR_MEMORY; ERR_SOLVER where a node is on a bend of the walls. */
 enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f);
 void bem_inside_destroy(struct bem_inside *b);
 
 /* The next point is near this node of the surface. */
 void bem_inside_start(struct bem_inside *b, const struct bem_flow *f, size_t node);
+
+/* The next point is near this one of the walls of a tank that is not rectangular. False: it is a
+ * bend of them, or the map was not found there. */
+bool bem_inside_start_on_wall(struct bem_inside *b, const struct bem_flow *f, double complex z);
 
 /* At a point of the water, to which a straight line inside it leads from the last one. False: the
  * map was not found there. */

@@ -17,31 +17,39 @@ void bem_lattice_destroy(struct bem_lattice *l) {
 
 /* ---- the outline of the water ---- */
 
-static enum status add_surface(const struct bem_surface *s, const double *state,
+static enum status add_surface(const struct bem_surface *s, const double *state, double shift,
                                struct geo_lines *out) {
-  for (size_t k = 0; k < s->n; k++) TRY(geo_lines_add(out, state[k], state[s->n + k]));
+  for (size_t k = 0; k < s->n; k++) TRY(geo_lines_add(out, state[k] + shift, state[s->n + k]));
+  return OK;
+}
+
+/* Of water without sides so many periods that the first and the last node, below which the outline
+ * goes straight down whatever hangs over there, are a period away from the tank. */
+static enum status add_periods(const struct bem_surface *s, const double *state,
+                               struct geo_lines *out) {
+  const double length = s->period.length, first = floor(state[0] / length);
+  for (int k = -2; k <= 2; k++) TRY(add_surface(s, state, (k - first) * length, out));
   return OK;
 }
 
 /* Back from the last node to the first, along the walls. */
-static enum status add_walls(const struct bem_surface *s, const double *state,
-                             struct geo_lines *out) {
-  const size_t last = s->n - 1;
+static enum status add_walls(const struct bem_surface *s, struct geo_lines *out) {
   if (s->walls) {
     for (size_t i = s->side[1]; i > s->side[0]; i--)
       TRY(geo_lines_add(out, creal(s->walls->point[i]), cimag(s->walls->point[i])));
     return OK;
   }
-  TRY(geo_lines_add(out, state[last], 0));
-  return geo_lines_add(out, state[0], 0);
+  TRY(geo_lines_add(out, out->p[out->points - 1][0], 0));
+  return geo_lines_add(out, out->p[0][0], 0);
 }
 
 static enum status set_outline(struct bem_lattice *l, const struct bem_surface *s,
                                const double *state) {
   geo_lines_clear(&l->outline);
   TRY(geo_lines_begin(&l->outline, true));
-  TRY(add_surface(s, state, &l->outline));
-  return add_walls(s, state, &l->outline);
+  TRY(bem_surface_is_closed(s) ? add_periods(s, state, &l->outline)
+                               : add_surface(s, state, 0, &l->outline));
+  return add_walls(s, &l->outline);
 }
 
 /* ---- its points ---- */
@@ -78,15 +86,26 @@ struct look {
   const double *state;
 };
 
-/* Down one span of a column, from where the surface is. */
+/* Where a span begins is surface, or a wall that water is under. */
+static void start_span(struct bem_lattice *l, const struct look *at, double complex top) {
+  const struct bem_surface *s = &at->f->surface;
+  if (s->walls && bem_conformal_is_near(s->walls, top) &&
+      bem_inside_start_on_wall(&l->inside, at->f, top))
+    return;
+  bem_inside_start(&l->inside, at->f, nearest_node(s, at->state, top));
+}
+
+/* Down one span of a column. A point that the way is not found to is passed over. */
 static enum status fill_span(struct bem_lattice *l, const struct look *at, double x,
                              const double span[2], double h) {
-  const struct bem_surface *s = &at->f->surface;
-  bem_inside_start(&l->inside, at->f, nearest_node(s, at->state, CMPLX(x, span[1])));
+  start_span(l, at, CMPLX(x, span[1]));
   for (double j = ceil(span[1] / h - 0.5) - 1; (j + 0.5) * h > span[0]; j--) {
     const double complex z = CMPLX(x, (j + 0.5) * h);
     struct bem_place place;
-    if (!bem_inside_at(&l->inside, at->p, at->f, at->state, z, &place)) return OK;
+    if (!bem_inside_at(&l->inside, at->p, at->f, at->state, z, &place)) {
+      l->missing++;
+      continue;
+    }
     TRY(reserve(l, l->n + 1));
     const size_t i = l->n++;
     l->x[i] = creal(z);
@@ -99,14 +118,9 @@ static enum status fill_span(struct bem_lattice *l, const struct look *at, doubl
   return OK;
 }
 
-/* Of water without sides, that of the neighbouring periods reaches into the tank as well. */
 static enum status fill_column(struct bem_lattice *l, const struct look *at, double x, double h) {
-  const struct bem_surface *s = &at->f->surface;
-  const int around = bem_surface_is_closed(s) ? 1 : 0;
-  for (int k = -around; k <= around; k++) {
-    TRY(geo_lines_cut(&l->outline, 0, x + k * s->period.length, SAME, &l->cut));
-    for (size_t i = 0; i < l->cut.n; i++) TRY(fill_span(l, at, x, l->cut.span[i], h));
-  }
+  TRY(geo_lines_cut(&l->outline, 0, x, SAME, &l->cut));
+  for (size_t i = 0; i < l->cut.n; i++) TRY(fill_span(l, at, x, l->cut.span[i], h));
   return OK;
 }
 

@@ -5,10 +5,11 @@
 
 struct bem_lattice {
   size_t n, room;
-  double *x, *y;            /* H, [room], owned, with those that follow */
-  double *phi, *pressure;   /* H sqrt(gH), rho g H */
-  double *u, *v;            /* sqrt(gH) */
-  double cell;              /* area that each point stands for, H^2 */
+  size_t missing;         /* points inside the water that the map was not found at, of all fills */
+  double *x, *y;          /* H, [room], owned, with those that follow */
+  double *phi, *pressure; /* H sqrt(gH), rho g H */
+  double *u, *v;          /* sqrt(gH) */
+  double cell;            /* area that each point stands for, H^2 */
   struct bem_inside inside; /* scratch */
   struct geo_lines outline; /* scratch: of the water, H */
   struct geo_cut cut;       /* scratch */

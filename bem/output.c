@@ -426,6 +426,10 @@ enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f
        "of the boundary system, for surfaces and series"},
       {"output_gmres_iterations", view.iterations, "1", "with these, pressure included"},
       {"nodes_most", (double)o->most_nodes, "1", "of the surface at any output"},
+      {"lattice_missing", (double)o->lattice.missing, "1",
+       "points of the velocity_lattice inside the water that were left out at outputs, since the "
+       "map "
+       "of the tank was not found there"},
       {"nodes_last", (double)f->surface.n, "1", "of the surface at the end"},
   };
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)

@@ -230,9 +230,119 @@ static void test_lattice_has_the_velocity_of_a_steady_wave(void) {
   EXPECT(fine < 1e-6 && log2(coarse / fine) > 3.3);
 }
 
+static const char alcove[] = "title: alcove\n"
+                             "fluid: {density: 1, gravity: 1}\n"
+                             "scales: {H: 1}\n"
+                             "tank: {walls: [[%s]]}\n"
+                             "water: {wave: {kind: still, depth: 1.5}}\n"
+                             "time: {end: 1, every: 1}\n"
+                             "runs: [{name: bem, solver: bem, resolution: 10}]\n";
+
+/* Under an overhang there is no surface near, and the way from it is round a corner. */
+static void expect_lattice_under_overhang(const char *walls, size_t expected) {
+  char with[1000];
+  struct water w = {0};
+  struct bem_lattice l = {0};
+  double worst = 0;
+  snprintf(with, sizeof with, alcove, walls);
+  w.c = run_case(with);
+  EXPECT(w.c);
+  if (!w.c) return;
+  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-13, 2000}, &w.f.solve));
+  EXPECT_OK(bem_basin_shore(w.c, &w.shore));
+  EXPECT_OK(bem_start_surface(w.c, &w.c->runs[0], w.shore, &w.f));
+  EXPECT_OK(bem_flow_reserve(&w.f, w.f.surface.n));
+  EXPECT_OK(bem_flow_solve(&w.f, w.f.surface.state, 1));
+  EXPECT_OK(bem_pressure_solve(&w.p, &w.f, w.f.surface.state));
+  EXPECT_OK(bem_lattice_fill(&l, &w.p, &w.f, w.f.surface.state, 0.1));
+  for (size_t k = 0; k < l.n; k++) worst = fmax(worst, fabs(l.pressure[k] - (1.5 - l.y[k])));
+  printf("     %zu points, %zu missing, pressure off by %.1e\n", l.n, l.missing, worst);
+  EXPECT(l.n == expected && l.missing == 0 && worst < 1e-10);
+  bem_lattice_destroy(&l);
+  end(&w);
+}
+
+static void test_lattice_fills_alcoves(void) {
+  const char *const left = "[1.5, 3], [1.5, 1], [0, 1], [0, 0], [5, 0], [5, 3]",
+                    *const right = "[0, 3], [0, 0], [5, 0], [5, 1], [3.5, 1], [3.5, 3]",
+                    *const twice =
+                        "[2, 3], [2, 0.8], [1, 0.8], [1, 1.2], [0, 1.2], [0, 0], [5, 0], "
+                        "[5, 3]";
+  expect_lattice_under_overhang(left, 15 * 10 + 35 * 15);
+  expect_lattice_under_overhang(right, 15 * 10 + 35 * 15);
+  expect_lattice_under_overhang(twice, 10 * 12 + 10 * 8 + 30 * 15);
+}
+
+/* A breaker, round and round: whichever of its nodes is the first, even one under its jet. */
+static size_t fill_breaker(double part, double *area, double *volume) {
+  char with[1000];
+  struct bem_flow f = {0};
+  struct bem_pressure p = {0};
+  struct bem_lattice l = {0};
+  snprintf(with, sizeof with, waves, 40);
+  struct case_file *c = run_case(with);
+  EXPECT(c);
+  if (!c) return 0;
+  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 2000}, &f.solve));
+  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
+  const size_t n = f.surface.n;
+  double *x = f.surface.state, *y = x + n, *phi = y + n;
+  for (size_t k = 0; k < n; k++) {
+    const double t = (double)k / (double)(n - 1) + part, a = sin(2 * M_PI * t);
+    x[k] = 5 * t + a, y[k] = 0.9 + 0.3 * a, phi[k] = 0.1 * cos(2 * M_PI * t);
+  }
+  EXPECT_OK(bem_flow_reserve(&f, n));
+  EXPECT_OK(bem_flow_solve(&f, f.surface.state, 1));
+  EXPECT_OK(bem_pressure_solve(&p, &f, f.surface.state));
+  EXPECT_OK(bem_lattice_fill(&l, &p, &f, f.surface.state, 0.05));
+  const size_t points = l.n;
+  *area = (double)l.n * l.cell;
+  *volume = bem_surface_totals(&f.surface, f.psi).volume;
+  bem_lattice_destroy(&l);
+  bem_pressure_destroy(&p);
+  bem_flow_destroy(&f);
+  case_destroy(c);
+  return points;
+}
+
+static void test_lattice_does_not_depend_on_which_node_is_the_first(void) {
+  static const double part[] = {0, 0.25, 0.5, 1.5, -2.5}; /* half of it is under the jet */
+  size_t points[5];
+  for (int i = 0; i < 5; i++) {
+    double area, volume;
+    points[i] = fill_breaker(part[i], &area, &volume);
+    printf("     from %g: %zu points, %.4f H^2 of %.4f\n", part[i], points[i], area, volume);
+    EXPECT(points[i] == points[0]);
+    EXPECT_NEAR(area, volume, 0.05 * 0.05 * 5);
+  }
+}
+
+/* A bend of the walls has no velocity, not one that is not a number. */
+static void test_node_on_a_corner_is_refused(void) {
+  struct water w = {0};
+  char with[1000];
+  snprintf(with, sizeof with, text, box, level, 20);
+  w.c = run_case(with);
+  EXPECT(w.c);
+  if (!w.c) return;
+  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 2000}, &w.f.solve));
+  EXPECT_OK(bem_start_surface(w.c, &w.c->runs[0], NULL, &w.f));
+  const size_t n = w.f.surface.n;
+  double *x = w.f.surface.state, *y = x + n;
+  for (size_t k = 0; k < n; k++) y[k] = 0.8 * (1 - x[k] / x[n - 1]);
+  EXPECT_OK(bem_flow_reserve(&w.f, n));
+  EXPECT_OK(bem_flow_solve(&w.f, x, 1));
+  EXPECT(bem_inside_begin(&w.inside, &w.f) == ERR_SOLVER);
+  EXPECT(strstr(status_message(), "on a bend of the walls, x = 2.385 H, y = 0 H"));
+  end(&w);
+}
+
 int main(void) {
   RUN(test_velocity_inside_is_of_fourth_order_up_to_the_surface);
   RUN(test_lattice_has_the_velocity_of_a_steady_wave);
   RUN(test_lattice_has_the_pressure_of_a_released_column);
+  RUN(test_lattice_fills_alcoves);
+  RUN(test_lattice_does_not_depend_on_which_node_is_the_first);
+  RUN(test_node_on_a_corner_is_refused);
   return TEST_RESULT;
 }
