@@ -215,8 +215,7 @@ static void check_edges(const struct case_file *c, const struct case_run *r,
   for (int end = 0; end < 2; end++)
     for (size_t k = 0; k < m->n; k++)
       if (cabs(in_H(c, l->at[end]) - m->point[k + 1]) * c->H <= case_near(c)) {
-        refuse(r, problems, "the water's edge on a bend of the walls",
-               "an edge beside it, which has one wall to slide along");
+        bem_outline_refuse_edge(r, problems);
         return;
       }
   *length = l->straight ? hypot(l->at[1][0] - l->at[0][0], l->at[1][1] - l->at[0][1])
@@ -235,8 +234,10 @@ static void check_water(const struct case_file *c, const struct case_run *r,
     problems->out_of_memory = true;
   else if (problem)
     bem_outline_refuse(r, problems, problem);
-  else
+  else {
+    if (!l.straight) bem_outline_check(&l.outline, c, r, problems);
     check_edges(c, r, m, &l, problems, length);
+  }
   bem_outline_destroy(&l.outline);
 }
 

@@ -53,12 +53,20 @@ static enum status turn_motion(const struct case_file *c, const struct tank_moti
   return from->file.n ? turn_record(&from->file, sign, &to->file) : OK;
 }
 
+static enum status turn_velocities(const struct case_file *c, struct case_file *m) {
+  const size_t n = c->water.pieces;
+  TRY(duplicate(c->velocities, n, sizeof *c->velocities, (void **)&m->velocities));
+  for (size_t k = 0; k < n; k++) m->velocities[k][0] = -c->velocities[k][0];
+  return OK;
+}
+
 static enum status turn(const struct case_file *c, struct case_file *m) {
-  m->probes = NULL, m->gauges = NULL, m->motions = NULL;
+  m->probes = NULL, m->gauges = NULL, m->motions = NULL, m->velocities = NULL;
   m->walls = m->water = (struct geo_lines){0};
   m->velocity[0] = -c->velocity[0];
   TRY(duplicate(c->probes, c->n_probes, sizeof *c->probes, (void **)&m->probes));
   TRY(duplicate(c->gauges, c->n_gauges, sizeof *c->gauges, (void **)&m->gauges));
+  if (c->regions_differ) TRY(turn_velocities(c, m));
   TRY(array_create(&m->motions, c->n_motions, "motions in a mirror"));
   TRY(turn_lines(c, &c->walls, &m->walls));
   TRY(turn_lines(c, &c->water, &m->water));
@@ -90,6 +98,7 @@ void bem_mirror_destroy(struct bem_mirror *m) {
   if (!m->turned) return;
   for (size_t i = 0; c->motions && i < c->n_motions; i++) tank_record_destroy(&c->motions[i].file);
   free(c->motions);
+  free(c->velocities);
   free(c->probes);
   free(c->gauges);
   geo_lines_destroy(&c->walls);

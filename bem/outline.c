@@ -9,7 +9,7 @@
 #include "common/base/geometry_check.h"
 
 static const double STRAIGHT = 1e-6; /* rad: a bend that is none */
-static const double LEVEL = 0.02;    /* slope of water that is as good as level */
+static const double LEVEL = 0.02;    /* slope of water on a slope that is as good as level */
 static const double SHARE = 0.4;     /* of the shorter side beside it: what an arc may take */
 static const double GROWTH = 0.2;    /* of the spacing from one node to the next */
 enum {
@@ -19,10 +19,14 @@ enum {
 
 /* ---- which part of the outline it is ---- */
 
-static bool on_wall(const struct case_file *c, double x, double y) {
+static double wall_distance(const struct case_file *c, double x, double y) {
   double nearest[2];
   size_t piece;
-  return geo_lines_distance(&c->walls, x, y, nearest, &piece) <= case_near(c);
+  return geo_lines_distance(&c->walls, x, y, nearest, &piece);
+}
+
+static bool on_wall(const struct case_file *c, double x, double y) {
+  return wall_distance(c, x, y) <= case_near(c);
 }
 
 static bool along_wall(const struct case_file *c, const double a[2], const double b[2]) {
@@ -65,13 +69,14 @@ static enum status take_chain(const struct geo_lines *l, size_t first, size_t co
   return OK;
 }
 
-/* Not level, on a wall that is not upright. One straight surface in a tank of slopes leans where it
- * stood at rest in another: its edges are no fronts. */
+/* On a wall that is not upright, which the bed of a rectangular tank is; on a slope only where the
+ * water is not level. One straight surface in a tank of slopes leans where it stood at rest in
+ * another: its edges are no fronts. */
 static bool is_toe(const struct case_file *c, const struct geo_lines *chain, const double end[2],
                    const double inner[2]) {
   const double step = 1e3 * case_near(c);
-  if (!c->rectangular && chain->points == 2) return false;
-  if (fabs(end[1] - inner[1]) <= LEVEL * fabs(end[0] - inner[0])) return false;
+  const bool level = fabs(end[1] - inner[1]) <= LEVEL * fabs(end[0] - inner[0]);
+  if (!c->rectangular && (chain->points == 2 || level)) return false;
   return !on_wall(c, end[0], end[1] + step);
 }
 
@@ -214,6 +219,46 @@ enum status bem_outline_start(const struct bem_outline *o, const struct case_fil
   s->tip = o->toe[1] ? BEM_TOE : 0;
   for (int i = 0; i < REPEATS && status == OK; i++) status = bem_mesh_regrid(&f->mesh, s);
   return status;
+}
+
+static bool is_corner(const struct case_file *c, const double at[2]) {
+  const double near = case_near(c);
+  const bool side = fabs(at[0] - c->tank.min[0]) <= near || fabs(at[0] - c->tank.max[0]) <= near;
+  return c->rectangular && side && fabs(at[1] - c->tank.min[1]) <= near;
+}
+
+/* Where the surface bends it moves at once, over a wall so near that neither the arc of the bend
+ * nor a panel knows it from one that it touches. */
+static void check_bends(const struct bem_outline *o, const struct case_file *c,
+                        const struct case_run *r, struct problems *problems) {
+  const struct bem_options *options = r->options;
+  const double least = fmax(options->rounding, c->H / r->resolution);
+  for (size_t i = 1; i + 1 < o->chain.points; i++) {
+    const double *at = o->chain.p[i], gap = wall_distance(c, at[0], at[1]);
+    if (gap >= least) continue;
+    problems_add(
+        problems, case_run_line(r, "solver"),
+        "runs.%s.solver: found 'bem' with a surface that bends at (%g, %g) m, %.4g m from a "
+        "wall; allowed: at least %.4g m, a panel and the radius of rounding; move the bend, "
+        "or raise the resolution and lower rounding",
+        r->name, at[0], at[1], gap, least);
+    return;
+  }
+}
+
+void bem_outline_check(const struct bem_outline *o, const struct case_file *c,
+                       const struct case_run *r, struct problems *problems) {
+  const size_t n = o->chain.points;
+  if (is_corner(c, o->chain.p[0]) || is_corner(c, o->chain.p[n - 1]))
+    bem_outline_refuse_edge(r, problems);
+  check_bends(o, c, r, problems);
+}
+
+void bem_outline_refuse_edge(const struct case_run *r, struct problems *problems) {
+  problems_add(problems, case_run_line(r, "solver"),
+               "runs.%s.solver: found 'bem' with the water's edge on a bend of the walls; allowed: "
+               "an edge beside it, which has one wall to slide along; take another solver",
+               r->name);
 }
 
 void bem_outline_refuse(const struct case_run *r, struct problems *problems, const char *problem) {

@@ -20,6 +20,14 @@ void bem_outline_destroy(struct bem_outline *o);
 
 double bem_outline_length(const struct bem_outline *o); /* m */
 
+/* Adds a problem for a surface that was found but begins or ends on a corner of a rectangular tank,
+ * or bends where it touches a wall. */
+void bem_outline_check(const struct bem_outline *o, const struct case_file *c,
+                       const struct case_run *r, struct problems *problems);
+
+/* Says that a run cannot have an edge of the water there. */
+void bem_outline_refuse_edge(const struct case_run *r, struct problems *problems);
+
 /* Says that a run cannot have such water. */
 void bem_outline_refuse(const struct case_run *r, struct problems *problems, const char *problem);
 

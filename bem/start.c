@@ -1,6 +1,7 @@
 #include "bem/start.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "bem/basin.h"
 #include "bem/options.h"
@@ -42,12 +43,22 @@ static void check_fewest(const struct case_run *r, double length, const char *pa
                r->name, r->resolution, length * r->resolution, part, FEWEST, ceil(FEWEST / length));
 }
 
+/* The one velocity of all water at t = 0, m/s; false: some regions have another. */
+static bool find_velocity(const struct case_file *c, double velocity[2]) {
+  memcpy(velocity, c->regions_differ ? c->velocities[0] : c->velocity, sizeof c->velocity);
+  for (size_t k = 1; c->regions_differ && k < c->water.pieces; k++)
+    for (int axis = 0; axis < 2; axis++)
+      if (c->velocities[k][axis] != velocity[axis]) return false;
+  return true;
+}
+
 static void check_velocity(const struct case_file *c, const struct case_run *r,
                            struct problems *problems) {
-  if (!case_water_moves(c) || !c->regions_differ) return;
+  double velocity[2];
+  if (!case_water_moves(c) || find_velocity(c, velocity)) return;
   problems_add(problems, case_run_line(r, "solver"),
                "runs.%s.solver: found 'bem' with regions that move in ways of their own; allowed: "
-               "one velocity of all water, water.velocity; take another solver",
+               "one velocity of all water; take another solver",
                r->name);
 }
 
@@ -60,6 +71,7 @@ static void check_outline(const struct case_file *c, const struct case_run *r,
   if (problem) bem_outline_refuse(r, problems, problem);
   const double length = bem_outline_length(&o) / c->H;
   if (!problem && length > 0) {
+    bem_outline_check(&o, c, r, problems);
     check_fewest(r, length, "surface", problems);
     check_most(r, length, problems);
   }
@@ -84,11 +96,25 @@ static void check_regions(const struct case_file *c, const struct case_run *r,
   check_most(r, wide + high, problems);
 }
 
+/* Rows and columns so far apart miss the water. */
+static void check_wide_lattice(const struct case_file *c, const struct case_run *r,
+                               struct problems *problems) {
+  const struct bem_options *o = r->options;
+  const struct geo_box b = geo_lines_box(&c->water);
+  const double most = 0.5 * fmin(b.max[0] - b.min[0], b.max[1] - b.min[1]);
+  if (o->lattice <= most) return;
+  problems_add(problems, case_run_line(r, "velocity_lattice"),
+               "runs.%s.velocity_lattice: found %.4g m, more than half the height or the width of "
+               "the water at t = 0; allowed: up to %.4g m; lower it",
+               r->name, o->lattice, most);
+}
+
 /* Of the tank's box below the highest water at t = 0. */
 static void check_lattice(const struct case_file *c, const struct case_run *r,
                           struct problems *problems) {
   const struct bem_options *o = r->options;
   const double height = geo_lines_box(&c->water).max[1] - c->tank.min[1];
+  check_wide_lattice(c, r, problems);
   const double area = (c->tank.max[0] - c->tank.min[0]) * height;
   if (!(o->lattice > 0) || !(area / (o->lattice * o->lattice) > MOST_POINTS)) return;
   problems_add(problems, case_run_line(r, "velocity_lattice"),
@@ -195,9 +221,10 @@ done:
 static void start_moving(const struct case_file *c, struct bem_flow *f) {
   const struct bem_surface *s = &f->surface;
   const double unit = sqrt(c->gravity * c->H);
-  double *x = s->state, *y = x + s->n, *phi = y + s->n, velocity[2] = {0};
+  double *x = s->state, *y = x + s->n, *phi = y + s->n, velocity[2] = {0}, water[2];
+  find_velocity(c, water);
   if (f->motion.frame) bem_motion_velocity(&f->motion, 0, velocity);
-  for (int axis = 0; axis < 2; axis++) velocity[axis] -= c->velocity[axis] / unit;
+  for (int axis = 0; axis < 2; axis++) velocity[axis] -= water[axis] / unit;
   for (size_t k = 0; k < s->n; k++) phi[k] -= velocity[0] * x[k] + velocity[1] * y[k];
 }
 

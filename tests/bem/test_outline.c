@@ -1,4 +1,5 @@
 /* Water that is no column: wet beds and sloping faces, from their outline. */
+#include "bem/mirror.h"
 #include "bem/outline.h"
 #include "bem/pressure.h"
 #include "bem/start.h"
@@ -48,6 +49,7 @@ static void test_ends_on_a_dry_bed_are_toes(void) {
     bool left, right;
   } waters[] = {{"[[0, 0], [2, 0], [1.6, 1], [0, 1]]", false, true},
                 {"[[0, 0], [4, 0], [0, 1]]", false, true},
+                {"[[0, 0], [4, 0], [0, 0.07]]", false, true}, /* however flat */
                 {"[[7, 0], [7, 1], [5.5, 0.8], [5, 0]]", true, false}};
   for (size_t i = 0; i < sizeof waters / sizeof *waters; i++) {
     struct case_file *c = case_of(waters[i].water, 1, 20, 0.02);
@@ -178,6 +180,43 @@ static void test_water_that_moves_as_one_starts_with_its_potential(void) {
   case_destroy(c);
 }
 
+/* The front of a wedge moves at once as the shallow-water equations say: by g slope t^2 / 2. */
+static void test_front_of_a_flat_lens_runs_on(void) {
+  static char with[2000];
+  const double slope = 0.07 / 4, end = 1;
+  snprintf(with, sizeof with, text, "[[0, 0], [4, 0], [0, 0.07]]", "", end, 30, 0.02);
+  struct result_file *f = run_bem(with);
+  if (f) {
+    const double way = gauge_front(&f->surface[f->n_surfaces - 1], 0, 1e-9) - 4;
+    printf("     front by %.5f H, %.5f of a rigid slope\n", way, slope * end * end / 2);
+    EXPECT_NEAR(way, slope * end * end / 2, 0.1 * BEM_TOE / 30) /* of a panel there */;
+  }
+  result_file_destroy(f);
+}
+
+/* Regions that all have the same velocity of their own, seen in the mirror too. */
+static void test_regions_of_one_velocity_are_water_that_moves_as_one(void) {
+  static const char *const waters[] = {
+      "{points: [[0, 0], [2, 0], [2, 1], [0, 1]], velocity: [0.3, -0.1]}, "
+      "{points: [[2, 0], [7, 0], [7, 0.25], [2, 0.25]], velocity: [0.3, -0.1]}",
+      "{points: [[5, 0], [7, 0], [7, 1], [5, 1]], velocity: [-0.3, -0.1]}"};
+  for (int i = 0; i < 2; i++) {
+    struct case_file *c = case_of(waters[i], 1, 20, 0.02);
+    struct bem_mirror seen = {0};
+    struct bem_flow f = {0};
+    EXPECT(c);
+    if (!c) continue;
+    EXPECT_OK(bem_mirror_create(c, &seen));
+    EXPECT(seen.turned == (i == 1));
+    EXPECT_OK(bem_start_surface(&seen.c, &c->runs[0], NULL, &f));
+    const double *x = f.surface.state, *y = x + f.surface.n, *phi = y + f.surface.n;
+    for (size_t k = 0; k < f.surface.n; k++) EXPECT_NEAR(phi[k], 0.3 * x[k] - 0.1 * y[k], 1e-14);
+    bem_flow_destroy(&f);
+    bem_mirror_destroy(&seen);
+    case_destroy(c);
+  }
+}
+
 int main(void) {
   RUN(test_joined_regions_have_the_outline_of_one_polygon);
   RUN(test_ends_on_a_dry_bed_are_toes);
@@ -185,5 +224,7 @@ int main(void) {
   RUN(test_released_pressure_of_a_wet_bed_is_that_of_finite_volumes);
   RUN(test_wet_bed_throws_a_jet_whose_energy_converges);
   RUN(test_water_that_moves_as_one_starts_with_its_potential);
+  RUN(test_regions_of_one_velocity_are_water_that_moves_as_one);
+  RUN(test_front_of_a_flat_lens_runs_on);
   return TEST_RESULT;
 }
