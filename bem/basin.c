@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bem/moving.h"
 #include "bem/outline.h"
 #include "common/base/array.h"
 #include "common/flow/edges.h"
@@ -18,34 +19,40 @@ static double complex in_H(const struct case_file *c, const double p[2]) {
   return CMPLX(in_H_x(c, p[0]), (p[1] - c->tank.min[1]) / c->H);
 }
 
-/* The points of the walls (H): with(n, point, out). ERR_MEMORY. */
+/* The points of the walls (H), and those that hinges are at: with(n, point, keep, out).
+ * ERR_MEMORY. */
 static enum status with_points(const struct case_file *c,
-                               enum status (*with)(size_t n, const double (*point)[2], void *out),
+                               enum status (*with)(size_t n, const double (*point)[2],
+                                                   const bool *keep, void *out),
                                void *out) {
   const size_t n = c->walls.points;
   double(*point)[2] = NULL;
+  bool keep[BEM_MOST_BENDS + 2];
+  CHECK(n <= BEM_MOST_BENDS + 2, ERR_SOLVER, "a wall has too many points");
   TRY(array_create(&point, n, "points of a wall"));
+  bem_moving_keep(c, keep);
   for (size_t i = 0; i < n; i++) {
     const double complex z = in_H(c, c->walls.p[i]);
     point[i][0] = creal(z);
     point[i][1] = cimag(z);
   }
-  const enum status status = with(n, point, out);
+  const enum status status = with(n, point, keep, out);
   free(point);
   return status;
 }
 
-static enum status create_shore(size_t n, const double (*point)[2], void *out) {
-  return bem_shore_create(n, point, out);
+static enum status create_shore(size_t n, const double (*point)[2], const bool *keep, void *out) {
+  return bem_shore_create(n, point, keep, out);
 }
 
-static enum status create_map(size_t n, const double (*point)[2], void *out) {
-  return bem_conformal_create(n, point, out);
+static enum status create_map(size_t n, const double (*point)[2], const bool *keep, void *out) {
+  return bem_conformal_create(n, point, keep, out);
 }
 
 bool bem_basin_is_mapped(const struct case_file *c) {
   bool mapped = !c->rectangular;
-  for (size_t i = 0; i < c->n_motions; i++) mapped |= c->motions[i].kind == TANK_MOTION_roll;
+  for (size_t i = 0; i < c->n_motions; i++)
+    mapped |= c->motions[i].kind == TANK_MOTION_roll || c->motions[i].kind == TANK_MOTION_flap;
   return mapped && !c->periodic[0];
 }
 
@@ -163,7 +170,8 @@ static void refuse(const struct case_run *r, struct problems *problems, const ch
 
 /* Whether the sides, which the map takes to go on for ever, meet something within the tank's size.
  */
-static enum status goes_on(size_t n, const double (*point)[2], void *simple) {
+static enum status goes_on(size_t n, const double (*point)[2], const bool *keep, void *simple) {
+  (void)keep;
   double complex *z = NULL;
   TRY(array_create(&z, n, "points of a wall"));
   for (size_t i = 0; i < n; i++) z[i] = CMPLX(point[i][0], point[i][1]);

@@ -6,7 +6,8 @@
 #include "common/flow/flow.h"
 #include "common/solver.h"
 
-/* Whether the walls need a map of their own: they are no rectangle, or turn. */
+/* Whether the walls need a map of their own: they are no rectangle, or turn, or one of them does.
+ */
 bool bem_basin_is_mapped(const struct case_file *c);
 
 /* The walls of a case. ERR_MEMORY; destroy *s even then. */

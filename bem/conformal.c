@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "bem/prevertices.h"
 #include "common/base/array.h"
@@ -249,29 +250,53 @@ enum status bem_conformal_on_wall(const struct bem_conformal *m, double complex 
 /* ---- the walls ---- */
 
 /* Those of the points where the walls bend, and how; the first and the last stay. */
-static void set_bends(struct bem_conformal *m, size_t n, const double (*p)[2]) {
+static void set_bends(struct bem_conformal *m, size_t n, const double (*p)[2], const bool *keep) {
   m->point[0] = CMPLX(p[0][0], p[0][1]);
   for (size_t i = 1; i + 1 < n; i++) {
     const double complex at = CMPLX(p[i][0], p[i][1]), next = CMPLX(p[i + 1][0], p[i + 1][1]);
     const double turn = carg((next - at) * conj(at - m->point[m->n]));
-    if (fabs(turn) < STRAIGHT) continue;
+    if (fabs(turn) < STRAIGHT && !(keep && keep[i])) continue;
     m->power[m->n++] = -turn / M_PI;
     m->point[m->n] = at;
   }
   m->point[m->n + 1] = CMPLX(p[n - 1][0], p[n - 1][1]);
 }
 
-static enum status create(struct bem_conformal *m, size_t n, const double (*point)[2]) {
+static enum status create(struct bem_conformal *m, size_t n, const double (*point)[2],
+                          const bool *keep) {
   TRY(array_create(&m->point, n, "bends of a wall"));
   TRY(array_create(&m->xi, n, "bends of a wall"));
   TRY(array_create(&m->power, n, "bends of a wall"));
-  set_bends(m, n, point);
+  set_bends(m, n, point, keep);
   CHECK(m->n > 0, ERR_SOLVER, "walls without a bend make no tank");
   return bem_prevertices_find(m);
 }
 
-enum status bem_conformal_create(size_t n, const double (*point)[2], struct bem_conformal **out) {
+enum status bem_conformal_create(size_t n, const double (*point)[2], const bool *keep,
+                                 struct bem_conformal **out) {
   struct bem_conformal *m = *out = calloc(1, sizeof *m);
   CHECK(m, ERR_MEMORY, "no memory for the map of a tank");
-  return create(m, n, point);
+  return create(m, n, point, keep);
+}
+
+enum status bem_conformal_copy(const struct bem_conformal *m, struct bem_conformal **out) {
+  struct bem_conformal *c = *out = calloc(1, sizeof *c);
+  CHECK(c, ERR_MEMORY, "no memory for the map of a tank");
+  TRY(array_create(&c->point, m->n + 2, "bends of a wall"));
+  TRY(array_create(&c->xi, m->n + 2, "bends of a wall"));
+  TRY(array_create(&c->power, m->n + 2, "bends of a wall"));
+  memcpy(c->point, m->point, (m->n + 2) * sizeof *c->point);
+  memcpy(c->xi, m->xi, m->n * sizeof *c->xi);
+  memcpy(c->power, m->power, m->n * sizeof *c->power);
+  c->n = m->n;
+  c->factor = m->factor;
+  return OK;
+}
+
+enum status bem_conformal_move(struct bem_conformal *m, const double complex *point) {
+  memcpy(m->point, point, (m->n + 2) * sizeof *point);
+  for (size_t k = 1; k <= m->n; k++)
+    m->power[k - 1] = -carg((point[k + 1] - point[k]) * conj(point[k] - point[k - 1])) / M_PI;
+  m->changes++;
+  return bem_prevertices_follow(m);
 }

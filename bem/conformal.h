@@ -9,6 +9,7 @@
  * follows from a recurrence.) */
 #pragma once
 #include <complex.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "common/base/status.h"
@@ -24,6 +25,7 @@ struct bem_conformal {
   double *xi;            /* images of the bends, the points 1 to n, [n], owned */
   double *power;         /* alpha_k - 1, [n], owned */
   double complex factor; /* C */
+  size_t changes;        /* how often the walls have moved */
 };
 
 /* The map near a point that is known to full precision: z = z0 + sum a_j t^(j + 1), zeta = zeta0 +
@@ -35,9 +37,15 @@ struct bem_chart {
   double complex t; /* where it was last looked up */
 };
 
-/* Through n points (H), which bend somewhere. ERR_MEMORY; ERR_SOLVER when no prevertices are found.
- */
-enum status bem_conformal_create(size_t n, const double (*point)[2], struct bem_conformal **m);
+/* Through n points (H), which bend somewhere, all but those that go straight on; keep: those that
+ * may bend later, [n], or NULL. ERR_MEMORY; ERR_SOLVER when no prevertices are found. */
+enum status bem_conformal_create(size_t n, const double (*point)[2], const bool *keep,
+                                 struct bem_conformal **m);
+enum status bem_conformal_copy(const struct bem_conformal *m, struct bem_conformal **copy);
+
+/* Moves the points of the walls, [m->n + 2], by not so much that its parameters are no good first
+ * guess. ERR_SOLVER. */
+enum status bem_conformal_move(struct bem_conformal *m, const double complex *point);
 void bem_conformal_destroy(struct bem_conformal *m);
 
 /* Unit vector along a side. */

@@ -39,6 +39,7 @@ void bem_flow_destroy(struct bem_flow *f) {
   bem_mesh_destroy(&f->mesh);
   bem_surface_destroy(&f->surface);
   bem_flux_destroy(&f->through);
+  bem_moving_destroy(&f->moving);
   free(f->psi);
   free(f->w);
   free(f->known);
@@ -51,6 +52,10 @@ enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f) {
   view->level = f->level;
   view->motion = f->motion;
   view->time = f->time;
+  if (f->moving.map && f->surface.walls == f->moving.map) {
+    TRY(bem_moving_follow(&view->moving, &f->moving));
+    view->surface.walls = view->moving.map;
+  }
   TRY(bem_flow_reserve(view, n));
   memcpy(view->psi, f->psi, n * sizeof *f->psi);
   return OK;
@@ -62,6 +67,7 @@ static struct bem_part part_of_flux(const struct bem_flow *f, double complex zet
   const double turn = f->motion.turn;
   double complex value, rise;
   bem_flux_at(&f->through, zeta, &value, &rise);
+  if (!f->motion.rolls) return (struct bem_part){.beta = value, .w = rise * slope};
   return (struct bem_part){turn * value, turn * rise * slope, f->motion.turning * value, value};
 }
 
@@ -71,25 +77,32 @@ struct bem_part bem_flow_part(const struct bem_flow *f, const double *state, dou
     const double current = bem_period_current(&f->surface, state);
     return (struct bem_part){.beta = current * z, .w = current};
   }
-  if (f->motion.rolls) return part_of_flux(f, zeta, slope);
+  if (f->surface.walls && bem_flow_is_driven(f)) return part_of_flux(f, zeta, slope);
   return f->motion.sides ? bem_motion_part(&f->motion, z) : (struct bem_part){0};
 }
 
 static enum status set_flux(struct bem_flow *f) {
   const struct bem_conformal *walls = f->surface.walls;
   struct bem_rigid body[BEM_MOST_BENDS + 1];
+  if (f->motion.sides) return bem_flux_set(&f->through, walls, f->moving.body, f->motion.top);
   for (size_t i = 0; i <= walls->n; i++) body[i] = bem_motion_turn(&f->motion, 1);
   return bem_flux_set(&f->through, walls, body, f->motion.top);
 }
 
-/* The walls as they are at the time of the flow. */
-static void move_walls(struct bem_flow *f) {
+enum status bem_flow_move(struct bem_flow *f, double time) {
   struct bem_surface *s = &f->surface;
-  bem_motion_at(&f->motion, f->time);
-  if (!f->motion.sides) return;
+  f->time = time;
+  bem_motion_at(&f->motion, time);
+  if (!f->motion.sides) return OK;
+  if (s->walls) {
+    if (s->walls != f->moving.map) TRY(bem_moving_start(&f->moving, f->motion.c, s->walls));
+    s->walls = f->moving.map;
+    return bem_moving_set(&f->moving, time);
+  }
   s->left = f->motion.side[TANK_LEFT][0];
   s->tank = f->motion.side[TANK_RIGHT][0];
   s->length = s->tank - s->left;
+  return OK;
 }
 
 /* Takes over the nodes; *n: how many differ. */
@@ -112,7 +125,7 @@ static enum status set_panels(struct bem_flow *f, const double *state, size_t *n
 static enum status solve_rest(struct bem_flow *f, const double *state, size_t n, int keep) {
   const double *x = state, *y = x + f->surface.n, *phi = y + f->surface.n;
   const struct bem_panels *p = &f->panels;
-  if (f->motion.rolls) TRY(set_flux(f));
+  if (f->surface.walls && bem_flow_is_driven(f)) TRY(set_flux(f));
   for (size_t k = 0; k < n; k++) {
     const struct bem_part part = f->known[k] =
         bem_flow_part(f, state, CMPLX(x[k], y[k]), p->zeta[k], p->dzeta[k]);
@@ -147,7 +160,9 @@ static enum status solve(struct bem_flow *f, const double *state, int keep) {
 }
 
 /* Velocity of the wall at an edge of the water, in the frame of the tank. */
-static double complex wall_velocity(const struct bem_flow *f, bool right) {
+static double complex wall_velocity(const struct bem_flow *f, bool right, double complex z) {
+  const struct bem_surface *s = &f->surface;
+  if (f->motion.sides && s->walls) return bem_rigid_at(f->moving.body[s->side[right]], z);
   return f->motion.sides ? f->motion.side[right ? TANK_RIGHT : TANK_LEFT][1] : 0;
 }
 
@@ -159,8 +174,9 @@ static void hold_ends(const struct bem_flow *f, const double *state, bool of_pot
   double complex wall[2];
   for (int right = 0; right < 2; right++) {
     const size_t k = right ? n - 1 : 0;
-    wall[right] = wall_velocity(f, right);
-    if (of_potential) wall[right] += bem_motion_carries(&f->motion, CMPLX(state[k], state[n + k]));
+    const double complex z = CMPLX(state[k], state[n + k]);
+    wall[right] = wall_velocity(f, right, z);
+    if (of_potential) wall[right] += bem_motion_carries(&f->motion, z);
     x[k] -= creal(wall[right]);
     y[k] -= cimag(wall[right]);
   }
@@ -178,7 +194,7 @@ double bem_flow_head(const struct bem_flow *f, double x, double y) {
 enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep) {
   const struct bem_surface *s = &f->surface;
   const size_t n = s->n;
-  move_walls(f);
+  TRY(bem_flow_move(f, f->time));
   TRY(solve(f, state, keep));
   for (size_t k = 0; k < n; k++) {
     f->u[k] = creal(f->w[k]);

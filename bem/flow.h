@@ -6,6 +6,7 @@
 #include "bem/guess.h"
 #include "bem/mesh.h"
 #include "bem/motion.h"
+#include "bem/moving.h"
 #include "bem/panels.h"
 #include "bem/solve.h"
 #include "bem/surface.h"
@@ -17,6 +18,7 @@ struct bem_flow {
   struct bem_mesh mesh;
   struct bem_surface surface; /* at the start of the step; its shape's facts hold during the step */
   struct bem_motion motion;   /* of the tank and its sides */
+  struct bem_moving moving;   /* walls of any shape whose sides move; owned */
   double time;                /* of the next evaluation, if anything moves, sqrt(H/g) */
   double level;               /* y where the Bernoulli constant makes p = 0 in water at rest, H */
   double smoothing;           /* rate of the five-point formula at the thin tip, sqrt(g/H) */
@@ -53,6 +55,9 @@ struct bem_part bem_flow_part(const struct bem_flow *f, const double *state, dou
 
 /* What pressure is without motion in the frame of the tank, less its sign, H. */
 double bem_flow_head(const struct bem_flow *f, double x, double y);
+
+/* Moves the walls to where they are at a time. ERR_MEMORY, ERR_SOLVER. */
+enum status bem_flow_move(struct bem_flow *f, double time);
 
 /* psi, w, u, v of the surface `state` (x[n], y[n], phi[n]). keep: see bem_solve_first. */
 enum status bem_flow_solve(struct bem_flow *f, const double *state, int keep);

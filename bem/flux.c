@@ -39,38 +39,53 @@ static enum status reserve(struct bem_flux *f) {
   return OK;
 }
 
-static void fill(struct bem_flux *f, size_t panel, const struct bem_rigid *body, double before) {
-  const struct bem_rule *r = &f->rule;
-  for (size_t j = BEM_RULE * panel; j < BEM_RULE * (panel + 1); j++) {
-    f->q[j] = cimag(conj(bem_rigid_at(*body, r->z[j])) * r->slope[j]);
-    f->g[j] = bem_rigid_stream(*body, r->z[j]) - before;
-    f->q_weight[j] = r->weight[j] * f->q[j];
-    f->g_weight[j] = r->weight[j] * f->g[j];
-  }
-}
-
-enum status bem_flux_set(struct bem_flux *f, const struct bem_conformal *m,
-                         const struct bem_rigid *body, double top) {
-  double before[BEM_MOST_BENDS + 1] = {0};
+enum status bem_flux_lay(struct bem_flux *f, const struct bem_conformal *m, const bool *driven,
+                         double top) {
   f->ends = 0;
   bem_rule_clear(&f->rule);
   for (size_t i = 0; i <= m->n; i++) {
     double end[2] = {i ? m->xi[i - 1] : 0, i < m->n ? m->xi[i] : 0};
-    double complex z[2] = {m->point[i], m->point[i + 1]};
-    if (body[i].velocity == 0 && body[i].turn == 0) continue;
-    if (i == 0) TRY(find_top(m, i, top, &z[0], &end[0]));
-    if (i == m->n) TRY(find_top(m, i, top, &z[1], &end[1]));
+    double complex top_of_last;
+    if (!driven[i]) continue;
+    if (i == 0) TRY(find_top(m, i, top, &f->top, &end[0]));
+    if (i == m->n) TRY(find_top(m, i, top, &top_of_last, &end[1]));
     TRY(bem_rule_add(&f->rule, m, i, end, LEVELS, INFINITY));
-    before[i] = bem_rigid_stream(body[i], z[0]);
-    f->end[f->ends] = end[1];
-    f->jump[f->ends++] = bem_rigid_stream(body[i], z[1]) - before[i];
+    f->side[f->ends] = i;
+    f->end[f->ends++] = end[1];
   }
   TRY(reserve(f));
   f->g = f->q + f->room, f->q_weight = f->g + f->room, f->g_weight = f->q_weight + f->room;
-  for (size_t p = 0; p < f->rule.panels; p++) {
-    const size_t side = f->rule.panel[p].side;
-    fill(f, p, &body[side], before[side]);
+  return OK;
+}
+
+void bem_flux_fill(struct bem_flux *f, const double *before) {
+  const struct bem_rule *r = &f->rule;
+  double jump[BEM_MOST_BENDS + 1] = {0};
+  for (size_t j = 0; j < BEM_RULE * r->panels; j++) {
+    const size_t side = r->panel[j / BEM_RULE].side;
+    f->g[j] -= before[side];
+    f->q_weight[j] = r->weight[j] * f->q[j];
+    f->g_weight[j] = r->weight[j] * f->g[j];
+    jump[side] += f->q_weight[j];
   }
+  for (size_t i = 0; i < f->ends; i++) f->jump[i] = jump[f->side[i]];
+}
+
+enum status bem_flux_set(struct bem_flux *f, const struct bem_conformal *m,
+                         const struct bem_rigid *body, double top) {
+  bool driven[BEM_MOST_BENDS + 1];
+  double before[BEM_MOST_BENDS + 1];
+  for (size_t i = 0; i <= m->n; i++) driven[i] = body[i].velocity != 0 || body[i].turn != 0;
+  TRY(bem_flux_lay(f, m, driven, top));
+  const struct bem_rule *r = &f->rule;
+  for (size_t j = 0; j < BEM_RULE * r->panels; j++) {
+    const struct bem_rigid b = body[r->panel[j / BEM_RULE].side];
+    f->q[j] = cimag(conj(bem_rigid_at(b, r->z[j])) * r->slope[j]);
+    f->g[j] = bem_rigid_stream(b, r->z[j]);
+  }
+  for (size_t i = 0; i <= m->n; i++)
+    before[i] = bem_rigid_stream(body[i], i == 0 ? f->top : m->point[i]);
+  bem_flux_fill(f, before);
   return OK;
 }
 
@@ -90,7 +105,8 @@ static void add_far(const struct bem_flux *f, size_t p, double complex zeta, dou
   double q_re = 0, q_im = 0, g_re = 0, g_im = 0;
 #pragma omp simd reduction(+ : q_re, q_im, g_re, g_im)
   for (size_t j = 0; j < BEM_RULE; j++) {
-    const double dx = xi[j] - x, inverse = 1 / (dx * dx + y * y);
+    const double dx = xi[j] - x, square = dx * dx + y * y;
+    const double inverse = square > 0 ? 1 / square : 0; /* at a bend, by rounding */
     q_re += q[j] * dx * inverse;
     q_im += q[j] * y * inverse;
     g_re += g[j] * dx * inverse;
@@ -134,7 +150,8 @@ static void add_panel(const struct bem_flux *f, size_t p, double complex zeta,
                       double complex *value, double complex *slope) {
   const struct bem_rule_panel *panel = f->rule.panel + p;
   const double x = creal(zeta) - (panel->start + panel->half), y = cimag(zeta);
-  const bool near = x * x + y * y < NEAR * NEAR * panel->half * panel->half;
+  const bool at_bend = panel->power > 1 && zeta == panel->start; /* by rounding */
+  const bool near = !at_bend && x * x + y * y < NEAR * NEAR * panel->half * panel->half;
   double complex sigma = near ? find_pole(panel, zeta) : 0;
   for (int j = 0; near && j < BEM_RULE; j++)
     if (cabs(f->rule.gauss.point[j] - sigma) < APART) {
@@ -150,7 +167,8 @@ void bem_flux_at(const struct bem_flux *f, double complex zeta, double complex *
   const double x = creal(zeta), y = cimag(zeta) > 0 ? cimag(zeta) : 0.0;
   *value = *slope = 0;
   for (size_t p = 0; p < f->rule.panels; p++) add_panel(f, p, CMPLX(x, y), value, slope);
-  for (size_t i = 0; i < f->ends; i++) *value -= f->jump[i] * clog(CMPLX(f->end[i] - x, -y));
+  for (size_t i = 0; i < f->ends; i++)
+    if (f->end[i] != x || y != 0) *value -= f->jump[i] * clog(CMPLX(f->end[i] - x, -y));
   *value /= M_PI;
   *slope /= M_PI;
 }

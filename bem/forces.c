@@ -19,9 +19,8 @@ struct load {
   double force, moment;
 };
 
-static enum status load_of(const struct bem_pressure *p, const struct bem_flow *f,
-                           const double *state, double complex from, double complex to,
-                           size_t cells, struct load *out) {
+static enum status load_of(struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                           double complex from, double complex to, size_t cells, struct load *out) {
   const double h = cabs(to - from) / (double)cells;
   *out = (struct load){0};
   for (size_t i = 0; i < cells; i++)
@@ -41,8 +40,8 @@ static bool ends_on_bed(const struct bem_surface *s) {
 }
 
 /* Left and right side. */
-static enum status sides(const struct bem_pressure *p, const struct bem_flow *f,
-                         const double *state, struct load side[2]) {
+static enum status sides(struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                         struct load side[2]) {
   const struct bem_surface *s = &f->surface;
   side[TANK_LEFT] = side[TANK_RIGHT] = (struct load){0};
   if (bem_surface_is_closed(s)) return OK;
@@ -52,7 +51,7 @@ static enum status sides(const struct bem_pressure *p, const struct bem_flow *f,
   return OK;
 }
 
-enum status bem_forces_on_sides(const struct bem_pressure *p, const struct bem_flow *f,
+enum status bem_forces_on_sides(struct bem_pressure *p, const struct bem_flow *f,
                                 const double *state, double force[2]) {
   struct load side[2];
   TRY(sides(p, f, state, side));
@@ -61,7 +60,7 @@ enum status bem_forces_on_sides(const struct bem_pressure *p, const struct bem_f
   return OK;
 }
 
-static enum status find_in_box(const struct bem_pressure *p, const struct bem_flow *f,
+static enum status find_in_box(struct bem_pressure *p, const struct bem_flow *f,
                                const double *state, struct bem_forces *out) {
   const struct bem_surface *s = &f->surface;
   const double end = ends_on_bed(s) ? state[s->n - 1] : s->tank, length = end - s->left;
@@ -86,11 +85,12 @@ static enum status find_on_walls(struct bem_pressure *p, const struct bem_flow *
   const struct bem_surface *s = &f->surface;
   const struct bem_rule *wet = &p->wet;
   TRY(bem_pressure_wet(p, f));
+  TRY(bem_pressure_wet_sweep(p, f));
   *out = (struct bem_forces){0};
   for (size_t j = 0; j < BEM_RULE * wet->panels; j++) {
     const size_t side = wet->panel[j / BEM_RULE].side;
-    double pressure;
-    bem_pressure_seen(p, f, state, wet->z[j], wet->xi[j], 1 / wet->slope[j], &pressure);
+    const struct bem_seen at = bem_pressure_wet_point(p, f, j);
+    const double pressure = bem_pressure_seen(p, f, state, &at);
     const double complex force = -I * pressure * wet->weight[j] * wet->slope[j];
     out->force_x += creal(force);
     out->force_y += cimag(force);
@@ -99,6 +99,37 @@ static enum status find_on_walls(struct bem_pressure *p, const struct bem_flow *
     if (side == s->side[1]) out->force_right += creal(force);
   }
   return OK;
+}
+
+enum status bem_forces_power(struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                             double *power) {
+  const struct bem_rule *wet = &p->wet;
+  TRY(bem_pressure_wet(p, f));
+  TRY(bem_pressure_wet_sweep(p, f));
+  *power = 0;
+  for (size_t j = 0; j < BEM_RULE * wet->panels; j++) {
+    const struct bem_rigid body = f->moving.body[wet->panel[j / BEM_RULE].side];
+    const double complex dz = wet->weight[j] * wet->slope[j];
+    const double out = cimag(conj(bem_rigid_at(body, wet->z[j])) * dz);
+    if (out == 0) continue;
+    const struct bem_seen at = bem_pressure_wet_point(p, f, j);
+    *power += out * bem_pressure_seen(p, f, state, &at);
+  }
+  return OK;
+}
+
+void bem_forces_of_known(const struct bem_flow *f, const struct bem_rule *wet, double *kinetic,
+                         double momentum[2]) {
+  *kinetic = momentum[0] = momentum[1] = 0;
+  for (size_t j = 0; j < BEM_RULE * wet->panels; j++) {
+    const struct bem_rigid body = f->moving.body[wet->panel[j / BEM_RULE].side];
+    const double complex dz = wet->weight[j] * wet->slope[j];
+    double complex value, slope;
+    bem_flux_at(&f->through, wet->xi[j], &value, &slope);
+    *kinetic += 0.5 * creal(value) * cimag(conj(bem_rigid_at(body, wet->z[j])) * dz);
+    momentum[0] -= cimag(value) * creal(dz);
+    momentum[1] -= cimag(value) * cimag(dz);
+  }
 }
 
 enum status bem_forces_find(struct bem_pressure *p, const struct bem_flow *f, const double *state,
@@ -124,7 +155,7 @@ void bem_forces_momentum(const struct bem_flow *f, const double *state, double m
   const double *x = state, *y = x + s->n, left = y[0], right = y[s->n - 1];
   momentum[0] = bem_surface_integral(s, f->psi, x);
   momentum[1] = bem_surface_integral(s, f->psi, y);
-  if (!f->motion.sides) return;
+  if (!f->motion.sides || s->walls) return;
   momentum[1] += 0.5 * (f->motion.side[TANK_LEFT][1] * left * left -
                         f->motion.side[TANK_RIGHT][1] * right * right);
 }

@@ -26,7 +26,7 @@ enum { BEM_FORCE_COUNT = sizeof(struct bem_forces) / sizeof(double) };
 /* Along x on the left and the right side alone, rho g H^2. Call after bem_pressure_solve.
  * ERR_SOLVER.
  */
-enum status bem_forces_on_sides(const struct bem_pressure *p, const struct bem_flow *f,
+enum status bem_forces_on_sides(struct bem_pressure *p, const struct bem_flow *f,
                                 const double *state, double force[2]);
 
 /* All of them. */
@@ -35,6 +35,16 @@ enum status bem_forces_find(struct bem_pressure *p, const struct bem_flow *f, co
 
 /* As they are seen in an upright mirror through the middle of the tank. */
 void bem_forces_turn(struct bem_forces *f);
+
+/* Power on sides that move, of walls of any shape, rho g H^2 sqrt(gH). Call after
+ * bem_pressure_solve. ERR_MEMORY. */
+enum status bem_forces_power(struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                             double *power);
+
+/* What walls of any shape whose sides move add to surface integrals, by psi on them and the known
+ * part of beta: to the kinetic energy, that of the known part; to the momentum. */
+void bem_forces_of_known(const struct bem_flow *f, const struct bem_rule *wet, double *kinetic,
+                         double momentum[2]);
 
 /* Integral of the velocity in the frame of a tank that does not turn over the water, H^2 sqrt(gH).
  */

@@ -170,7 +170,7 @@ static enum status write_surface(struct bem_output *o, double seconds) {
 }
 
 static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
-  const struct bem_output *o = solver;
+  struct bem_output *o = solver;
   const struct case_file *c = o->c;
   double p[RECORD_PARTS][2], part, sum = 0;
   size_t parts = record_sensor(c, probe, p);
@@ -222,10 +222,34 @@ static enum status find_spin(struct bem_output *o, struct bem_spin *spin) {
   return OK;
 }
 
+static enum status add_known(struct bem_output *o, struct bem_totals *t, double momentum[2]) {
+  double kinetic, known[2];
+  TRY(bem_pressure_wet(&o->pressure, &o->view));
+  bem_forces_of_known(&o->view, &o->pressure.wet, &kinetic, known);
+  t->kinetic += kinetic;
+  for (int axis = 0; axis < 2; axis++) momentum[axis] += known[axis];
+  return OK;
+}
+
+/* Momentum and, where the tank turns, kinetic energy in its frame. */
+static enum status find_motion(struct bem_output *o, struct bem_totals *t, double momentum[2]) {
+  const struct bem_flow *f = &o->view;
+  struct bem_spin spin;
+  if (!f->motion.rolls) {
+    bem_forces_momentum(f, f->surface.state, momentum);
+    return bem_pressure_is_swept(f) ? add_known(o, t, momentum) : OK;
+  }
+  TRY(find_spin(o, &spin));
+  memcpy(momentum, spin.momentum, sizeof spin.momentum);
+  t->kinetic = spin.kinetic;
+  return OK;
+}
+
 /* Powers at the state that is looked at. */
 static enum status find_powers(struct bem_output *o, double power[2]) {
   struct bem_flow *f = &o->view;
   const double *state = f->surface.state;
+  struct bem_totals t = {0};
   double momentum[2], force[2];
   if (f->motion.rolls) {
     struct bem_spin spin;
@@ -234,11 +258,12 @@ static enum status find_powers(struct bem_output *o, double power[2]) {
     power[1] = 0;
     return OK;
   }
-  bem_forces_momentum(f, state, momentum);
+  TRY(find_motion(o, &t, momentum));
   power[0] = -(f->motion.push[0] * momentum[0] + f->motion.push[1] * momentum[1]);
   power[1] = 0;
   if (!f->motion.sides) return OK;
   TRY(bem_pressure_solve(&o->pressure, f, state));
+  if (bem_pressure_is_swept(f)) return bem_forces_power(&o->pressure, f, state, &power[1]);
   TRY(bem_forces_on_sides(&o->pressure, f, state, force));
   for (int side = 0; side < 2; side++) power[1] += force[side] * f->motion.side[side][1];
   return OK;
@@ -315,22 +340,8 @@ static struct bem_totals totals_of(struct bem_flow *f) {
   }
   t.kinetic += 0.5 * (bem_surface_integral(s, f->phi_own, f->tx) -
                       bem_surface_integral(s, f->q, f->psi_own));
-  t.kinetic += bem_motion_kinetic(&f->motion, (const double[2]){y[0], y[s->n - 1]});
+  if (!s->walls) t.kinetic += bem_motion_kinetic(&f->motion, (const double[2]){y[0], y[s->n - 1]});
   return t;
-}
-
-/* Momentum and, where the tank turns, kinetic energy in its frame. */
-static enum status find_motion(struct bem_output *o, struct bem_totals *t, double momentum[2]) {
-  const struct bem_flow *f = &o->view;
-  struct bem_spin spin;
-  if (!f->motion.rolls) {
-    bem_forces_momentum(f, f->surface.state, momentum);
-    return OK;
-  }
-  TRY(find_spin(o, &spin));
-  memcpy(momentum, spin.momentum, sizeof spin.momentum);
-  t->kinetic = spin.kinetic;
-  return OK;
 }
 
 static bool wants_pressure(const struct bem_output *o) {

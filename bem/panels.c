@@ -220,16 +220,27 @@ static int leans_over(const struct bem_conformal *walls, size_t side) {
   return creal(bem_conformal_along(walls, side)) < -ROUNDING;
 }
 
+/* Walls that move go on exactly, edges of the water as the time integrator has them. */
+static double complex on_side(const struct bem_conformal *walls, size_t side, double complex z) {
+  const double complex a = walls->point[side], along = bem_conformal_along(walls, side);
+  return a + creal((z - a) * conj(along)) * along;
+}
+
 enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x, const double *y,
                                  const struct bem_conformal *walls, const size_t side[2]) {
   p->n = n;
   p->period = (struct bem_period){0};
-  if (p->walls != walls)
+  if (p->walls != walls || p->changes != walls->changes)
     for (size_t k = 0; k < p->charts; k++) p->chart[k].radius = 0;
   p->walls = walls;
+  p->changes = walls->changes;
   for (int end = 0; end < 2; end++) p->mirrored[end] = !p->kinked && !leans_over(walls, side[end]);
   TRY(reserve_charts(p, n));
-  for (size_t k = 0; k < n; k++) TRY(look_up(p, k, CMPLX(x[k], y[k]), walls, side[0]));
+  for (size_t k = 0; k < n; k++) {
+    double complex z = CMPLX(x[k], y[k]);
+    if (walls->changes && (k == 0 || k + 1 == n)) z = on_side(walls, side[k > 0], z);
+    TRY(look_up(p, k, z, walls, side[0]));
+  }
   p->zeta[0] = creal(p->zeta[0]); /* walls are on the real axis */
   p->zeta[n - 1] = creal(p->zeta[n - 1]);
   interpolate(p);

@@ -50,7 +50,8 @@ struct bem_panels {
   double complex (*slope)[BEM_DERIVATIVE]; /* d/dzeta at a node from its stencil, [n] */
   struct bem_chart *chart; /* of the map near every node, [charts], owned; not for rectangles */
   size_t charts;
-  const struct bem_conformal *walls; /* whose charts they are */
+  const struct bem_conformal *walls; /* whose charts they are, and of which of its changes */
+  size_t changes;
 };
 
 /* Makes room for n nodes (at least BEM_DERIVATIVE); zero *p before the first call. ERR_MEMORY. */

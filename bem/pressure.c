@@ -13,6 +13,10 @@ enum { LEVELS = 4 };             /* of the panels on wet walls */
 void bem_pressure_destroy(struct bem_pressure *p) {
   free(p->phi_t);
   bem_rule_destroy(&p->wet);
+  bem_flux_destroy(&p->sweep.flux);
+  bem_rule_destroy(&p->sweep.rule);
+  free(p->sweep.nodes);
+  free(p->sweep.wet);
   *p = (struct bem_pressure){0};
 }
 
@@ -23,9 +27,66 @@ void bem_pressure_destroy(struct bem_pressure *p) {
 double bem_pressure_swept(const struct bem_flow *f, const struct bem_part *part, double complex z,
                           double complex w) {
   double rest = creal(part->rate);
-  if (f->motion.sides) rest -= creal((w - part->w) * part->w);
+  if (f->motion.sides && !f->surface.walls) rest -= creal((w - part->w) * part->w);
   if (f->motion.rolls) rest -= creal(w * bem_motion_carries(&f->motion, z));
   return rest;
+}
+
+/* Walls of any shape whose sides move: what is harmonic, with a known flux through walls that stay
+ * where they are, is beta's rate of change at a fixed zeta, beta_t + w f_t, z = f(zeta, t). On a
+ * side psi is that of a rigid body, and so its rate there. */
+static enum status set_rate(struct bem_pressure *p, const struct bem_flow *f) {
+  const struct bem_moving *m = &f->moving;
+  struct bem_flux *flux = &p->sweep.flux;
+  double complex *sweep = NULL;
+  double before[BEM_MOST_BENDS + 1] = {0};
+  bool driven[BEM_MOST_BENDS + 1];
+  for (size_t i = 0; i <= m->map->n; i++)
+    driven[i] = m->body[i].velocity != 0 || m->body[i].turn != 0 || m->rate[i].velocity != 0 ||
+                m->rate[i].turn != 0;
+  TRY(bem_flux_lay(flux, m->map, driven, f->motion.top));
+  const struct bem_rule *r = &flux->rule;
+  const size_t n = BEM_RULE * r->panels;
+  TRY(array_create(&sweep, 2 * n + 1, "rates of change of a map"));
+  bem_sweep_rule(m, &p->sweep.rate, r, sweep, sweep + n);
+  for (size_t j = 0; j < n; j++) {
+    const size_t side = r->panel[j / BEM_RULE].side;
+    const struct bem_rigid body = m->body[side], rate = m->rate[side];
+    const double complex v = conj(bem_rigid_at(body, r->z[j]));
+    flux->g[j] = bem_rigid_stream(rate, r->z[j]) + cimag(v * sweep[j]);
+    flux->q[j] = cimag(conj(bem_rigid_at(rate, r->z[j])) * r->slope[j] + v * sweep[n + j] -
+                       I * body.turn * conj(r->slope[j]) * sweep[j]);
+  }
+  free(sweep);
+  for (size_t i = 0; i <= m->map->n; i += m->map->n) { /* from the bends, whose images stay */
+    const size_t bend = i ? i : 1;
+    double gain = 0;
+    for (size_t j = 0; i == 0 && j < n; j++)
+      if (r->panel[j / BEM_RULE].side == i) gain += r->weight[j] * flux->q[j];
+    before[i] = bem_rigid_stream(m->rate[i], m->map->point[bend]) +
+                cimag(conj(bem_rigid_at(m->body[i], m->map->point[bend])) * m->velocity[bend]) -
+                gain;
+  }
+  bem_flux_fill(flux, before);
+  return OK;
+}
+
+/* Adds to phi_t what makes it that of the harmonic part. */
+static enum status sweep_nodes(struct bem_pressure *p, const struct bem_flow *f) {
+  const struct bem_surface *s = &f->surface;
+  const double complex *zeta = f->panels.zeta;
+  double complex *sweep = p->sweep.nodes;
+  TRY(bem_moving_rate(&f->moving, &p->sweep.rate));
+  TRY(set_rate(p, f));
+  TRY(bem_sweep_wall(&f->moving, &p->sweep.rate, &p->sweep.rule, s->side[0], creal(zeta[0]),
+                     1 / f->panels.dzeta[0], sweep));
+  bem_sweep_along(&f->moving, &p->sweep.rate, &p->sweep.rule.gauss, s->n, zeta, sweep);
+  for (size_t k = 0; k < s->n; k++) {
+    double complex value, slope;
+    bem_flux_at(&p->sweep.flux, zeta[k], &value, &slope);
+    p->phi_t[k] += creal(f->w[k] * sweep[k] - value);
+  }
+  return OK;
 }
 
 enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const double *state) {
@@ -33,6 +94,7 @@ enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const
   if (n > p->room) {
     TRY(array_resize(&p->phi_t, 2 * n, "numbers of a pressure"));
     p->psi_t = p->phi_t + n;
+    TRY(array_resize(&p->sweep.nodes, n, "numbers of a pressure"));
     p->room = n;
   }
   for (size_t k = 0; k < n; k++) {
@@ -41,6 +103,7 @@ enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const
     if (bem_flow_is_driven(f))
       p->phi_t[k] -= bem_pressure_swept(f, &f->known[k], CMPLX(state[k], state[n + k]), f->w[k]);
   }
+  if (bem_pressure_is_swept(f)) TRY(sweep_nodes(p, f));
   memset(p->psi_t, 0,
          n * sizeof *p->psi_t); /* a row must not depend on which were asked for before */
   return bem_solve_again(f->solve, p->phi_t, p->psi_t);
@@ -56,10 +119,11 @@ static bool wet(const struct bem_surface *s, const double *state, double x, doub
 }
 
 /* A point of a side goes with it. */
-static double moved(const struct bem_flow *f, double x) {
-  const double right = f->motion.rest;
-  if (!f->motion.sides) return x;
-  return x < NEAR ? f->surface.left : x > right - NEAR ? f->surface.tank : x;
+static double complex moved(const struct bem_flow *f, double complex z) {
+  const double right = f->motion.rest, x = creal(z);
+  if (bem_pressure_is_swept(f)) return bem_moving_place(&f->moving, z);
+  if (!f->motion.sides) return z;
+  return CMPLX(x < NEAR ? f->surface.left : x > right - NEAR ? f->surface.tank : x, cimag(z));
 }
 
 /* Image of a point of the walls and d zeta / d z there. *under: whether
@@ -89,44 +153,71 @@ static enum status map(const struct bem_flow *f, const double *state, double com
   return OK;
 }
 
-enum status bem_pressure_at(const struct bem_pressure *p, const struct bem_flow *f,
-                            const double *state, double x, double y, double *pressure) {
-  return bem_pressure_on(p, f, state, CMPLX(moved(f, x), y), pressure);
+enum status bem_pressure_at(struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                            double x, double y, double *pressure) {
+  return bem_pressure_on(p, f, state, moved(f, CMPLX(x, y)), pressure);
 }
 
-void bem_pressure_seen(const struct bem_pressure *p, const struct bem_flow *f, const double *state,
-                       double complex z, double complex zeta, double complex dzeta,
-                       double *pressure) {
+double bem_pressure_seen(const struct bem_pressure *p, const struct bem_flow *f,
+                         const double *state, const struct bem_seen *at) {
   const bool has_part = bem_flow_has_part(f);
   double complex value, slope;
   bem_integrals_inside(&f->panels, has_part ? f->phi_own : state + 2 * f->surface.n,
-                       has_part ? f->psi_own : f->psi, zeta, &value, &slope);
-  const struct bem_part part = bem_flow_part(f, state, z, zeta, dzeta);
-  const double complex w = slope * dzeta + part.w;
-  bem_integrals_inside(&f->panels, p->phi_t, p->psi_t, zeta, &value, &slope);
+                       has_part ? f->psi_own : f->psi, at->zeta, &value, &slope);
+  const struct bem_part part = bem_flow_part(f, state, at->z, at->zeta, at->slope);
+  const double complex w = slope * at->slope + part.w;
+  bem_integrals_inside(&f->panels, p->phi_t, p->psi_t, at->zeta, &value, &slope);
   double phi_t = creal(value);
-  if (bem_flow_is_driven(f)) phi_t += bem_pressure_swept(f, &part, z, w);
-  *pressure = -phi_t - 0.5 * creal(w * conj(w)) - bem_flow_head(f, creal(z), cimag(z));
+  if (bem_flow_is_driven(f)) phi_t += bem_pressure_swept(f, &part, at->z, w);
+  if (bem_pressure_is_swept(f)) {
+    bem_flux_at(&p->sweep.flux, at->zeta, &value, &slope);
+    phi_t += creal(value - w * at->sweep);
+  }
+  return -phi_t - 0.5 * creal(w * conj(w)) - bem_flow_head(f, creal(at->z), cimag(at->z));
 }
 
-enum status bem_pressure_on(const struct bem_pressure *p, const struct bem_flow *f,
-                            const double *state, double complex z, double *pressure) {
-  double complex zeta, dzeta;
+enum status bem_pressure_on(struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                            double complex z, double *pressure) {
+  struct bem_seen at = {.z = z};
   bool under;
   *pressure = 0;
-  TRY(map(f, state, z, &under, &zeta, &dzeta));
-  if (under) bem_pressure_seen(p, f, state, z, zeta, dzeta, pressure);
+  TRY(map(f, state, z, &under, &at.zeta, &at.slope));
+  if (!under) return OK;
+  if (bem_pressure_is_swept(f))
+    TRY(bem_sweep_wall(&f->moving, &p->sweep.rate, &p->sweep.rule,
+                       bem_conformal_side(f->moving.map, z), creal(at.zeta), 1 / at.slope,
+                       &at.sweep));
+  *pressure = bem_pressure_seen(p, f, state, &at);
   return OK;
 }
 
 enum status bem_pressure_wet(struct bem_pressure *p, const struct bem_flow *f) {
   const struct bem_surface *s = &f->surface;
   const struct bem_conformal *m = s->walls;
-  bem_rule_clear(&p->wet);
+  struct bem_rule *wet = &p->wet;
+  bem_rule_clear(wet);
   for (size_t i = s->side[0]; i <= s->side[1]; i++) {
     const double end[2] = {i == s->side[0] ? f->panels.re[0] : m->xi[i - 1],
                            i == s->side[1] ? f->panels.re[s->n - 1] : m->xi[i]};
-    TRY(bem_rule_add(&p->wet, m, i, end, LEVELS, f->level));
+    TRY(bem_rule_add(wet, m, i, end, LEVELS, f->level));
   }
   return OK;
+}
+
+enum status bem_pressure_wet_sweep(struct bem_pressure *p, const struct bem_flow *f) {
+  const size_t n = BEM_RULE * p->wet.panels;
+  if (!bem_pressure_is_swept(f)) return OK;
+  if (n > p->sweep.wet_room) {
+    TRY(array_resize(&p->sweep.wet, n, "rates of change of a map"));
+    p->sweep.wet_room = n;
+  }
+  bem_sweep_rule(&f->moving, &p->sweep.rate, &p->wet, p->sweep.wet, NULL);
+  return OK;
+}
+
+struct bem_seen bem_pressure_wet_point(const struct bem_pressure *p, const struct bem_flow *f,
+                                       size_t j) {
+  const struct bem_rule *wet = &p->wet;
+  return (struct bem_seen){wet->z[j], wet->xi[j], 1 / wet->slope[j],
+                           bem_pressure_is_swept(f) ? p->sweep.wet[j] : 0};
 }

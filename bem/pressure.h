@@ -3,12 +3,26 @@
  * right-hand side. */
 #pragma once
 #include "bem/flow.h"
+#include "bem/sweep.h"
 
 struct bem_pressure {
   size_t room;
   double *phi_t, *psi_t; /* rate of change of phi and psi at the nodes, g H, [n], owned */
   struct bem_rule wet;   /* the walls under water, owned */
+  struct {               /* of walls of any shape whose sides move: */
+    struct bem_map_rate rate;
+    struct bem_flux flux;  /* the rate of change of the known part at a fixed zeta */
+    double complex *nodes; /* rates of change of z at a fixed zeta, [n], owned */
+    double complex *wet;   /* the same at the points of `wet`, [wet_room], owned */
+    size_t wet_room;
+    struct bem_rule rule; /* scratch */
+  } sweep;
 };
+
+/* Whether the map of the walls changes. */
+static inline bool bem_pressure_is_swept(const struct bem_flow *f) {
+  return f->motion.sides && f->surface.walls;
+}
 
 void bem_pressure_destroy(struct bem_pressure *p);
 
@@ -17,20 +31,32 @@ enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const
 
 /* Pressure (rho g H) at a point of a wall of the same state, which is named by where the wall is at
  * rest; 0 where it is dry. ERR_SOLVER. */
-enum status bem_pressure_at(const struct bem_pressure *p, const struct bem_flow *f,
-                            const double *state, double x, double y, double *pressure);
+enum status bem_pressure_at(struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                            double x, double y, double *pressure);
 
-/* The same at a point of a wall under water whose image and d zeta / dz are known. */
-void bem_pressure_seen(const struct bem_pressure *p, const struct bem_flow *f, const double *state,
-                       double complex z, double complex zeta, double complex slope,
-                       double *pressure);
+/* A point of a wall under water: its image, d zeta / dz, and, where sides of walls of any shape
+ * move, dz/dt at a fixed zeta. */
+struct bem_seen {
+  double complex z, zeta, slope, sweep;
+};
+
+/* The same there. */
+double bem_pressure_seen(const struct bem_pressure *p, const struct bem_flow *f,
+                         const double *state, const struct bem_seen *at);
+
+/* Point j of p->wet. */
+struct bem_seen bem_pressure_wet_point(const struct bem_pressure *p, const struct bem_flow *f,
+                                       size_t j);
 
 /* Lays p->wet along the walls under water, densely enough for the pressure on them. ERR_MEMORY. */
 enum status bem_pressure_wet(struct bem_pressure *p, const struct bem_flow *f);
 
+/* What bem_pressure_wet_point needs besides, after bem_pressure_solve. ERR_MEMORY. */
+enum status bem_pressure_wet_sweep(struct bem_pressure *p, const struct bem_flow *f);
+
 /* The same at a point z of a wall where it is. */
-enum status bem_pressure_on(const struct bem_pressure *p, const struct bem_flow *f,
-                            const double *state, double complex z, double *pressure);
+enum status bem_pressure_on(struct bem_pressure *p, const struct bem_flow *f, const double *state,
+                            double complex z, double *pressure);
 
 /* Where sides move or the tank turns, what the rate of change of phi, at z with the velocity w and
  * this known part, has besides what phi_t and psi_t give; at a place that turns with the tank, less

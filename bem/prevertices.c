@@ -6,6 +6,7 @@
 #include <kinsol/kinsol.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
+#include <stdbool.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
@@ -83,10 +84,12 @@ static enum status open_problem(struct problem *p, struct bem_conformal *m) {
   return OK;
 }
 
-static enum status solve(struct problem *p, struct bem_conformal *m) {
+static enum status solve(struct problem *p, struct bem_conformal *m, bool follow) {
   TRY(open_problem(p, m));
   double *u = N_VGetArrayPointer(p->u);
-  for (size_t k = 0; k + 2 < m->n; k++) u[k] = log(side(m, k + 1) / side(m, k));
+  for (size_t k = 0; k + 2 < m->n; k++)
+    u[k] = follow ? log((m->xi[k + 2] - m->xi[k + 1]) / (m->xi[k + 1] - m->xi[k]))
+                  : log(side(m, k + 1) / side(m, k));
   KINSol(p->kinsol, p->u, KIN_LINESEARCH, p->scale, p->scale);
   const int failed = residuals(p->u, p->scale, m);
   const double left = N_VMaxNorm(p->scale);
@@ -97,13 +100,13 @@ static enum status solve(struct problem *p, struct bem_conformal *m) {
   return OK;
 }
 
-enum status bem_prevertices_find(struct bem_conformal *m) {
+static enum status find(struct bem_conformal *m, bool follow) {
   const double complex up = m->point[m->n + 1] - m->point[m->n];
   enum status status = OK;
   m->factor = 1;
   if (m->n > 2) {
     struct problem p = {0};
-    status = solve(&p, m);
+    status = solve(&p, m, follow);
     close_problem(&p);
   } else {
     place(m, NULL);
@@ -115,4 +118,12 @@ enum status bem_prevertices_find(struct bem_conformal *m) {
   }
   m->factor = wanted / is * up / cabs(up);
   return status;
+}
+
+enum status bem_prevertices_find(struct bem_conformal *m) {
+  return find(m, false);
+}
+
+enum status bem_prevertices_follow(struct bem_conformal *m) {
+  return find(m, true);
 }

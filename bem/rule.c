@@ -96,7 +96,7 @@ static enum status add_panel(struct bem_rule *r, const struct stretch *t, double
   const double power = from > 0 ? 1 : fmax(4, ceil(3 / (1 + t->m->power[t->bend])));
   double pace[BEM_RULE], length = 0; /* pace: by the variable of the points */
   r->panel[r->panels++] =
-      (struct bem_rule_panel){bend + t->way * from, t->way * half, t->side, power};
+      (struct bem_rule_panel){bend + t->way * from, t->way * half, t->side, t->bend, power};
   for (int j = 0; j < BEM_RULE; j++) {
     const double u = 0.5 * (1 + g->point[j]), part = pow(u, power - 1);
     const double distance = from + 2 * half * part * u, size = half * power * part;

@@ -15,7 +15,7 @@ struct bem_gauss {
 
 struct bem_rule_panel {
   double start, half; /* half < 0: laid from right to left */
-  size_t side;        /* of the walls */
+  size_t side, bend;  /* of the walls; that it goes on from */
   double power;       /* zeta = start + 2 half u^power, from u = 0 to 1; of a bend more than 1 */
 };
 

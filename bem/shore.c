@@ -22,26 +22,31 @@ void bem_shore_destroy(struct bem_shore *s) {
   for (size_t i = 0; s->map && i < s->n * s->n; i++) bem_conformal_destroy(s->map[i]);
   free(s->map);
   free(s->point);
+  free(s->keep);
   free(s);
 }
 
-static enum status set_points(struct bem_shore *s, size_t n, const double (*p)[2]) {
+static enum status set_points(struct bem_shore *s, size_t n, const double (*p)[2],
+                              const bool *keep) {
+  TRY(array_create(&s->keep, n, "points of a wall"));
   TRY(array_create(&s->point, n, "points of a wall"));
   for (size_t i = 0; i < n; i++) {
     const double complex at = CMPLX(p[i][0], p[i][1]);
     if (i > 0 && i + 1 < n) {
       const double complex next = CMPLX(p[i + 1][0], p[i + 1][1]);
-      if (fabs(carg((next - at) * conj(at - s->point[s->n - 1]))) < STRAIGHT) continue;
+      if (fabs(carg((next - at) * conj(at - s->point[s->n - 1]))) < STRAIGHT && !keep[i]) continue;
     }
+    s->keep[s->n] = keep[i];
     s->point[s->n++] = at;
   }
   return array_create(&s->map, s->n * s->n, "maps of a tank");
 }
 
-enum status bem_shore_create(size_t n, const double (*point)[2], struct bem_shore **out) {
+enum status bem_shore_create(size_t n, const double (*point)[2], const bool *keep,
+                             struct bem_shore **out) {
   struct bem_shore *s = *out = calloc(1, sizeof *s);
   CHECK(s, ERR_MEMORY, "no memory for the walls of a tank");
-  return set_points(s, n, point);
+  return set_points(s, n, point, keep);
 }
 
 /* ---- maps ---- */
@@ -79,7 +84,7 @@ static enum status find_map(struct bem_shore *s, size_t from, size_t to,
     p[i - from][0] = creal(s->point[i]);
     p[i - from][1] = cimag(s->point[i]);
   }
-  TRY(bem_conformal_create(to - from + 2, p, map));
+  TRY(bem_conformal_create(to - from + 2, p, s->keep + from, map));
   *m = *map;
   return OK;
 }
@@ -262,6 +267,9 @@ static enum status replace_edge(struct bem_surface *w, bool right, const struct 
 
 enum status bem_shore_pass(struct bem_shore *s, struct bem_flow *f, bool right, int way) {
   struct bem_surface *w = &f->surface;
+  const struct bem_rigid *body = f->moving.map ? &f->moving.body[w->side[right]] : NULL;
+  CHECK(!body || (body->velocity == 0 && body->turn == 0), ERR_SOLVER,
+        "the edge of the water leaves the side that moves");
   const struct next to = next_of(s, right, way);
   struct bem_curve curve = {0};
   struct landing landing;

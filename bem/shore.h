@@ -7,12 +7,15 @@
 struct bem_shore {
   size_t n;              /* points of the walls, which bend at all but the first and the last */
   double complex *point; /* H, from the top of the left side, [n], owned */
+  bool *keep;            /* which of them walls may go straight on at, [n], owned */
   size_t side[2];        /* segments that the edges of the water are on */
   struct bem_conformal **map; /* of segments i to j, at [i n + j], or NULL; all owned */
 };
 
-/* Walls through n points (H). ERR_MEMORY. */
-enum status bem_shore_create(size_t n, const double (*point)[2], struct bem_shore **s);
+/* Walls through n points (H); keep: those that are kept though walls go straight on there, [n].
+ * ERR_MEMORY. */
+enum status bem_shore_create(size_t n, const double (*point)[2], const bool *keep,
+                             struct bem_shore **s);
 void bem_shore_destroy(struct bem_shore *s);
 
 /* Whether walls through n points do not meet themselves if their first and last sides go on. */

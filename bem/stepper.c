@@ -28,6 +28,7 @@ static int rates(realtype time, N_Vector y, N_Vector rate, void *data) {
 
 static int find_roots(realtype time, N_Vector y, realtype *root, void *data) {
   struct bem_stepper *s = data;
+  if (bem_flow_move(s->flow, time) != OK) return -1;
   s->roots->find(s->data, time, N_VGetArrayPointer(y), root);
   return 0;
 }
@@ -117,8 +118,7 @@ enum status bem_stepper_step(struct bem_stepper *s, double *time, double *dt, co
   CHECK(code >= 0, ERR_SOLVER, "the flow cannot be followed any further (%s)",
         CVodeGetReturnFlagName(code));
   *dt = *time - before;
-  s->flow->time = *time;
-  return OK;
+  return bem_flow_move(s->flow, *time);
 }
 
 enum status bem_stepper_interpolate(struct bem_stepper *s, double time, double *state) {

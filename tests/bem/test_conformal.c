@@ -42,7 +42,7 @@ enum { TANKS = sizeof tanks / sizeof *tanks };
 static void test_sides_have_their_lengths_and_bends_are_where_they_are(void) {
   for (int i = 0; i < TANKS; i++) {
     struct bem_conformal *m = NULL;
-    EXPECT_OK(bem_conformal_create(tanks[i].n, tanks[i].wall, &m));
+    EXPECT_OK(bem_conformal_create(tanks[i].n, tanks[i].wall, NULL, &m));
     double worst = 0;
     for (size_t side = 1; side < m->n; side++) /* from near one end of each to near the other */
       for (double part = 0.02; part < 1; part += 0.24) {
@@ -66,7 +66,7 @@ static void test_map_of_a_rectangle_is_the_squared_sine(void) {
   struct bem_conformal *m = NULL;
   struct bem_chart c;
   double worst = 0;
-  EXPECT_OK(bem_conformal_create(tanks[0].n, tanks[0].wall, &m));
+  EXPECT_OK(bem_conformal_create(tanks[0].n, tanks[0].wall, NULL, &m));
   EXPECT_OK(bem_conformal_start(m, 0, CMPLX(0, 0.8), &c));
   for (int i = 1; i < 100; i++) {
     const double complex z = CMPLX(L * i / 100, 0.8 + 0.3 * sin(0.17 * i));
@@ -86,7 +86,7 @@ static void test_map_of_a_wedge_of_90_degrees_is_a_square(void) {
   struct bem_conformal *m = NULL;
   struct bem_chart c;
   double complex zeta, slope, z = CMPLX(0.3, 1.1), first;
-  EXPECT_OK(bem_conformal_create(tanks[1].n, tanks[1].wall, &m));
+  EXPECT_OK(bem_conformal_create(tanks[1].n, tanks[1].wall, NULL, &m));
   EXPECT_OK(bem_conformal_start(m, 1, CMPLX(1, 1), &c));
   EXPECT(bem_chart_find(&c, CMPLX(1, 1), &first, &slope));
   EXPECT_OK(bem_chart_walk(m, &c, z));
@@ -135,7 +135,7 @@ static struct errors errors_of(const struct tank_case *t, size_t n) {
   struct errors e = {0, 0, 0};
   double *x = malloc(4 * n * sizeof *x), *y = x + n, *phi = y + n, *psi = phi + n;
   double complex *w = malloc(n * sizeof *w), at[2];
-  EXPECT_OK(bem_conformal_create(t->n, t->wall, &m));
+  EXPECT_OK(bem_conformal_create(t->n, t->wall, NULL, &m));
   EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-13, 1000}, &s));
   EXPECT_OK(bem_panels_reserve(&p, n));
   shape(t, n, x, y);

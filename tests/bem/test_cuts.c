@@ -208,7 +208,7 @@ static void test_water_on_a_slope_is_no_film(void) {
     f.surface.state[k] = 12. * k / (N - 1);
     f.surface.state[N + k] = 0.5;
   }
-  EXPECT_OK(bem_conformal_create(4, gentle, &walls));
+  EXPECT_OK(bem_conformal_create(4, gentle, NULL, &walls));
   f.surface.walls = walls;
   f.surface.side[1] = 2;
   EXPECT(!bem_contact_film_is_thin(&f.surface, true, 1));

@@ -34,7 +34,7 @@ static void test_psi_of_a_tank_that_turns_is_that_of_its_walls(void) {
     struct bem_conformal *m = NULL;
     struct bem_flux f = {0};
     double worst = 0, first = 0;
-    EXPECT_OK(bem_conformal_create(tanks[i].n, tanks[i].wall, &m));
+    EXPECT_OK(bem_conformal_create(tanks[i].n, tanks[i].wall, NULL, &m));
     for (size_t k = 0; k <= m->n; k++) body[k] = (struct bem_rigid){CMPLX(0.3, -0.7), 1};
     EXPECT_OK(bem_flux_set(&f, m, body, TOP));
     for (size_t side = 0; side <= m->n; side++)
@@ -59,7 +59,7 @@ static void test_the_slope_is_the_derivative(void) {
   struct bem_flux f = {0};
   struct bem_rigid body[8] = {{CMPLX(1, 0), 0}};
   double worst = 0;
-  EXPECT_OK(bem_conformal_create(tanks[3].n, tanks[3].wall, &m));
+  EXPECT_OK(bem_conformal_create(tanks[3].n, tanks[3].wall, NULL, &m));
   EXPECT_OK(bem_flux_set(&f, m, body, TOP));
   for (double part = 0.1; part < 0.9; part += 0.1) {
     double complex wall;
