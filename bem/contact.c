@@ -72,13 +72,14 @@ bool bem_contact_crosses_wall(const struct bem_surface *s) {
 
 /* ---- films ---- */
 
-/* A film on the wall that an end of the surface is on: node i, counted from that end's other one,
- * is so thick there, and so far up the wall. */
+/* A film on the wall that an end of the surface is on, as far as that is straight: node i, counted
+ * from that end's other one, is so thick there, and so far up the wall. */
 struct film {
   const struct bem_surface *s;
   const double *x, *y;
   bool right;
-  double complex foot, up, in; /* a point of the wall; along it to the film's end; into the water */
+  double complex foot, up, in; /* of the wall; along it to the film's end; into the water */
+  double length;               /* of the wall */
 };
 
 static struct film film_of(const struct bem_surface *s, bool right) {
@@ -86,7 +87,8 @@ static struct film film_of(const struct bem_surface *s, bool right) {
   double complex a, b;
   bem_sides_wall(s, bem_sides_held(s, right), &a, &b);
   f.foot = right ? a : b;
-  f.up = (right ? b - a : a - b) / cabs(b - a);
+  f.length = cabs(b - a);
+  f.up = (right ? b - a : a - b) / f.length;
   f.in = right ? I * f.up : -I * f.up;
   return f;
 }
@@ -108,11 +110,17 @@ static double film_height(const struct film *f, size_t i) {
   return creal(film_place(f, i) * conj(f->up));
 }
 
+/* Behind a step's riser, and above it, is other water. */
+static bool film_is_thin(const struct film *f, size_t i, double thin) {
+  const double height = film_height(f, i);
+  return height > 0 && height < f->length && fabs(film_thickness(f, i)) < thin;
+}
+
 /* The last node before the film becomes thinner than `thin` for the first time; spikes beyond it do
  * not make it thick again. */
 static size_t film_begin(const struct film *f, double thin) {
   size_t i = 0;
-  while (i + 1 < f->s->n && !(film_height(f, i + 1) > 0 && film_thickness(f, i + 1) < thin)) i++;
+  while (i + 1 < f->s->n && !film_is_thin(f, i + 1, thin)) i++;
   return i;
 }
 
@@ -129,7 +137,7 @@ bool bem_contact_film_is_thin(const struct bem_surface *s, bool right, double co
   double length = 0;
   if (!is_steep(&f) || begin + 2 >= s->n) return false; /* an edge alone is none */
   for (size_t i = begin; i + 1 < s->n; i++)
-    if (film_thickness(&f, i + 1) < thin) length += cabs(film_place(&f, i + 1) - film_place(&f, i));
+    if (film_is_thin(&f, i + 1, thin)) length += cabs(film_place(&f, i + 1) - film_place(&f, i));
   return length > WORTH * thin;
 }
 

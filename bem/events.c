@@ -249,7 +249,7 @@ static enum status conclude_breaker(struct bem_run *r, enum bem_face face) {
 
 static enum status conclude_runup(struct bem_run *r, bool right) {
   const struct bem_runup *u = &r->runup[right];
-  if (!bem_runup_found(u, r->start[right])) return OK;
+  if (!r->beach[right] || !bem_runup_found(u, r->start[right])) return OK;
   return bem_output_event(&r->output, "run_up", u->top[0], u->top[1], u->top[2]);
 }
 

@@ -96,7 +96,9 @@ void bem_motion_at(struct bem_motion *m, double time) {
 void bem_motion_velocity(const struct bem_motion *m, double time, double velocity[2]) {
   struct tank_frame frame;
   tank_frame_at(m->c->motions, m->c->n_motions, time * m->scale, &frame);
-  for (int axis = 0; axis < 2; axis++) velocity[axis] = frame.velocity[axis] * m->scale / m->c->H;
+  const double complex along = CMPLX(frame.velocity[0], frame.velocity[1]) * cexp(-I * frame.angle);
+  velocity[0] = creal(along) * m->scale / m->c->H;
+  velocity[1] = cimag(along) * m->scale / m->c->H;
 }
 
 struct bem_part bem_motion_part(const struct bem_motion *m, double complex z) {

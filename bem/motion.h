@@ -49,7 +49,7 @@ static inline double complex bem_motion_carries(const struct bem_motion *m, doub
   return I * m->turn * (z + m->origin);
 }
 
-/* Velocity of the tank's origin, sqrt(gH). */
+/* Velocity of the tank's origin along the tank's axes, sqrt(gH). */
 void bem_motion_velocity(const struct bem_motion *m, double time, double velocity[2]);
 
 struct bem_part bem_motion_part(const struct bem_motion *m, double complex z);

@@ -169,15 +169,33 @@ static enum status write_surface(struct bem_output *o, double seconds) {
   return result_flush(o->file);
 }
 
+/* What cannot be found of a flow that goes on is no matter to it. */
+static enum status leave_out(struct bem_output *o, enum status status) {
+  if (status != ERR_SOLVER && status != ERR_DIVERGED) return status;
+  if (o->left_out++ == 0)
+    progress_say(
+        o->progress,
+        "%s: what is to be written at t = %.6g s is left out, and so may be more (statistic "
+        "outputs_left_out): %s",
+        o->name, o->view.time * o->time_scale, status_message());
+  return OK;
+}
+
+static enum status find_pressure(struct bem_output *o, const double p[2], double *pressure) {
+  const struct case_file *c = o->c;
+  return bem_pressure_at(&o->pressure, &o->view, o->view.surface.state,
+                         (p[0] - c->tank.min[0]) / c->H, (p[1] - c->tank.min[1]) / c->H, pressure);
+}
+
+/* NaN where it cannot be found. */
 static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
   struct bem_output *o = solver;
   const struct case_file *c = o->c;
-  double p[RECORD_PARTS][2], part, sum = 0;
+  double p[RECORD_PARTS][2], sum = 0;
   size_t parts = record_sensor(c, probe, p);
   for (size_t i = 0; i < parts; i++) {
-    TRY(bem_pressure_at(&o->pressure, &o->view, o->view.surface.state,
-                        (p[i][0] - c->tank.min[0]) / c->H, (p[i][1] - c->tank.min[1]) / c->H,
-                        &part));
+    double part = NAN;
+    TRY(leave_out(o, find_pressure(o, p[i], &part)));
     sum += part;
   }
   *pressure = c->density * c->gravity * c->H * sum / (double)parts;
@@ -271,6 +289,15 @@ static enum status find_powers(struct bem_output *o, double power[2]) {
 
 static const double GAUSS[2] = {0.21132486540518713, 0.78867513459481287};
 
+static enum status look_for_powers(struct bem_output *o, const struct bem_flow *f,
+                                   struct bem_stepper *stepper, double time, double power[2]) {
+  double found[2];
+  TRY(look(o, f, stepper, time, f->motion.sides));
+  TRY(find_powers(o, found));
+  memcpy(power, found, sizeof found);
+  return OK;
+}
+
 /* Until a part of the last step: the integral of the line through the powers at its two points. */
 static double given_until(const struct bem_output *o, int by, double time) {
   const double dt = o->given.dt, part = dt > 0 ? (time - o->given.start) / dt : 0;
@@ -281,13 +308,14 @@ static double given_until(const struct bem_output *o, int by, double time) {
 enum status bem_output_given(struct bem_output *o, const struct bem_flow *f,
                              struct bem_stepper *stepper, double time, double dt) {
   if (!f->motion.frame && !f->motion.sides) return OK;
+  double power[2];
   for (int by = 0; by < 2; by++) o->given.until[by] = given_until(o, by, time - dt);
+  for (int by = 0; by < 2; by++) power[by] = o->given.power[by][1];
   o->given.start = time - dt;
   o->given.dt = dt;
   for (int i = 0; i < 2; i++) {
-    double power[2];
-    TRY(look(o, f, stepper, time - dt + GAUSS[i] * dt, f->motion.sides));
-    TRY(find_powers(o, power));
+    const double at = time - dt + GAUSS[i] * dt;
+    TRY(leave_out(o, look_for_powers(o, f, stepper, at, power)));
     for (int by = 0; by < 2; by++) o->given.power[by][i] = power[by];
   }
   return OK;
@@ -386,22 +414,39 @@ bool bem_output_touches(struct bem_sides *w, const struct bem_surface *s) {
   return bem_breaker_touches(w, s, s->state, CLOSEST);
 }
 
+/* Whether a surface and a row are due, and their times, s: the same but for rounding if both are.
+ */
+struct due {
+  bool shown, sampled;
+  double output, sample;
+};
+
+/* What is due of the state that is looked at. */
+static enum status put_out(struct bem_output *o, const struct due *due,
+                           const struct bem_stepper *stepper, double dt) {
+  if (due->shown) TRY(leave_out(o, write_surface(o, due->output)));
+  TRY(bem_sides_reserve(&o->sides, &o->view.surface));
+  if (!due->sampled || bem_output_touches(&o->sides, &o->view.surface)) return OK;
+  return leave_out(o, write_row(o, stepper, due->sample, dt));
+}
+
 enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
                            struct bem_stepper *stepper, double time, double dt) {
   const struct case_file *c = o->c;
   for (;;) {
-    double output = (double)o->next_output * c->every, sample = (double)o->next_sample * c->sample;
-    double seconds = fmin(output, sample), near = NEAR * c->sample;
+    struct due due = {.output = (double)o->next_output * c->every,
+                      .sample = (double)o->next_sample * c->sample};
+    const double seconds = fmin(due.output, due.sample), near = NEAR * c->sample;
     if (seconds > c->end + near || seconds > time * o->time_scale) return OK;
-    bool shown = output - seconds < near, sampled = sample - seconds < near;
-    o->next_output += shown; /* what cannot be looked at is left out */
-    o->next_sample += sampled;
-    TRY(look(o, f, stepper, seconds / o->time_scale,
-             (sampled && wants_pressure(o)) || (shown && o->spacing > 0)));
-    if (shown) TRY(write_surface(o, output));
-    TRY(bem_sides_reserve(&o->sides, &o->view.surface));
-    if (sampled && !bem_output_touches(&o->sides, &o->view.surface))
-      TRY(write_row(o, stepper, sample, dt));
+    due.shown = due.output - seconds < near;
+    due.sampled = due.sample - seconds < near;
+    o->next_output += due.shown;
+    o->next_sample += due.sampled;
+    const enum status seen =
+        look(o, f, stepper, seconds / o->time_scale,
+             (due.sampled && wants_pressure(o)) || (due.shown && o->spacing > 0));
+    TRY(stepper ? leave_out(o, seen) : seen);
+    if (seen == OK) TRY(put_out(o, &due, stepper, dt));
   }
 }
 
@@ -441,6 +486,8 @@ enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f
        "points of the velocity_lattice inside the water that were left out at outputs, since the "
        "map "
        "of the tank was not found there"},
+      {"outputs_left_out", (double)o->left_out, "1",
+       "surfaces, rows of series, pressures at probes and powers that could not be found"},
       {"nodes_last", (double)f->surface.n, "1", "of the surface at the end"},
   };
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)

@@ -13,7 +13,9 @@ enum { BEM_OUTPUT_FIELDS = 7 };
 
 struct bem_output {
   const struct case_file *c;
+  const char *name; /* of the run */
   struct result *file;
+  struct progress *progress;
   bool mirrored;     /* `c` is what a mirror shows of the case that is written (mirror.h) */
   bool forces;       /* on the walls are written */
   double spacing;    /* of the lattice that is written, H; 0: none is */
@@ -36,6 +38,7 @@ struct bem_output {
   double drift; /* of the energy, relative to the initial one */
   double first_energy;
   size_t most_nodes;
+  size_t left_out;        /* rows, surfaces, pressures and powers that could not be found */
   struct bem_flow view;   /* an interpolated state and its velocities; the run never sees it */
   struct bem_sides sides; /* scratch */
   struct bem_pressure pressure;
@@ -50,8 +53,9 @@ void bem_output_destroy(struct bem_output *o);
 
 /* Writes what is due up to `time` (sqrt(H/g)), which the last step has passed: surfaces at the
  * multiples of time.every, a row of every series at those of time.sample, both interpolated by
- * CVODE. stepper NULL: the state at t = 0. Just before the surface
- * meets itself there is no row. */
+ * CVODE. stepper NULL: the state at t = 0, which must be found. Just before the surface meets
+ * itself there is no row. What else cannot be found is left out, counted, and said once: the flow
+ * goes on in the same way. */
 enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
                            struct bem_stepper *stepper, double time, double dt);
 
@@ -68,8 +72,7 @@ void bem_output_changed(struct bem_output *o);
 double bem_output_budget(const struct bem_output *o, const struct bem_flow *f, double time);
 
 /* Counts what the water gives to a tank and to sides that move during the step that ended at
- * `time`.
- */
+ * `time`; a power that cannot be found is left out likewise, and the one before it holds on. */
 enum status bem_output_given(struct bem_output *o, const struct bem_flow *f,
                              struct bem_stepper *stepper, double time, double dt);
 

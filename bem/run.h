@@ -26,6 +26,7 @@ struct bem_run {
     double time, x, y;       /* when and where that was for the last time */
   } breaker[BEM_FACES];
   struct bem_runup runup[2]; /* of the left and the right edge */
+  bool beach[2];             /* they have been on a side that is not upright */
   double start[2];           /* their heights at t = 0 */
   int rescues;               /* since the run last got on */
   double rescued;            /* when the last one was */

@@ -117,7 +117,8 @@ static const struct param params[] = {
 /* Of the filter's rate is enough where no thin sheet is: standing waves with ka = 0.01 to 0.1 live
  * on for a hundred periods with one per radian (tests/bem/verify_standing_waves.c). */
 static const double GENTLE = 1. / 30;
-static const double SHOWN = 1e-6; /* residual that is enough for outputs */
+static const double SHOWN = 1e-6;   /* residual that is enough for outputs */
+static const double UPRIGHT = 1e-6; /* cosine of a wall's slope: less is rounding */
 enum { MOST_STEPS = 1000000 };
 
 /* After a step: events, then what is too thin, then the spacing of the nodes. */
@@ -131,8 +132,8 @@ static enum status act(struct bem_run *r, const int *found) {
   return bem_run_restart(r);
 }
 
-/* After anything failed. Only trouble of the flow can be helped; where help fails, it is asked for
- * again until the run ends in a sentence. */
+/* After a step or a cut failed. Only trouble of the flow can be helped; where help fails, it is
+ * asked for again until the run ends in a sentence. */
 static enum status rescue(struct bem_run *r, enum status status) {
   while (status == ERR_SOLVER || status == ERR_DIVERGED) status = bem_run_rescue(r);
   return status;
@@ -153,11 +154,18 @@ static bool is_lost(struct bem_run *r) {
          (bem_pace_leads_nowhere(&r->pace) || !bem_output_touches(&r->sides, &r->flow.surface));
 }
 
-/* Of tanks whose sides are beaches: what comes to an upright one is a matter of gauges. */
+static bool on_slope(const struct bem_surface *s, bool right) {
+  double complex a, b;
+  bem_sides_wall(s, bem_sides_held(s, right), &a, &b);
+  return fabs(creal(b - a)) > UPRIGHT * cabs(b - a);
+}
+
+/* Of sides that are beaches: what comes to one that is upright is a matter of gauges. */
 static void follow_edges(struct bem_run *r) {
   const struct bem_surface *s = &r->flow.surface;
   for (int right = 0; r->shore && right < 2; right++) {
     const size_t k = right ? s->n - 1 : 0;
+    r->beach[right] |= on_slope(s, right);
     bem_runup_add(&r->runup[right], r->time, s->state[k], s->state[s->n + k]);
   }
 }
@@ -263,6 +271,8 @@ static enum status run_seen(const struct bem_mirror *seen, const struct case_run
   const struct case_file *c = &seen->c;
   struct bem_run r = {.c = c,
                       .output = {.c = c,
+                                 .name = cr->name,
+                                 .progress = progress,
                                  .mirrored = seen->turned,
                                  .file = out,
                                  .forces = o->forces,

@@ -198,6 +198,29 @@ static void test_level_water_has_no_film(void) {
   bem_flow_destroy(&f);
 }
 
+/* Of a step, with the edge on its riser and a jet that has gone over its shelf. */
+static void test_a_jet_behind_a_riser_is_no_film_on_it(void) {
+  struct bem_flow f;
+  struct bem_conformal *walls = NULL;
+  const double step[][2] = {{0, 2}, {0, 0}, {2, 0}, {2, 0.5}, {4, 0.5}, {4, 2}};
+  const double corner[][2] = {{0, 0.4}, {1.7, 0.4}, {1.8, 0.7}, {2.6, 0.7}, {1.9, 0.6}, {2, 0.4}};
+  enum { PARTS = sizeof corner / sizeof *corner - 1, EACH = (N - 1) / PARTS };
+  flow_open_box(&f);
+  EXPECT_OK(bem_surface_reserve(&f.surface, N));
+  for (int k = 0; k < N; k++) {
+    const int part = k < N - 1 ? k / EACH : PARTS - 1;
+    const double t = (double)(k - part * EACH) / EACH;
+    for (int axis = 0; axis < 2; axis++)
+      f.surface.state[axis * N + k] = (1 - t) * corner[part][axis] + t * corner[part + 1][axis];
+  }
+  EXPECT_OK(bem_conformal_create(6, step, NULL, &walls));
+  f.surface.walls = walls;
+  f.surface.side[1] = 2;
+  for (int right = 0; right < 2; right++) EXPECT(!bem_contact_film_is_thin(&f.surface, right, 1));
+  bem_conformal_destroy(walls);
+  bem_flow_destroy(&f);
+}
+
 static void test_water_on_a_slope_is_no_film(void) {
   struct bem_flow f;
   struct bem_conformal *walls = NULL;
@@ -224,5 +247,6 @@ int main(void) {
   RUN(test_films_on_either_wall_are_cut_alike);
   RUN(test_level_water_has_no_film);
   RUN(test_water_on_a_slope_is_no_film);
+  RUN(test_a_jet_behind_a_riser_is_no_film_on_it);
   return TEST_RESULT;
 }

@@ -222,9 +222,43 @@ static void test_forces_on_the_walls_change_the_momentum(void) {
   momentum("piston, side: right", 0.05, false, false);
 }
 
+/* Kinetic energy just after water at rest in a tank is hit by a sway whose velocity is 0.5 at once,
+ * which a roll has turned by `angle` by then. */
+static double kinetic_at_once(double angle) {
+  char with[600];
+  snprintf(with, sizeof with,
+           "title: moved at once\n"
+           "fluid: {density: 1, gravity: 1}\n"
+           "scales: {H: 1}\n"
+           "tank:\n"
+           "  walls: [[[0, 2], [0, 0], [2, 0], [2, 2]]]\n"
+           "  motions:\n"
+           "    - {kind: sway, amplitude: 0.5, period: %.17g, ramp: 0}\n"
+           "    - {kind: roll, amplitude: %g, period: 100, phase: %.17g, ramp: 0}\n"
+           "water: {wave: {kind: still, depth: 0.8}}\n"
+           "time: {end: 0.01, every: 0.01, sample: 0.01}\n"
+           "runs: [{name: bem, solver: bem, resolution: 16}]\n",
+           2 * M_PI, angle, M_PI_2);
+  struct result_file *f = run_bem(with);
+  if (!f) return NAN;
+  const double kinetic = f->energy[0].kinetic;
+  result_file_destroy(f);
+  return kinetic;
+}
+
+/* Along the tank's width goes the cosine of what it does: the level surface stays level in what
+ * remains, and the water goes with it. */
+static void test_a_tank_that_is_turned_hits_its_water_along_its_own_axes(void) {
+  const double level = kinetic_at_once(0), angle = 0.3, turned = kinetic_at_once(angle);
+  printf("  kinetic energy %.6f, turned %.6f of it\n", level, turned / level);
+  EXPECT(level > 0.01);
+  EXPECT_NEAR(turned, level * cos(angle) * cos(angle), 1e-9);
+}
+
 int main(void) {
   RUN(test_a_tank_that_sways_in_resonance_follows_linear_theory_for_ten_cycles);
   RUN(test_a_tank_that_rolls_in_resonance_follows_linear_theory_for_ten_cycles);
+  RUN(test_a_tank_that_is_turned_hits_its_water_along_its_own_axes);
   RUN(test_a_piston_in_a_closed_tank_follows_linear_theory);
   RUN(test_a_piston_on_the_right_makes_the_mirror_image);
   RUN(test_forces_on_the_walls_change_the_momentum);

@@ -1,5 +1,7 @@
 /* What is written does not touch the run: the same bits of every event and of every count of work,
  * whatever is asked for, and rows at exactly the times that were asked for. */
+#include "bem/output.h"
+#include "bem/start.h"
 #include "tests/bem/run.h"
 
 static const char text[] =
@@ -103,7 +105,72 @@ static void test_a_run_with_error_bars_is_the_same_bits(void) {
   result_file_destroy(held);
 }
 
+static const char standing[] = "title: standing wave\n"
+                               "fluid: {density: 1, gravity: 1}\n"
+                               "scales: {H: 1}\n"
+                               "tank: {walls: [[[0, 2], [0, 0], [2, 0], [2, 2]]]}\n"
+                               "water: {wave: {kind: standing, amplitude: 0.01, depth: 1, "
+                               "wavelength: 4}}\n"
+                               "time: {end: 1.5, every: 1, sample: 0.4}\n"
+                               "runs: [{name: bem, solver: bem, resolution: 8}]\n";
+
+static void never(void *data, double time, const double *state, double *root) {
+  (void)data, (void)time, (void)state;
+  *root = 1;
+}
+
+/* From t = 1 on, which CVODE knows nothing before. */
+static void write_late(const struct case_file *c, struct bem_flow *f, struct bem_output *o) {
+  static const struct bem_roots none = {.n = 1, .find = never};
+  struct bem_stepper *stepper = NULL;
+  const int *found;
+  double time = 1, dt;
+  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, f));
+  EXPECT_OK(bem_stepper_create(f, 1e-6, &none, NULL, &stepper));
+  EXPECT_OK(bem_stepper_restart(stepper, time));
+  EXPECT_OK(bem_output_due(o, f, stepper, 0.9, 0.1));
+  EXPECT(o->left_out == 3);
+  while (time < c->end) {
+    EXPECT_OK(bem_stepper_step(stepper, &time, &dt, &found));
+    EXPECT_OK(bem_output_due(o, f, stepper, time, dt));
+  }
+  EXPECT(o->left_out == 3);
+  EXPECT(bem_stepper_count(stepper).initialisations == 1);
+  bem_stepper_destroy(stepper);
+}
+
+/* A surface and a row of the same instant, and two rows, are missing; what is due later is there.
+ */
+static void test_what_cannot_be_found_is_left_out_and_nothing_else(void) {
+  const char path[] = "/tmp/plunge-left-out.h5";
+  struct case_file *c = run_case(standing);
+  struct progress *progress = progress_create(PROGRESS_QUIET);
+  struct bem_output o = {.c = c, .name = "bem", .progress = progress, .time_scale = 1};
+  struct bem_flow f = {0};
+  struct result_file *read = NULL;
+  const struct bem_solve_options options = {1e-8, 0};
+  EXPECT_OK(result_create(path, c, &c->runs[0], &o.file));
+  EXPECT_OK(bem_solve_create(&options, &f.solve));
+  EXPECT_OK(bem_output_create(&o, &options));
+  write_late(c, &f, &o);
+  EXPECT_OK(result_finish(o.file));
+  EXPECT_OK(result_read(path, &read));
+  if (read) {
+    EXPECT(read->n_surfaces == 1 && read->surface_time[0] == 1);
+    EXPECT(read->n_energy == 1 && read->energy[0].time == 3 * 0.4);
+  }
+  result_file_destroy(read);
+  bem_output_destroy(&o);
+  result_destroy(o.file);
+  bem_flow_destroy(&f);
+  progress_destroy(progress);
+  case_destroy(c);
+  unlink(path);
+  unlink("/tmp/plunge-left-out.xdmf");
+}
+
 int main(void) {
+  RUN(test_what_cannot_be_found_is_left_out_and_nothing_else);
   RUN(test_events_are_the_same_bits_whatever_is_written);
   RUN(test_a_run_with_error_bars_is_the_same_bits);
   return TEST_RESULT;

@@ -59,9 +59,27 @@ static void test_a_wave_that_does_not_break_runs_up_as_synolakis_has_it(void) {
   EXPECT_NEAR(coarse, fine, 1e-4);
 }
 
+/* Water that swings between two upright sides, beside a slope at the foot of one: gauges know how
+ * high it comes. */
+static void test_upright_sides_are_no_beaches(void) {
+  struct result_file *f =
+      run_bem("title: swing\n"
+              "fluid: {density: 1, gravity: 1}\n"
+              "scales: {H: 1}\n"
+              "tank: {walls: [[[0, 3], [0, 0], [2, 0], [3, 0.1], [3, 3]]]}\n"
+              "water: {wave: {kind: standing, amplitude: 0.05, depth: 0.8, wavelength: 6}}\n"
+              "time: {end: 5, every: 5, sample: 5}\n"
+              "runs: [{name: bem, solver: bem, resolution: 8, tolerance: 1e-3}]\n");
+  if (!f) return;
+  EXPECT(!*f->ended);
+  EXPECT(isnan(run_event(f, "run_up").time));
+  result_file_destroy(f);
+}
+
 int main(void) {
   RUN(test_a_parabola_is_found_between_steps_of_any_length);
   RUN(test_what_only_rises_or_falls_has_not_run_up);
+  RUN(test_upright_sides_are_no_beaches);
   RUN(test_a_wave_that_does_not_break_runs_up_as_synolakis_has_it);
   return TEST_RESULT;
 }
