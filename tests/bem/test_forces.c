@@ -195,8 +195,51 @@ static void test_forces_on_the_walls_change_the_momentum(void) {
   }
 }
 
+/* A side that bends above the water has the tank taken by its map. */
+static struct result_file *piston(const char *top, int resolution) {
+  char text[600];
+  snprintf(text, sizeof text,
+           "title: piston\n"
+           "fluid: {density: 1, gravity: 1}\n"
+           "scales: {H: 1}\n"
+           "tank:\n"
+           "  walls: [[[0, 3], [0, 0], [3, 0], [3, 2], [%s, 3]]]\n"
+           "  motions: [{kind: piston, side: left, amplitude: 0.05, period: 4}]\n"
+           "water: {wave: {kind: still, depth: 1}}\n"
+           "time: {end: 4, every: 4, sample: 0.25}\n"
+           "probes: [{name: p, at: [0, 0.3], size: 0.02}]\n"
+           "gauges: [{name: g, x: 3}]\n"
+           "runs: [{name: bem, solver: bem, resolution: %d, tolerance: 1e-9}]\n",
+           top, resolution);
+  return run_bem(text);
+}
+
+static double largest_difference(const struct result_series *a, const struct result_series *b) {
+  double most = 0;
+  for (size_t i = 0; i < a->n; i++) most = fmax(most, fabs(a->value[i] - b->value[i]));
+  return most;
+}
+
+static void test_a_piston_is_the_same_by_the_map_of_any_tank(void) {
+  double wire[2] = {0}, probe[2] = {0};
+  for (int i = 0; i < 2; i++) {
+    struct result_file *box = piston("3", i ? 20 : 10), *any = piston("3.2", i ? 20 : 10);
+    if (box && any) {
+      wire[i] = largest_difference(&box->gauges[0], &any->gauges[0]);
+      probe[i] = largest_difference(&box->probes[0], &any->probes[0]);
+    }
+    result_file_destroy(box);
+    result_file_destroy(any);
+  }
+  printf("  level %.1e, %.1e; pressure on the piston %.1e, %.1e\n", wire[0], wire[1], probe[0],
+         probe[1]);
+  EXPECT(wire[1] < 1e-6 && probe[1] < 2e-6); /* of waves of 0.01, pressures of 0.1 */
+  EXPECT(probe[1] < probe[0] / 4);
+}
+
 int main(void) {
   RUN(test_water_at_rest_weighs_on_its_walls);
   RUN(test_forces_on_the_walls_change_the_momentum);
+  RUN(test_a_piston_is_the_same_by_the_map_of_any_tank);
   return TEST_RESULT;
 }
