@@ -337,6 +337,27 @@ static void test_node_on_a_corner_is_refused(void) {
   end(&w);
 }
 
+/* What is estimated of a run, s. */
+static double estimated(const char *more) {
+  char with[1000];
+  struct solver_estimate e = {0};
+  snprintf(with, sizeof with, "%.*s%s}]\n", (int)(strrchr(column, '}') - column), column, more);
+  struct case_file *c = run_case(with);
+  EXPECT(c);
+  if (c) bem_solver.estimate(c, &c->runs[0], &e);
+  case_destroy(c);
+  return e.seconds;
+}
+
+/* That costs as its points do, and more than the run itself if there are enough. */
+static void test_lattice_is_part_of_the_estimate(void) {
+  const double plain = estimated(""), wide = estimated(", velocity_lattice: 0.1") - plain,
+               fine = estimated(", velocity_lattice: 0.01") - plain;
+  printf("     %.2g s, with lattices %.2g and %.2g s more\n", plain, wide, fine);
+  EXPECT_NEAR(fine, 100 * wide, 1e-9 * fine);
+  EXPECT(fine > plain);
+}
+
 int main(void) {
   RUN(test_velocity_inside_is_of_fourth_order_up_to_the_surface);
   RUN(test_lattice_has_the_velocity_of_a_steady_wave);
@@ -344,5 +365,6 @@ int main(void) {
   RUN(test_lattice_fills_alcoves);
   RUN(test_lattice_does_not_depend_on_which_node_is_the_first);
   RUN(test_node_on_a_corner_is_refused);
+  RUN(test_lattice_is_part_of_the_estimate);
   return TEST_RESULT;
 }
