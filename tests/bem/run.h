@@ -22,8 +22,11 @@ static inline struct case_file *run_case(const char *text) {
   return c;
 }
 
-/* Destroys the case. */
-static inline struct result_file *run_bem_case(struct case_file *c) {
+/* What else is to be read of a file, before it is gone. */
+typedef void run_look(const char *path, void *with);
+
+/* Destroys the case. look: or NULL. */
+static inline struct result_file *run_bem_and(struct case_file *c, run_look *look, void *with) {
   char path[] = "/tmp/plunge-bem-XXXXXX.h5", xdmf[sizeof path + 2];
   int handle = mkstemps(path, 3);
   struct result *out = NULL;
@@ -37,6 +40,7 @@ static inline struct result_file *run_bem_case(struct case_file *c) {
     EXPECT_OK(result_finish(out));
     result_destroy(out);
     EXPECT_OK(result_read(path, &f));
+    if (look) look(path, with);
   }
   progress_destroy(progress);
   case_destroy(c);
@@ -45,6 +49,10 @@ static inline struct result_file *run_bem_case(struct case_file *c) {
   snprintf(xdmf, sizeof xdmf, "%.*s.xdmf", (int)strlen(path) - 3, path);
   unlink(xdmf);
   return f;
+}
+
+static inline struct result_file *run_bem_case(struct case_file *c) {
+  return run_bem_and(c, NULL, NULL);
 }
 
 static inline struct result_file *run_bem(const char *text) {
