@@ -6,6 +6,7 @@
 #include "common/base/array.h"
 
 static const double SAME = 1e-12; /* H: pieces of the water so near are one */
+static const double NEAR = 1e-9;  /* H: what is so near the water is in it */
 
 void bem_lattice_destroy(struct bem_lattice *l) {
   free(l->x);
@@ -124,6 +125,12 @@ static enum status fill_column(struct bem_lattice *l, const struct look *at, dou
   return OK;
 }
 
+enum status bem_lattice_begin(struct bem_lattice *l, const struct bem_flow *f,
+                              const double *state) {
+  TRY(bem_inside_begin(&l->inside, f));
+  return set_outline(l, &f->surface, state);
+}
+
 enum status bem_lattice_fill(struct bem_lattice *l, const struct bem_pressure *p,
                              const struct bem_flow *f, const double *state, double spacing) {
   const struct bem_surface *s = &f->surface;
@@ -132,8 +139,42 @@ enum status bem_lattice_fill(struct bem_lattice *l, const struct bem_pressure *p
   const double h = (s->tank - s->left) / (double)columns;
   l->n = 0;
   l->cell = h * h;
-  TRY(bem_inside_begin(&l->inside, f));
-  TRY(set_outline(l, s, state));
+  TRY(bem_lattice_begin(l, f, state));
   for (size_t i = 0; i < columns; i++) TRY(fill_column(l, &at, s->left + ((double)i + 0.5) * h, h));
+  return OK;
+}
+
+/* ---- one place ---- */
+
+/* *top: where the water above z begins. Beside an upright wall a column may miss the water that
+ * touches the wall. */
+static enum status find_top(struct bem_lattice *l, double complex z, bool *found,
+                            double complex *top) {
+  const double aside[] = {0, NEAR, -NEAR}, y = cimag(z);
+  *found = false;
+  for (size_t k = 0; k < sizeof aside / sizeof *aside && !*found; k++) {
+    TRY(geo_lines_cut(&l->outline, 0, creal(z) + aside[k], SAME, &l->cut));
+    for (size_t i = 0; i < l->cut.n && !*found; i++) {
+      *found = y > l->cut.span[i][0] - NEAR && y < l->cut.span[i][1] + NEAR;
+      *top = CMPLX(creal(z), l->cut.span[i][1]);
+    }
+  }
+  return OK;
+}
+
+enum status bem_lattice_at(struct bem_lattice *l, const struct bem_pressure *p,
+                           const struct bem_flow *f, const double *state, double complex z,
+                           bool *found, struct bem_place *out) {
+  const struct bem_conformal *walls = f->surface.walls;
+  const struct look at = {p, f, state};
+  double complex top = z;
+  TRY(find_top(l, z, found, &top));
+  if (!*found) return OK;
+  if (!walls || !bem_conformal_is_near(walls, z))
+    start_span(l, &at, top);
+  else if (!(*found = bem_inside_start_on_wall(&l->inside, f, z)))
+    return OK;
+  *found = bem_inside_at(&l->inside, p, f, state, z, out) && isfinite(out->pressure) &&
+           isfinite(cabs(out->w));
   return OK;
 }

@@ -1,4 +1,5 @@
-/* Velocity and pressure at the points of a rectangular lattice that are inside the water. */
+/* Velocity and pressure at places of the tank that are inside the water: at one, or at all points
+ * of a rectangular lattice. */
 #pragma once
 #include "bem/inside.h"
 #include "common/base/geometry.h"
@@ -20,3 +21,12 @@ struct bem_lattice {
 enum status bem_lattice_fill(struct bem_lattice *l, const struct bem_pressure *p,
                              const struct bem_flow *f, const double *state, double spacing);
 void bem_lattice_destroy(struct bem_lattice *l);
+
+/* Before bem_lattice_at, of the state that was solved last: see bem_inside_begin. */
+enum status bem_lattice_begin(struct bem_lattice *l, const struct bem_flow *f, const double *state);
+
+/* At any place of the tank, its walls included. *found: it is in the water, whose surface is seen
+ * as straight from node to node, and no bend of the walls. ERR_MEMORY. */
+enum status bem_lattice_at(struct bem_lattice *l, const struct bem_pressure *p,
+                           const struct bem_flow *f, const double *state, double complex z,
+                           bool *found, struct bem_place *out);

@@ -61,17 +61,19 @@ static enum status turn_velocities(const struct case_file *c, struct case_file *
 }
 
 static enum status turn(const struct case_file *c, struct case_file *m) {
-  m->probes = NULL, m->gauges = NULL, m->motions = NULL, m->velocities = NULL;
+  m->probes = NULL, m->gauges = NULL, m->points = NULL, m->motions = NULL, m->velocities = NULL;
   m->walls = m->water = (struct geo_lines){0};
   m->velocity[0] = -c->velocity[0];
   TRY(duplicate(c->probes, c->n_probes, sizeof *c->probes, (void **)&m->probes));
   TRY(duplicate(c->gauges, c->n_gauges, sizeof *c->gauges, (void **)&m->gauges));
+  TRY(duplicate(c->points, c->n_points, sizeof *c->points, (void **)&m->points));
   if (c->regions_differ) TRY(turn_velocities(c, m));
   TRY(array_create(&m->motions, c->n_motions, "motions in a mirror"));
   TRY(turn_lines(c, &c->walls, &m->walls));
   TRY(turn_lines(c, &c->water, &m->water));
   for (size_t i = 0; i < c->n_probes; i++) m->probes[i].x = bem_mirror_x(c, c->probes[i].x);
   for (size_t i = 0; i < c->n_gauges; i++) m->gauges[i].x = bem_mirror_x(c, c->gauges[i].x);
+  for (size_t i = 0; i < c->n_points; i++) m->points[i].x = bem_mirror_x(c, c->points[i].x);
   for (size_t i = 0; i < c->n_motions; i++) TRY(turn_motion(c, &c->motions[i], &m->motions[i]));
   return OK;
 }
@@ -101,6 +103,7 @@ void bem_mirror_destroy(struct bem_mirror *m) {
   free(c->velocities);
   free(c->probes);
   free(c->gauges);
+  free(c->points);
   geo_lines_destroy(&c->walls);
   geo_lines_destroy(&c->water);
 }

@@ -5,8 +5,8 @@
 
 struct bem_mirror {
   struct case_file c; /* as the solver sees it; what is not seen in the mirror is the case's own */
-  bool turned;        /* it is what the mirror shows; walls, water, probes, gauges and motions are
-                         owned then */
+  bool turned; /* it is what the mirror shows; walls, water, probes, gauges, points and motions are
+                  owned then */
 };
 
 /* ERR_MEMORY; destroy *m even then. */

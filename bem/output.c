@@ -202,6 +202,27 @@ static enum status pressure_of(void *solver, const struct case_probe *probe, dou
   return OK;
 }
 
+static enum status point_of(void *solver, const struct case_point *point,
+                            double value[CASE_POINT_FIELDS]) {
+  struct bem_output *o = solver;
+  const struct case_file *c = o->c;
+  const double velocity = sqrt(c->gravity * c->H);
+  struct bem_place place;
+  bool wet;
+  TRY(bem_lattice_at(&o->lattice, &o->pressure, &o->view, o->view.surface.state,
+                     CMPLX((point->x - c->tank.min[0]) / c->H, (point->y - c->tank.min[1]) / c->H),
+                     &wet, &place));
+  for (int k = 0; k < CASE_POINT_FIELDS; k++) value[k] = NAN;
+  value[CASE_POINT_cover] = wet;
+  if (!wet) return OK;
+  if (!bem_pressure_is_swept(&o->view)) /* which asks for what the map of the tank does inside */
+    value[CASE_POINT_p] = c->density * c->gravity * c->H * place.pressure;
+  value[CASE_POINT_rho] = c->density;
+  value[CASE_POINT_u] = velocity * (o->mirrored ? -creal(place.w) : creal(place.w));
+  value[CASE_POINT_v] = -velocity * cimag(place.w);
+  return OK;
+}
+
 static enum status elevation_of(void *solver, const struct case_gauge *gauge, double *elevation) {
   const struct bem_output *o = solver;
   *elevation = gauge_elevation(&o->line, gauge->x, o->c->tank.min[1]);
@@ -373,7 +394,7 @@ static struct bem_totals totals_of(struct bem_flow *f) {
 }
 
 static bool wants_pressure(const struct bem_output *o) {
-  return o->c->n_probes > 0 || o->forces;
+  return o->c->n_probes > 0 || o->c->n_points > 0 || o->forces;
 }
 
 static enum status write_forces(struct bem_output *o, double seconds, const double momentum[2]) {
@@ -403,10 +424,12 @@ static enum status write_row(struct bem_output *o, const struct bem_stepper *ste
                               .removed_volume = c->H * c->H * o->removed_volume},
                      .solver = o,
                      .pressure = pressure_of,
-                     .elevation = elevation_of};
+                     .elevation = elevation_of,
+                     .point = point_of};
   if (wants_pressure(o)) TRY(bem_pressure_solve(&o->pressure, f, f->surface.state));
   if (o->forces) TRY(write_forces(o, seconds, momentum));
   if (c->n_gauges > 0) TRY(polyline(o));
+  if (c->n_points > 0) TRY(bem_lattice_begin(&o->lattice, f, f->surface.state));
   return record_row(o->file, c, &r);
 }
 

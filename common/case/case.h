@@ -22,22 +22,22 @@ struct case_gauge { /* vertical wire */
   double x; /* m */
 };
 
-struct case_point { /* in the water or on a wall: means over the particles around it */
+struct case_point { /* in the water or on a wall */
   char *name;
   double x, y; /* m */
-  int every;   /* steps from one row to the next */
+  int every;   /* steps of SPH from one row to the next */
 };
 
-/* What is known of the water at a point: means over the particles around it; NaN where there is
- * next to none. X(name, units, help) */
+/* What is known of the water at a point: of SPH means over the particles around it. NaN where there
+ * is next to no water, or where the solver does not know it. X(name, units, help) */
 #define CASE_POINT(X)                                                                              \
-  X(p, "Pa", "pressure, by the equation of state")                                                 \
+  X(p, "Pa", "pressure, of SPH by the equation of state")                                          \
   X(rho, "kg/m^3", "density")                                                                      \
   X(u, "m/s", "velocity along x")                                                                  \
   X(v, "m/s", "velocity along y")                                                                  \
   X(a_x, "m/s^2", "acceleration along x")                                                          \
   X(a_y, "m/s^2", "acceleration along y")                                                          \
-  X(cover, "1", "sum V W: 1 inside the water, about 1/2 on its edge; below 0.1 there are no means")
+  X(cover, "1", "1 in the water, 0 outside; of SPH sum V W, below 0.1 of which there are no means")
 
 enum { /* CASE_POINT_p, CASE_POINT_rho, ... */
 #define X(name, units, help) CASE_POINT_##name,

@@ -150,8 +150,9 @@ static const struct param point_rows[] = {
      .min = 1,
      .max = 1e6,
      .value = "1",
-     .help = "steps from one row to the next: sum V f W / sum V W over the particles around it, of "
-             "p, rho, u, v, the accelerations a_x, a_y, and sum V W, cover; SPH alone"},
+     .help = "steps of SPH from one row to the next: sum V f W / sum V W over the particles around "
+             "it, of p, rho, u, v, the accelerations a_x, a_y, and sum V W, cover; BEM has a row a "
+             "sample, without accelerations"},
 };
 
 bool case_read_section(struct case_draft *d, int node, const char *path, const struct param *rows,

@@ -14,6 +14,11 @@ enum status record_row(struct result *w, const struct case_file *c, const struct
     TRY(r->elevation(r->solver, &c->gauges[k], &value));
     TRY(result_gauge(w, k, t, value));
   }
+  for (size_t k = 0; r->point && k < c->n_points; k++) {
+    double at[CASE_POINT_FIELDS];
+    TRY(r->point(r->solver, &c->points[k], at));
+    TRY(result_point(w, k, t, at));
+  }
   return OK;
 }
 

@@ -1,5 +1,5 @@
 /* The one loop over what is recorded at an instant: a row of energies and of /series/run, one of
- * every probe and gauge of the case. A solver only measures. */
+ * every probe, gauge and point of the case. A solver only measures. */
 #pragma once
 #include "common/case/case.h"
 #include "common/result/result.h"
@@ -11,6 +11,8 @@ struct record {
   enum status (*pressure)(void *solver, const struct case_probe *probe, double *pressure); /* Pa */
   enum status (*elevation)(void *solver, const struct case_gauge *gauge,
                            double *elevation); /* m; NaN where dry */
+  enum status (*point)(void *solver, const struct case_point *point,
+                       double value[CASE_POINT_FIELDS]); /* NULL: no rows of points here */
 };
 
 enum status record_row(struct result *w, const struct case_file *c, const struct record *r);

@@ -15,7 +15,8 @@ static const char text[] =
     "runs: [{name: bem, solver: bem, resolution: %d%s}]\n";
 
 static const char probes[] = "probes: [{name: P1, at: [5.366, 0.266]}, {name: low, at: [1, 0]}]\n"
-                             "gauges: [{name: G1, x: 1}, {name: G2, x: 4}]\n";
+                             "gauges: [{name: G1, x: 1}, {name: G2, x: 4}]\n"
+                             "points: [{name: A, at: [1, 0.5]}, {name: B, at: [4, 0.1]}]\n";
 
 static struct result_file *dam_break(const char *times, const char *series, int resolution,
                                      const char *more) {
@@ -39,6 +40,7 @@ static void expect_same_run(const struct result_file *a, const struct result_fil
 /* Rows and surfaces of the same instant are the same bits. */
 static void expect_same_series(const struct result_file *a, const struct result_file *b) {
   size_t common = 0;
+  EXPECT(a->n_points == b->n_points);
   for (size_t i = 0, k = 0; i < a->n_energy && k < b->n_energy;) {
     if (fabs(a->energy[i].time - b->energy[k].time) > 1e-9) {
       a->energy[i].time < b->energy[k].time ? i++ : k++;
@@ -52,6 +54,9 @@ static void expect_same_series(const struct result_file *a, const struct result_
     for (size_t g = 0; g < a->n_gauges && g < b->n_gauges; g++)
       EXPECT(!memcmp(&a->gauges[g].value[i], &b->gauges[g].value[k],
                      sizeof(double))); /* or NaN: dry */
+    for (size_t p = 0; p < a->n_points && p < b->n_points; p++)
+      for (int v = 0; v < CASE_POINT_FIELDS; v++)
+        EXPECT(!memcmp(&a->points[p].value[v][i], &b->points[p].value[v][k], sizeof(double)));
     common++, i++, k++;
   }
   EXPECT(common > 10);
@@ -63,6 +68,7 @@ static void expect_rows_at_multiples_of_sample(const struct result_file *f, doub
   size_t rows = (size_t)(touchdown / sample) + 1;
   EXPECT(f->n_energy <= rows && f->n_energy + 3 >= rows); /* none once the gap is nearly closed */
   EXPECT(f->n_steps == f->n_energy && f->probes[0].n == f->n_energy);
+  EXPECT(f->n_points == 2 && f->points[1].n == f->n_energy);
   for (size_t i = 0; i < f->n_energy; i++) {
     double at = (double)i * sample;
     EXPECT(f->energy[i].time == at && f->steps[i].time == at && f->probes[0].t[i] == at &&
