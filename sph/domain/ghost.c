@@ -1,6 +1,5 @@
 /* Ghost particles fixed to the walls (Marrone, Antuono, Colagrossi, Colicchio, Le Touze &
- * Graziani, Comput. Methods Appl. Mech. Engrg. 200, 2011), for a tank with upright sides and a flat
- * bed.
+ * Graziani, Comput. Methods Appl. Mech. Engrg. 200, 2011), behind straight walls of any direction.
  *
  * Ghosts fill the walls to the depth of the support on a fixed lattice. Each has an interpolation
  * node, its mirror image in the wall (in a corner: mirrored in both walls, which is through the
@@ -8,8 +7,8 @@
  * the ghost takes u_g = u* with the normal component reversed, the tangential one kept (but for
  * corners of the solid, layers.h); p_g = p* +
  * rho* f . (r_g - r*): at a fixed flat wall dp/dn = rho f.n, and r_g - r* points along the normal,
- * so below the bed at depth d the ghost gets 2 d rho g more than its node, and beside an upright
- * wall the same. What walls that move add to either is in sides.h.
+ * so below a level bed at depth d the ghost gets 2 d rho g more than its node, and beside an
+ * upright wall the same. What walls that move add to either is in sides.h.
  *
  * Ghosts take part in everything: divergence, pressure force, viscosity, diffusion and the
  * renormalised gradient. In still water the density is linear in y; the ghosts' values then
