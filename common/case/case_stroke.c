@@ -26,10 +26,14 @@ static double shortest_time(const struct case_file *c, int side) {
   return shortest;
 }
 
+static int count_samples(const struct case_file *c, int side) {
+  const double samples = c->end / shortest_time(c, side) * SAMPLES_PER_PERIOD;
+  return (int)fmin(fmax(samples, SAMPLES_PER_PERIOD), MOST_SAMPLES);
+}
+
 struct case_strokes case_find_strokes(const struct case_file *c, int side) {
   struct case_strokes s = {{0, 0}, {0, 0}};
-  const double samples = c->end / shortest_time(c, side) * SAMPLES_PER_PERIOD;
-  const int n = (int)fmin(fmax(samples, SAMPLES_PER_PERIOD), MOST_SAMPLES);
+  const int n = count_samples(c, side);
   for (int i = 0; i <= n; i++) {
     double q[3], t = c->end * i / n;
     tank_side_at(c->motions, c->n_motions, TANK_MOTION_piston, side, t, q);
@@ -123,6 +127,66 @@ static enum status check_end(struct case_draft *d, int side, const struct case_s
   return status;
 }
 
+/* Displacements of a side at t. */
+static struct tank_shift shift_at(const struct case_file *c, int side, double t) {
+  struct tank_shift s = {.hinge = tank_hinge(c->motions, c->n_motions, side)};
+  tank_side_at(c->motions, c->n_motions, TANK_MOTION_piston, side, t, s.piston);
+  tank_side_at(c->motions, c->n_motions, TANK_MOTION_flap, side, t, s.flap);
+  return s;
+}
+
+/* How far the bed gets shorter between two sides, and the level of their tops, m. */
+static void close_in(const struct case_file *c, double t, double by[2]) {
+  const struct tank_shift l = shift_at(c, TANK_LEFT, t), r = shift_at(c, TANK_RIGHT, t);
+  by[0] = l.piston[0] - r.piston[0];
+  by[1] = by[0];
+  if (l.flap[0] != 0) by[1] += (c->tank.max[1] - l.hinge) * l.flap[0];
+  if (r.flap[0] != 0) by[1] -= (c->tank.max[1] - r.hinge) * r.flap[0];
+}
+
+static const char *judge_instant(const struct case_file *c, double t, struct geo_lines *w,
+                                 enum status *status) {
+  const char *why = NULL;
+  struct tank_side where[2];
+  if ((*status = geo_lines_copy(w, &c->walls)) != OK) return NULL;
+  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) {
+    const struct tank_shift shift = shift_at(c, side, t);
+    if (!tank_find_side(&c->walls, side, &where[side])) return NULL;
+    tank_side_move(&c->walls, &where[side], &shift, w->p, NULL, NULL);
+  }
+  for (int side = TANK_LEFT; side <= TANK_RIGHT && !why && *status == OK; side++)
+    why = judge_walls(c, w, &where[side], status);
+  return why;
+}
+
+/* Both sides, where their feet and where their tops are nearest to each other: each may have room
+ * by itself, and not beside the other. */
+static enum status check_together(struct case_draft *d, struct geo_lines *w) {
+  const struct case_file *c = d->c;
+  const int left = count_samples(c, TANK_LEFT), right = count_samples(c, TANK_RIGHT);
+  const int n = left > right ? left : right;
+  double most[2] = {0}, when[2] = {0}, by[2];
+  enum status status = OK;
+  for (int i = 0; i <= n; i++) {
+    close_in(c, c->end * i / n, by);
+    for (int k = 0; k < 2; k++) {
+      if (!(by[k] > most[k])) continue;
+      most[k] = by[k];
+      when[k] = c->end * i / n;
+    }
+  }
+  for (int k = 0; k < 2 && status == OK; k++) {
+    const char *why = judge_instant(c, when[k], w, &status);
+    if (!why) continue;
+    char found[160];
+    snprintf(found, sizeof found, "both sides at t = %.4g s, of which one goes %s", when[k], why);
+    case_motion_problem(d, 0, NULL, found, "strokes of both sides that leave room for the water",
+                        "make them smaller");
+    break;
+  }
+  return status;
+}
+
 static bool moves(const struct case_file *c, int side) {
   return first_of_side(c, side, TANK_MOTION_piston) < c->n_motions ||
          first_of_side(c, side, TANK_MOTION_flap) < c->n_motions;
@@ -131,11 +195,15 @@ static bool moves(const struct case_file *c, int side) {
 enum status case_check_strokes(struct case_draft *d) {
   struct geo_lines w = {0};
   enum status status = OK;
+  const size_t before = d->doc.problems->n;
   for (int side = TANK_LEFT; side <= TANK_RIGHT && status == OK; side++) {
     if (!moves(d->c, side)) continue;
     const struct case_strokes s = case_find_strokes(d->c, side);
     for (int end = 0; end < 2 && status == OK; end++) status = check_end(d, side, &s, end, &w);
   }
+  if (moves(d->c, TANK_LEFT) && moves(d->c, TANK_RIGHT) && d->doc.problems->n == before &&
+      status == OK)
+    status = check_together(d, &w);
   geo_lines_destroy(&w);
   return status;
 }
