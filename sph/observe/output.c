@@ -11,6 +11,7 @@
 #include "sph/observe/gauge.h"
 #include "sph/observe/point.h"
 #include "sph/observe/probe.h"
+#include "sph/observe/rest.h"
 #include "sph/observe/surface.h"
 #include "sph/pair/eos.h"
 #include "sph/pair/rates.h"
@@ -87,8 +88,8 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
     o->dry[k] = !s->tank.periodic[0] && gap(s, &s->faces.face[k]) > 1.5 * s->dx;
   struct result_energy e = sph_energy(s);
   o->budget = o->budget0 = result_energy_budget(&e);
-  double rest =
-      c->rectangular && !case_is_turned(c) ? sph_rest_potential(s) : case_rest_potential(c);
+  double rest;
+  ATTEMPT(sph_rest_find(c, s, &rest));
   o->available = e.kinetic + e.potential - rest;
   ATTEMPT(result_rest(result, rest));
   ATTEMPT(tank_outline(&s->tank, &c->walls, &o->outline));

@@ -3,6 +3,7 @@
 
 #include "sph/domain/wall.h"
 #include "sph/fluid/energy.h"
+#include "sph/observe/rest.h"
 #include "sph/pair/sums.h"
 #include "tests/sph/tanks.h"
 
@@ -154,8 +155,27 @@ static void test_symmetric_water_stays_symmetric(void) {
   case_destroy(c);
 }
 
+/* Water set up as it stands at rest has the energy of rest: of what its compression adds to that of
+ * incompressible water, first order in g H/c0^2, what is left is of the next order, and of cells
+ * that slopes cut. */
+static void test_rest_is_that_of_compressed_water(void) {
+  for (size_t k = 0; k < STILL_TANKS; k++) {
+    struct case_file *c = still_tank_case(&still_tanks[k], "resolution: 20, precision: double");
+    struct sph *s = pool_create(c);
+    double rest;
+    EXPECT_OK(sph_rest_find(c, s, &rest));
+    const double set_up = sph_energy(s).potential, added = set_up - case_rest_potential(c);
+    printf("     %s: compression adds %.3g J/m, of which %.2f %% are left\n", still_tanks[k].name,
+           added, 100 * (set_up - rest) / added);
+    EXPECT(added > 0 && fabs(set_up - rest) < 0.02 * added);
+    sph_destroy(s);
+    case_destroy(c);
+  }
+}
+
 int main(void) {
   RUN(test_ghosts_fill_the_supports);
+  RUN(test_rest_is_that_of_compressed_water);
   RUN(test_still_water_stays_in_tanks);
   RUN(test_a_thin_plate_holds_water);
   RUN(test_walls_slide_as_layers_have_it);
