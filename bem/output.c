@@ -11,6 +11,7 @@
 #include "common/base/array.h"
 #include "common/base/gauge.h"
 #include "common/result/record.h"
+#include "common/tank/motion.h"
 #include "common/tank/tank.h"
 
 /* H: with a gap no wider than the panels' own curvature psi is wrong; 0.002 sqrt(H/g) remain then
@@ -187,7 +188,16 @@ static enum status find_pressure(struct bem_output *o, const double p[2], double
                          (p[0] - c->tank.min[0]) / c->H, (p[1] - c->tank.min[1]) / c->H, pressure);
 }
 
-/* NaN where it cannot be found. */
+/* One of a side goes with it. */
+static bool is_behind_side(const struct bem_output *o, const double p[2]) {
+  const struct case_file *c = o->c;
+  const double seconds = o->view.time * o->time_scale;
+  double now[2] = {p[0], p[1]};
+  tank_point_at(&c->walls, c->motions, c->n_motions, seconds, case_near(c), now);
+  return tank_hides_at(&c->walls, c->motions, c->n_motions, seconds, case_near(c), now);
+}
+
+/* NaN behind a side that moves, and where it cannot be found. */
 static enum status pressure_of(void *solver, const struct case_probe *probe, double *pressure) {
   struct bem_output *o = solver;
   const struct case_file *c = o->c;
@@ -195,7 +205,7 @@ static enum status pressure_of(void *solver, const struct case_probe *probe, dou
   size_t parts = record_sensor(c, probe, p);
   for (size_t i = 0; i < parts; i++) {
     double part = NAN;
-    TRY(leave_out(o, find_pressure(o, p[i], &part)));
+    if (!is_behind_side(o, p[i])) TRY(leave_out(o, find_pressure(o, p[i], &part)));
     sum += part;
   }
   *pressure = c->density * c->gravity * c->H * sum / (double)parts;

@@ -17,6 +17,7 @@
 #include "sph/observe/output.h"
 #include "sph/observe/watch.h"
 #include "sph/owners.h"
+#include "sph/pair/derivative.h"
 #include "sph/pair/diffusion.h"
 #include "sph/pair/forms.h"
 #include "sph/pair/kernel.h"
@@ -264,6 +265,17 @@ static void check_flaps(const struct case_file *c, const struct case_run *r,
                r->name, angle * 180 / M_PI);
 }
 
+/* The work of a side is that of its own pairs, which a fit has not. */
+static void check_work(const struct tank_motion *side, const struct case_run *r,
+                       struct problems *problems) {
+  const struct sph_scheme *o = r->options;
+  if (!derivative_is_fit((enum sph_derivative)o->derivative)) return;
+  problems_add(problems, case_run_line(r, "derivative"),
+               "runs.%s.derivative: found '%s' with a %s, whose work it does not tell from that of "
+               "the water; allowed: kernel; write derivative: kernel",
+               r->name, sph_scheme_name(o, "derivative"), tank_motion_name(side));
+}
+
 /* Which walls know what a tank and sides that move do. */
 static void check_motions(const struct case_file *c, const struct case_run *r,
                           struct problems *problems) {
@@ -285,6 +297,7 @@ static void check_motions(const struct case_file *c, const struct case_run *r,
                  "allowed: ghost; write walls: ghost",
                  r->name, sph_wall_names[walls]);
   if (has_flap(c)) check_flaps(c, r, problems);
+  if (side) check_work(side, r, problems);
 }
 
 /* Images fill no corner of the water that is sharper than a right angle, and jump from face to face

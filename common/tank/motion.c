@@ -222,6 +222,13 @@ double tank_hinge(const struct tank_motion *motions, size_t n, int side) {
   return INFINITY;
 }
 
+static struct tank_shift shift_at(const struct tank_motion *motions, size_t n, int side, double t) {
+  struct tank_shift shift = {.hinge = tank_hinge(motions, n, side)};
+  tank_side_at(motions, n, TANK_MOTION_piston, side, t, shift.piston);
+  tank_side_at(motions, n, TANK_MOTION_flap, side, t, shift.flap);
+  return shift;
+}
+
 void tank_vertices_at(const struct geo_lines *walls, const struct tank_motion *motions, size_t n,
                       double t, double (*p)[2], double (*v)[2], double (*a)[2]) {
   const size_t bytes = walls->points * sizeof *p;
@@ -231,9 +238,7 @@ void tank_vertices_at(const struct geo_lines *walls, const struct tank_motion *m
   if (a) memset(a, 0, bytes);
   for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) {
     struct tank_side s;
-    struct tank_shift shift = {.hinge = tank_hinge(motions, n, side)};
-    tank_side_at(motions, n, TANK_MOTION_piston, side, t, shift.piston);
-    tank_side_at(motions, n, TANK_MOTION_flap, side, t, shift.flap);
+    const struct tank_shift shift = shift_at(motions, n, side, t);
     if (tank_find_side(walls, side, &s)) tank_side_move(walls, &s, &shift, p, v, a);
   }
 }
@@ -246,9 +251,7 @@ void tank_point_at(const struct geo_lines *walls, const struct tank_motion *moti
     if (!tank_find_side(walls, side, &s)) continue;
     geo_segment_foot(walls->p[s.foot], walls->p[s.top], p, foot);
     if (hypot(p[0] - foot[0], p[1] - foot[1]) > near) continue;
-    struct tank_shift shift = {.hinge = tank_hinge(motions, n, side)};
-    tank_side_at(motions, n, TANK_MOTION_piston, side, t, shift.piston);
-    tank_side_at(motions, n, TANK_MOTION_flap, side, t, shift.flap);
+    const struct tank_shift shift = shift_at(motions, n, side, t);
     const double *ends[2] = {walls->p[s.top], walls->p[s.foot]};
     double at[3][2] = {{ends[0][0], ends[0][1]}, {p[0], p[1]}, {ends[1][0], ends[1][1]}};
     double now[3][2];
@@ -258,4 +261,40 @@ void tank_point_at(const struct geo_lines *walls, const struct tank_motion *moti
     memcpy(p, now[1], sizeof now[1]);
     return; /* no point is on both sides */
   }
+}
+
+static bool moves(const struct tank_motion *motions, size_t n, int side) {
+  for (size_t i = 0; i < n; i++)
+    if (tank_motion_is_of_side(&motions[i]) && motions[i].side == side) return true;
+  return false;
+}
+
+/* How far a point is behind a side, m: brought back to where the side was at rest, with what of the
+ * side is as high as it is. */
+static double way_behind(const struct geo_lines *walls, const struct tank_side *side, bool right,
+                         const struct tank_shift *shift, const double p[2]) {
+  const double *top = walls->p[side->top], *foot = walls->p[side->foot];
+  const double rise = top[1] - foot[1], part = (shift->hinge - foot[1]) / rise;
+  double x = p[0] - shift->piston[0], y = p[1];
+  if (y > shift->hinge) {
+    const double hinge = foot[0] + part * (top[0] - foot[0]), up = y - shift->hinge;
+    const double out = x - hinge;
+    x = hinge + cos(shift->flap[0]) * out - sin(shift->flap[0]) * up;
+    y = shift->hinge + sin(shift->flap[0]) * out + cos(shift->flap[0]) * up;
+  }
+  const double off =
+      (rise * (x - foot[0]) - (top[0] - foot[0]) * (y - foot[1])) / hypot(top[0] - foot[0], rise);
+  return right ? off : -off;
+}
+
+bool tank_hides_at(const struct geo_lines *walls, const struct tank_motion *motions, size_t n,
+                   double t, double near, const double p[2]) {
+  for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) {
+    struct tank_side s;
+    if (!moves(motions, n, side) || !tank_find_side(walls, side, &s)) continue;
+    const struct tank_shift shift = shift_at(motions, n, side, t);
+    if (p[1] < walls->p[s.foot][1] - near) continue;
+    if (way_behind(walls, &s, side == TANK_RIGHT, &shift, p) > near) return true;
+  }
+  return false;
 }

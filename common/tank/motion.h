@@ -83,6 +83,11 @@ void tank_vertices_at(const struct geo_lines *walls, const struct tank_motion *m
 void tank_point_at(const struct geo_lines *walls, const struct tank_motion *motions, size_t n,
                    double t, double near, double p[2]);
 
+/* Whether a point, as the one that tank_point_at finds, is at t behind a side that moves, farther
+ * than `near` (m). */
+bool tank_hides_at(const struct geo_lines *walls, const struct tank_motion *motions, size_t n,
+                   double t, double near, const double p[2]);
+
 /* The vertices of a side: from first to last in the order of the walls, along the first or the last
  * straight stretch of the vessel. One of them is its top, the other is on the bed. False where
  * there is no vessel. */

@@ -231,7 +231,7 @@ static enum status add_beyond(struct sites *all, const struct strip *whole, int 
   const struct sph_face *f = &all->faces->face[whole->face];
   struct strip t = *whole;
   if (f->end[end] != SPH_END_EDGE) return OK;
-  t.cells = (size_t)ceil(all->s->support / t.ds);
+  t.cells = all->g->division[t.face].beyond;
   const bool first = t.t[0] * f->t[0] + t.t[1] * f->t[1] > 0 ? end == 0 : end == 1;
   t.first = first ? -(double)t.cells : (double)whole->cells;
   return add_cells(all, &t, NULL, 0);
@@ -312,7 +312,9 @@ static enum status add_corner(struct sites *all, uint32_t face) {
 
 static struct sph_division division_of(const struct sph *s, const struct sph_face *f) {
   const bool upright = fabs(f->t[1]) > fabs(f->t[0]);
-  return (struct sph_division){.cells = geo_intervals(f->length, s->dx),
+  const size_t cells = geo_intervals(f->length, s->dx);
+  return (struct sph_division){.cells = cells,
+                               .beyond = (size_t)ceil(s->support / (f->length / (double)cells)),
                                .upright = upright,
                                .back = (upright ? f->t[1] : f->t[0]) < 0,
                                .turn = fmax(f->turn, 0)};

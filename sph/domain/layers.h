@@ -35,9 +35,9 @@
 
 /* How the strip behind a face, and the corner at its end, are divided. */
 struct sph_division {
-  size_t cells;
-  bool upright, back; /* steeper than 45 degrees; counted from its end */
-  double turn;        /* of the corner, rad */
+  size_t cells, beyond; /* and as many past an edge as its support needs */
+  bool upright, back;   /* steeper than 45 degrees; counted from its end */
+  double turn;          /* of the corner, rad */
 };
 
 /* Before they are sorted. */

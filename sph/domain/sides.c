@@ -120,11 +120,8 @@ void sph_sides_set(struct sph *s, double t) {
   tank_vertices_at(&e->rest, s->force.motion, s->force.n, t, e->now.p, e->v, e->a);
   e->at = t;
   e->speed = 0;
-  e->level = true;
-  for (size_t i = 0; i < e->now.points; i++) {
+  for (size_t i = 0; i < e->now.points; i++)
     e->speed = fmax(e->speed, hypot(e->v[i][0], e->v[i][1]));
-    e->level &= e->v[i][1] == 0;
-  }
   s->tank = tank_of(&e->now, s->tank.periodic);
   sph_faces_move(&s->faces, (const double(*)[2])e->now.p);
   if (s->wall->move) s->wall->move(s);
@@ -173,6 +170,11 @@ const struct geo_lines *sph_sides_walls(const struct sph *s, const struct geo_li
 void sph_sides_carry(const struct sph *s, double p[2]) {
   const struct sph_sides *t = &s->sides;
   if (t->move) tank_point_at(&t->rest, s->force.motion, s->force.n, t->at, t->near, p);
+}
+
+bool sph_sides_hide(const struct sph *s, const double p[2]) {
+  const struct sph_sides *t = &s->sides;
+  return t->move && tank_hides_at(&t->rest, s->force.motion, s->force.n, t->at, t->near, p);
 }
 
 /* ---- what they do ---- */

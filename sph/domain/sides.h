@@ -33,7 +33,6 @@ struct sph_sides {
   double near;             /* m: points closer than this are the same */
   double at;               /* s: when they are there */
   double speed;            /* of the fastest point, m/s */
-  bool level;              /* no point moves but along x */
 };
 
 /* The sharpest corner of water or solid that a flap of the case makes at its hinge, rad; pi without
@@ -61,6 +60,9 @@ double sph_sides_way(const struct sph *s, double t);
 
 /* Where a point of the walls is that is p in the case, m. */
 void sph_sides_carry(const struct sph *s, double p[2]);
+
+/* Whether such a point is behind a side, where there is none of the water. */
+bool sph_sides_hide(const struct sph *s, const double p[2]);
 
 /* What the motion of a wall does to water that is turned by `motion` (images.h) from p, where it
  * moves with u. */

@@ -51,6 +51,7 @@ enum status sph_probe(const struct sph *s, const struct case_probe *probe,
   wall_direction(walls, probe->x, probe->y, t);
   size_t groups = probe->size > 0 ? (size_t)ceil(probe->size / (0.5 * s->dx * SPH_LANES)) : 1;
   double points = (double)(groups * SPH_LANES), sum = 0;
+  bool hidden = false;
   for (size_t k = 0; k < groups; k++) {
     struct sph_targets at = {0};
     double p[SPH_LANES];
@@ -58,10 +59,11 @@ enum status sph_probe(const struct sph *s, const struct case_probe *probe,
       double along = (((double)(k * SPH_LANES + l) + 0.5) / points - 0.5) * probe->size;
       at.x[l] = probe->x + along * t[0];
       at.y[l] = probe->y + along * t[1];
+      hidden |= sph_sides_hide(s, (double[]){at.x[l], at.y[l]});
     }
     TRY(pressure_at(s, &at, p));
     for (size_t l = 0; l < SPH_LANES; l++) sum += p[l];
   }
-  *pressure = sum / points;
+  *pressure = hidden ? NAN : sum / points;
   return OK;
 }

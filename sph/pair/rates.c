@@ -276,12 +276,12 @@ static void push_along(struct sph *s, int axis, const struct sph_targets *i,
   }
 }
 
-/* A fit does not tell walls from water. */
+/* A fit does not tell walls from water; the solver refuses it where sides move. */
 static void push_sides(struct sph *s, const struct sph_targets *i, const struct sph_near *walls,
                        struct effects *e) {
   for (int l = 0; l < SPH_LANES; l++) e->pushed[l] = e->dragged[l] = 0;
   if (!s->w.V || !walls->n || derivative_is_fit((enum sph_derivative)s->scheme.derivative)) return;
-  for (int axis = 0; axis < (s->sides.level ? 1 : 2); axis++) push_along(s, axis, i, walls, e);
+  for (int axis = 0; axis < 2; axis++) push_along(s, axis, i, walls, e);
 }
 
 static void cluster_rates(struct sph *s, size_t cluster, const void *wanted) {

@@ -207,11 +207,46 @@ static void test_points_have_no_pressure_where_sides_of_any_tank_move(void) {
   result_file_destroy(f);
 }
 
+/* ---- behind a side that moves ---- */
+
+/* In both kinds of tanks: the piston passes the bed at 0.02 m, and carries what is on it. */
+static void test_a_probe_behind_a_piston_reads_nothing(void) {
+  static const struct {
+    const char *top, *on;
+  } side[] = {{"[0, 2]", "0, 0.25"}, {"[-1, 2]", "-0.125, 0.25"}};
+  for (int k = 0; k < 2; k++) {
+    char with[800];
+    snprintf(
+        with, sizeof with,
+        "scales: {H: 1}\ntank: {walls: [[%s, [0, 0], [4, 0], [4, 2]]], motions: [{kind: "
+        "piston, side: left, amplitude: 0.1, period: 3, ramp: 1}]}\n"
+        "water: {wave: {kind: still, depth: 1}}\ntime: {end: 0.9, every: 0.3, sample: 0.1}\n"
+        "probes: [{name: bed, at: [0.02, 0]}, {name: side, at: [%s]}, {name: far, at: [2, 0]}]\n"
+        "runs: [{name: bem, solver: bem, resolution: 8}]\n",
+        side[k].top, side[k].on);
+    struct case_file *c = run_case(with);
+    struct result_file *f = run_bem(with);
+    if (!c || !f) continue;
+    size_t behind = 0;
+    for (size_t i = 0; i < f->probes[0].n; i++) {
+      double q[3];
+      tank_motion_at(&c->motions[0], f->probes[0].t[i], q);
+      EXPECT(isnan(f->probes[0].value[i]) == (q[0] > 0.02));
+      EXPECT(f->probes[1].value[i] > 6500 && f->probes[2].value[i] > 9000);
+      behind += q[0] > 0.02;
+    }
+    EXPECT(behind > 1 && behind < f->probes[0].n - 1);
+    result_file_destroy(f);
+    case_destroy(c);
+  }
+}
+
 int main(void) {
   RUN(test_points_have_what_theory_has_under_a_steady_wave);
   RUN(test_points_of_a_column_start_as_its_series_and_fall_dry);
   RUN(test_still_water_is_so_at_points_of_any_tank);
   RUN(test_points_on_walls_have_the_pressure_of_probes_in_tanks_that_move);
   RUN(test_points_have_no_pressure_where_sides_of_any_tank_move);
+  RUN(test_a_probe_behind_a_piston_reads_nothing);
   return TEST_RESULT;
 }

@@ -237,6 +237,33 @@ static void test_a_flap_turns_its_top_to_the_right(void) {
   case_destroy(c);
 }
 
+/* A leaning side carries what is on it; beside that as it is, and behind it, by 1 mm. */
+static void test_what_a_side_has_passed_is_behind_it(void) {
+  static const char *const motions[] = {
+      "{kind: piston, side: left, amplitude: 0.3, period: 2}",
+      "{kind: flap, side: left, amplitude: 0.2, period: 2, hinge: 1}",
+      "{kind: piston, side: left, amplitude: -0.3, period: 2}",
+  };
+  for (int k = 0; k < 3; k++) {
+    struct case_file *c = case_of("[[[-3, 3], [0, 0], [4, 0], [4, 3]]]", motions[k]);
+    if (!c) return;
+    const double near = case_near(c), t = 2.4;
+    for (double y = 0; y < 2.5; y += 0.3) {
+      double at[2] = {-y, y};
+      tank_point_at(&c->walls, c->motions, c->n_motions, t, near, at);
+      EXPECT(!tank_hides_at(&c->walls, c->motions, c->n_motions, t, near, at));
+      at[0] += 1e-3;
+      EXPECT(!tank_hides_at(&c->walls, c->motions, c->n_motions, t, near, at));
+      at[0] -= 2e-3;
+      EXPECT(tank_hides_at(&c->walls, c->motions, c->n_motions, t, near, at));
+    }
+    EXPECT(tank_hides_at(&c->walls, c->motions, c->n_motions, t, near, (double[]){0.1, 0}) ==
+           (k == 0));
+    EXPECT(!tank_hides_at(&c->walls, c->motions, c->n_motions, t, near, (double[]){4.1, 1}));
+    case_destroy(c);
+  }
+}
+
 static void test_fingerprints_hold_the_motions(void) {
   const char *const motions[] = {
       "{kind: sway, amplitude: 0.3, period: 2}",
@@ -274,6 +301,7 @@ int main(void) {
   RUN(test_a_tank_at_rest_feels_gravity);
   RUN(test_a_piston_moves_its_side_to_the_right);
   RUN(test_a_flap_turns_its_top_to_the_right);
+  RUN(test_what_a_side_has_passed_is_behind_it);
   RUN(test_fingerprints_hold_the_motions);
   return TEST_RESULT;
 }
