@@ -146,6 +146,27 @@ static double complex find_pole(const struct bem_rule_panel *p, double complex z
   return CMPLX(2 * creal(u) - 1, 2 * cimag(u));
 }
 
+static double jump_of(const struct bem_flux *f, size_t side) {
+  size_t i = 0;
+  while (f->side[i] != side) i++;
+  return f->jump[i];
+}
+
+/* Adds to the value what it has where a side ends, at the bend that the panel goes on from: psi is
+ * the side's jump there, whose integral over the panel is a logarithm at either end; that at the
+ * bend and the side's own, which is left out as well, cancel each other. */
+static void add_end(const struct bem_flux *f, size_t p, double complex zeta,
+                    double complex *value) {
+  const struct bem_rule_panel *panel = f->rule.panel + p;
+  const double jump = jump_of(f, panel->side);
+  const double *xi = f->rule.xi + BEM_RULE * p, *weight = f->rule.weight + BEM_RULE * p;
+  const double begin = panel->start + 2 * panel->half - creal(zeta);
+  double sum = 0;
+  for (int j = 0; j < BEM_RULE; j++)
+    if (xi[j] != creal(zeta)) sum += weight[j] / (xi[j] - creal(zeta)); /* as it is added */
+  *value -= jump * (sum + clog(CMPLX(begin, -cimag(zeta))));
+}
+
 static void add_panel(const struct bem_flux *f, size_t p, double complex zeta,
                       double complex *value, double complex *slope) {
   const struct bem_rule_panel *panel = f->rule.panel + p;
@@ -160,6 +181,7 @@ static void add_panel(const struct bem_flux *f, size_t p, double complex zeta,
     }
   add_far(f, p, zeta, value, slope);
   if (near) add_pole(f, p, sigma, value, slope);
+  if (at_bend && panel->half < 0) add_end(f, p, zeta, value);
 }
 
 void bem_flux_at(const struct bem_flux *f, double complex zeta, double complex *value,

@@ -47,6 +47,7 @@ enum status bem_flux_lay(struct bem_flux *f, const struct bem_conformal *m, cons
                          double top);
 void bem_flux_fill(struct bem_flux *f, const double *before);
 
-/* F and dF/dzeta on the real axis or above it. */
+/* F and dF/dzeta on the real axis or above it. The slope is of no meaning at a bend beside a side
+ * with flux, where it may be infinite. */
 void bem_flux_at(const struct bem_flux *f, double complex zeta, double complex *value,
                  double complex *slope);

@@ -158,36 +158,66 @@ enum status bem_pressure_at(struct bem_pressure *p, const struct bem_flow *f, co
   return bem_pressure_on(p, f, state, moved(f, CMPLX(x, y)), pressure);
 }
 
+/* u - i v of a bend of the walls, as the potential has it. */
+static double complex bend_velocity(const struct bem_flow *f, const struct bem_seen *at) {
+  return conj(bem_pressure_is_swept(f) ? at->sweep : bem_motion_carries(&f->motion, at->z));
+}
+
+/* What the known part's and the own part's d beta/d zeta, the latter `own`, give phi where the
+ * image of a bend moves: both of its sides stay then, and these are finite. */
+static double shifted(const struct bem_pressure *p, const struct bem_flow *f,
+                      const struct bem_seen *at, double complex own) {
+  const double way = at->bend ? p->sweep.rate.xi[at->bend - 1] : 0;
+  double complex value, slope;
+  if (way == 0) return 0;
+  bem_flux_at(&f->through, at->zeta, &value, &slope);
+  return way * creal(own + slope);
+}
+
 double bem_pressure_seen(const struct bem_pressure *p, const struct bem_flow *f,
                          const double *state, const struct bem_seen *at) {
   const bool has_part = bem_flow_has_part(f);
-  double complex value, slope;
+  double complex value, slope, own;
   bem_integrals_inside(&f->panels, has_part ? f->phi_own : state + 2 * f->surface.n,
-                       has_part ? f->psi_own : f->psi, at->zeta, &value, &slope);
+                       has_part ? f->psi_own : f->psi, at->zeta, &value, &own);
   const struct bem_part part = bem_flow_part(f, state, at->z, at->zeta, at->slope);
-  const double complex w = slope * at->slope + part.w;
+  const double complex w = at->bend ? bend_velocity(f, at) : own * at->slope + part.w;
   bem_integrals_inside(&f->panels, p->phi_t, p->psi_t, at->zeta, &value, &slope);
   double phi_t = creal(value);
   if (bem_flow_is_driven(f)) phi_t += bem_pressure_swept(f, &part, at->z, w);
   if (bem_pressure_is_swept(f)) {
     bem_flux_at(&p->sweep.flux, at->zeta, &value, &slope);
-    phi_t += creal(value - w * at->sweep);
+    phi_t += creal(value - w * at->sweep) + shifted(p, f, at, own);
   }
   return -phi_t - 0.5 * creal(w * conj(w)) - bem_flow_head(f, creal(at->z), cimag(at->z));
+}
+
+/* The map's point that bem_conformal_on_wall has taken a point of the walls for, 0 if none. */
+static size_t find_bend(const struct bem_conformal *m, double xi, double complex slope) {
+  size_t k = slope == 0 ? m->n : 0;
+  while (k > 0 && m->xi[k - 1] != xi) k--;
+  return k;
+}
+
+static enum status sweep_wall(struct bem_pressure *p, const struct bem_flow *f,
+                              struct bem_seen *at) {
+  const struct bem_moving *m = &f->moving;
+  if (at->bend) {
+    at->sweep = m->velocity[at->bend];
+    return OK;
+  }
+  return bem_sweep_wall(m, &p->sweep.rate, &p->sweep.rule, bem_conformal_side(m->map, at->z),
+                        creal(at->zeta), 1 / at->slope, &at->sweep);
 }
 
 enum status bem_pressure_on(struct bem_pressure *p, const struct bem_flow *f, const double *state,
                             double complex z, double *pressure) {
   struct bem_seen at = {.z = z};
   bool under;
-  *pressure = 0;
   TRY(map(f, state, z, &under, &at.zeta, &at.slope));
-  if (!under) return OK;
-  if (bem_pressure_is_swept(f))
-    TRY(bem_sweep_wall(&f->moving, &p->sweep.rate, &p->sweep.rule,
-                       bem_conformal_side(f->moving.map, z), creal(at.zeta), 1 / at.slope,
-                       &at.sweep));
-  *pressure = bem_pressure_seen(p, f, state, &at);
+  if (under && f->surface.walls) at.bend = find_bend(f->surface.walls, creal(at.zeta), at.slope);
+  if (under && bem_pressure_is_swept(f)) TRY(sweep_wall(p, f, &at));
+  *pressure = under ? bem_pressure_seen(p, f, state, &at) : 0;
   return OK;
 }
 
@@ -219,5 +249,5 @@ struct bem_seen bem_pressure_wet_point(const struct bem_pressure *p, const struc
                                        size_t j) {
   const struct bem_rule *wet = &p->wet;
   return (struct bem_seen){wet->z[j], wet->xi[j], 1 / wet->slope[j],
-                           bem_pressure_is_swept(f) ? p->sweep.wet[j] : 0};
+                           bem_pressure_is_swept(f) ? p->sweep.wet[j] : 0, 0};
 }

@@ -30,14 +30,17 @@ void bem_pressure_destroy(struct bem_pressure *p);
 enum status bem_pressure_solve(struct bem_pressure *p, struct bem_flow *f, const double *state);
 
 /* Pressure (rho g H) at a point of a wall of the same state, which is named by where the wall is at
- * rest; 0 where it is dry. ERR_SOLVER. */
+ * rest; 0 where it is dry, as it was where that fails. ERR_SOLVER. */
 enum status bem_pressure_at(struct bem_pressure *p, const struct bem_flow *f, const double *state,
                             double x, double y, double *pressure);
 
 /* A point of a wall under water: its image, d zeta / dz, and, where sides of walls of any shape
- * move, dz/dt at a fixed zeta. */
+ * move, dz/dt at a fixed zeta. Water at a bend goes with it: on the inside of one it must stay on
+ * both sides. There the slope is given as 0, and the sweep is dz/dt at the bend, whose image may
+ * move. */
 struct bem_seen {
   double complex z, zeta, slope, sweep;
+  size_t bend; /* of the map's points, that it is; 0: none */
 };
 
 /* The same there. */

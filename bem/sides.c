@@ -69,7 +69,7 @@ void bem_sides_wall(const struct bem_surface *s, size_t wall, double complex *a,
     return;
   }
   const double end = s->right == BEM_END_BED ? FAR : s->tank;
-  const double complex corner[] = {CMPLX(0, FAR), 0, end, CMPLX(end, FAR)};
+  const double complex corner[] = {CMPLX(s->left, FAR), s->left, end, CMPLX(end, FAR)};
   *a = corner[wall];
   *b = corner[wall + 1];
 }

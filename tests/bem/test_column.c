@@ -77,7 +77,22 @@ static void test_released_column_starts_as_the_series_says(void) {
   EXPECT(fine.worst < coarse.worst);
 }
 
+/* The map of walls cannot be followed so far up them, where it is no finite number. */
+static void test_pressure_that_cannot_be_found_is_left_as_it_was(void) {
+  const double wall[4][2] = {{0, 2}, {0, 0}, {2, 0}, {2, 2}};
+  struct bem_conformal *m = NULL;
+  struct bem_flow f = {0};
+  struct bem_pressure p = {0};
+  double is = NAN;
+  EXPECT_OK(bem_conformal_create(4, wall, NULL, &m));
+  f.surface.walls = m;
+  EXPECT(bem_pressure_at(&p, &f, NULL, 0, 1e100, &is) == ERR_SOLVER);
+  EXPECT(isnan(is));
+  bem_conformal_destroy(m);
+}
+
 int main(void) {
   RUN(test_released_column_starts_as_the_series_says);
+  RUN(test_pressure_that_cannot_be_found_is_left_as_it_was);
   return TEST_RESULT;
 }

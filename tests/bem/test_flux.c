@@ -53,6 +53,34 @@ static void test_psi_of_a_tank_that_turns_is_that_of_its_walls(void) {
   }
 }
 
+/* Next to a bend phi is off by the way from it, H, to the power of pi over the angle of the water
+ * there, 2/3 at least. */
+static void test_at_a_bend_it_is_the_limit_along_the_sides(void) {
+  const double way = 1e-3;
+  for (int i = 0; i < TANKS; i++) {
+    struct bem_rigid body[8];
+    struct bem_conformal *m = NULL;
+    struct bem_flux f = {0};
+    double worst = 0;
+    EXPECT_OK(bem_conformal_create(tanks[i].n, tanks[i].wall, NULL, &m));
+    for (size_t k = 0; k <= m->n; k++) body[k] = (struct bem_rigid){CMPLX(0.3, -0.7), 1};
+    EXPECT_OK(bem_flux_set(&f, m, body, TOP));
+    for (size_t k = 0; k < m->n; k++)
+      for (size_t side = k; side <= k + 1; side++) {
+        const double length = cabs(m->point[side + 1] - m->point[side]);
+        double complex zeta, at, beside, slope;
+        at_wall(m, side, side == k ? 1 - way / length : way / length, &zeta);
+        bem_flux_at(&f, zeta, &beside, &slope);
+        bem_flux_at(&f, m->xi[k], &at, &slope);
+        worst = fmax(worst, cabs(at - beside));
+      }
+    printf("  %-9s: off by %.1e\n", tanks[i].name, worst);
+    EXPECT(worst < 10 * pow(way, 2. / 3));
+    bem_flux_destroy(&f);
+    bem_conformal_destroy(m);
+  }
+}
+
 /* Near a side that moves and far from it. */
 static void test_the_slope_is_the_derivative(void) {
   struct bem_conformal *m = NULL;
@@ -84,6 +112,7 @@ static void test_the_slope_is_the_derivative(void) {
 
 int main(void) {
   RUN(test_psi_of_a_tank_that_turns_is_that_of_its_walls);
+  RUN(test_at_a_bend_it_is_the_limit_along_the_sides);
   RUN(test_the_slope_is_the_derivative);
   return TEST_RESULT;
 }

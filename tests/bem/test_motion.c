@@ -255,12 +255,76 @@ static void test_a_tank_that_is_turned_hits_its_water_along_its_own_axes(void) {
   EXPECT_NEAR(turned, level * cos(angle) * cos(angle), 1e-9);
 }
 
+/* The corner is at [0, y], and the sensors on the side above it, where the pressure is a polynomial
+ * of the height but for its square times a logarithm: 1e-8 here. */
+static void check_corner(const char *walls, const char *motion_of_it, double y) {
+  char with[900];
+  const double way = 1e-3;
+  snprintf(with, sizeof with,
+           "title: corner\n"
+           "fluid: {density: 1, gravity: 1}\n"
+           "scales: {H: 1}\n"
+           "tank: {walls: [%s], motions: [{%s, ramp: 3}]}\n"
+           "water: {wave: {kind: still, depth: 1}}\n"
+           "time: {end: 0.6, every: 0.6, sample: 0.3}\n"
+           "probes: [{name: at, at: [0, %g]}, {name: near, at: [0, %g]}, "
+           "{name: far, at: [0, %g]}]\n"
+           "runs: [{name: bem, solver: bem, resolution: 8}]\n",
+           walls, motion_of_it, y, y + way, y + 2 * way);
+  struct result_file *f = run_bem(with);
+  if (!f) return;
+  const double *at = f->probes[0].value, *near = f->probes[1].value, *far = f->probes[2].value;
+  const size_t last = f->probes[0].n - 1;
+  double worst = 0;
+  EXPECT(f->probes[0].n == 3);
+  EXPECT(fabs(at[last] - at[0]) > 5e-3);
+  for (size_t i = 0; i <= last; i++) {
+    const double off = fabs(at[i] - (2 * near[i] - far[i]));
+    worst = off <= worst ? worst : off;
+  }
+  printf("  %s: %.4f to %.4f, off by %.1e\n", motion_of_it, at[0], at[last], worst);
+  EXPECT(worst < 1e-5);
+  result_file_destroy(f);
+}
+
+static void test_pressure_in_a_corner_that_moves_is_that_of_the_side_beside_it(void) {
+  const char *rectangle = "[[0, 2], [0, 0], [4, 0], [4, 2]]",
+             *mapped = "[[0, 2], [0, 0], [2, 0], [4, 0.2], [4, 2]]";
+  check_corner(rectangle, "kind: roll, amplitude: 0.05, period: 9.4", 0);
+  check_corner(mapped, "kind: piston, side: left, amplitude: 0.1, period: 9.4", 0);
+  check_corner(mapped, "kind: flap, side: left, amplitude: 0.1, hinge: 0, period: 9.4", 0);
+}
+
+/* So much further than the film on a wall is thick. */
+static void test_a_piston_that_pulls_back_leaves_the_water_whole(void) {
+  struct result_file *f =
+      run_bem("title: pull\n"
+              "fluid: {density: 1, gravity: 1}\n"
+              "scales: {H: 1}\n"
+              "tank:\n"
+              "  walls: [[[0, 2], [0, 0], [4, 0], [4, 2]]]\n"
+              "  motions: [{kind: piston, side: left, amplitude: -0.25, period: 24, ramp: 0}]\n"
+              "water: {wave: {kind: still, depth: 0.5}}\n"
+              "time: {end: 7, every: 7, sample: 0.5}\n"
+              "runs: [{name: bem, solver: bem, resolution: 16}]\n");
+  if (!f) return;
+  const struct result_step *last = f->steps + f->n_steps - 1;
+  printf("  volume %.6f to %.6f, removed %g\n", f->steps->volume, last->volume,
+         last->removed_volume);
+  for (size_t i = 0; i < f->n_events; i++) EXPECT(strcmp(f->events[i].name, "cut"));
+  EXPECT(last->removed_volume == 0);
+  EXPECT_NEAR(last->volume, 2, 1e-4);
+  result_file_destroy(f);
+}
+
 int main(void) {
   RUN(test_a_tank_that_sways_in_resonance_follows_linear_theory_for_ten_cycles);
   RUN(test_a_tank_that_rolls_in_resonance_follows_linear_theory_for_ten_cycles);
   RUN(test_a_tank_that_is_turned_hits_its_water_along_its_own_axes);
   RUN(test_a_piston_in_a_closed_tank_follows_linear_theory);
   RUN(test_a_piston_on_the_right_makes_the_mirror_image);
+  RUN(test_pressure_in_a_corner_that_moves_is_that_of_the_side_beside_it);
+  RUN(test_a_piston_that_pulls_back_leaves_the_water_whole);
   RUN(test_forces_on_the_walls_change_the_momentum);
   return TEST_RESULT;
 }
