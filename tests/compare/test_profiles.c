@@ -80,7 +80,8 @@ static struct cmp_verdict judged(double at, bool measured) {
   settings_free(&c);
   c.compare.n_tolerances = 1;
   everything[0] = (struct case_tolerance){.measure = text("profile_distance"), .at = at, .max = 1};
-  struct result_file *a = reference(measured, (struct case_profile[]){seen("seen", times[0])});
+  struct result_file *a = measured ? reference(1, (struct case_profile[]){seen("seen", times[0])})
+                                   : made_up("a", "seen", (struct flaws){.until = end});
   struct result_file *b = made_up("b", "seen", (struct flaws){.until = end});
   const struct cmp_verdict v = compare(&c, a, 1, &b);
   settings_free(&c);
