@@ -251,10 +251,26 @@ static void check_times(struct case_draft *d) {
   }
 }
 
+void case_check_compared(struct case_draft *d, int item, const char *key, const char *path,
+                         double *time) {
+  const struct case_file *c = d->c;
+  const double near = CASE_SAME * fmax(*time, c->every);
+  char found[64];
+  size_t k = 0;
+  while (k < c->compare.n_times && fabs(c->compare.times[k] - *time) > near) k++;
+  if (k < c->compare.n_times) {
+    *time = c->compare.times[k];
+    return;
+  }
+  case_time_words(d, case_doc_member(&d->doc, item, key), *time, found);
+  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, key), path, found,
+                   "one of compare.times", "add it there or change it");
+}
+
 void case_check_tolerances(struct case_draft *d) {
   struct case_file *c = d->c;
   int list = case_doc_member(&d->doc, d->at.compare, "tolerances");
-  char path[CASE_PATH], found[64];
+  char path[CASE_PATH];
   for (size_t i = 0; i < c->compare.n_tolerances; i++) {
     struct case_tolerance *t = &c->compare.tolerances[i];
     int item = case_doc_item(&d->doc, list, i);
@@ -264,17 +280,8 @@ void case_check_tolerances(struct case_draft *d) {
                        "add a run or remove the tolerances");
       return;
     }
-    if (isnan(t->at) || !t->measure) continue;
-    size_t k = 0;
-    while (k < c->compare.n_times && fabs(c->compare.times[k] - t->at) > CASE_SAME * t->at) k++;
-    if (k < c->compare.n_times) {
-      t->at = c->compare.times[k];
-      continue;
-    }
     snprintf(path, sizeof path, "compare.tolerances[%zu].at", i);
-    case_time_words(d, case_doc_member(&d->doc, item, "at"), t->at, found);
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "at"), path, found,
-                     "one of compare.times", "add it there or change it");
+    if (!isnan(t->at) && t->measure) case_check_compared(d, item, "at", path, &t->at);
   }
 }
 

@@ -73,6 +73,10 @@ void case_check_spectra(struct case_draft *d, double end, const char *what);
 /* case_check.c: whether what was read makes sense together. */
 void case_check(struct case_draft *d);
 void case_check_tolerances(struct case_draft *d); /* their times are among compare.times */
+/* That *time, the key of an item, is one of compare.times, and then exactly that; a problem if not.
+ */
+void case_check_compared(struct case_draft *d, int item, const char *key, const char *path,
+                         double *time);
 /* A time in the unit that the one at `node` is written in. */
 void case_time_words(struct case_draft *d, int node, double seconds, char out[64]);
 void case_check_averages(struct case_draft *d, double end, const char *what); /* s */

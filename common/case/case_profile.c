@@ -66,23 +66,11 @@ enum status case_read_profiles(struct case_draft *d, int node) {
 void case_check_profiles(struct case_draft *d) {
   struct case_file *c = d->c;
   const int list = case_doc_member(&d->doc, d->at.compare, "profiles");
-  char path[CASE_PATH], found[64];
+  char path[CASE_PATH];
   for (size_t i = 0; i < c->compare.n_profiles; i++) {
-    struct case_profile *p = &c->compare.profiles[i];
-    const int item = case_doc_item(&d->doc, list, i);
-    size_t k = 0;
-    if (isnan(p->time)) continue;
-    while (k < c->compare.n_times &&
-           fabs(c->compare.times[k] - p->time) > CASE_SAME * fmax(p->time, c->every))
-      k++;
-    if (k < c->compare.n_times) {
-      p->time = c->compare.times[k];
-      continue;
-    }
+    double *time = &c->compare.profiles[i].time;
     snprintf(path, sizeof path, "compare.profiles[%zu].time", i);
-    case_time_words(d, case_doc_member(&d->doc, item, "time"), p->time, found);
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "time"), path, found,
-                     "one of compare.times", "add it there or change it");
+    if (!isnan(*time)) case_check_compared(d, case_doc_item(&d->doc, list, i), "time", path, time);
   }
 }
 

@@ -150,12 +150,18 @@ static struct cmp_verdict compare(struct case_file *settings, struct result_file
   return verdict;
 }
 
-static inline bool file_says(const char *name, const char *words) {
+/* A file of the report; the caller frees it. */
+static inline char *read_whole(const char *name) {
   char path[PATH_MAX], *bytes = NULL;
   size_t n;
   path_in(name, path);
   EXPECT_OK(cmp_file_read(path, &bytes, &n));
-  bool said = bytes && strstr(bytes, words);
+  return bytes ? bytes : text("");
+}
+
+static inline bool file_says(const char *name, const char *words) {
+  char *bytes = read_whole(name);
+  const bool said = strstr(bytes, words);
   free(bytes);
   return said;
 }

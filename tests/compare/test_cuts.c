@@ -15,14 +15,6 @@ static void cut_away(struct result_file *r) {
   r->events->name = text("cut");
 }
 
-static char *read_whole(const char *name) {
-  char path[PATH_MAX], *bytes = NULL;
-  size_t n;
-  path_in(name, path);
-  EXPECT_OK(cmp_file_read(path, &bytes, &n));
-  return bytes ? bytes : text("");
-}
-
 /* Behind the series of two curves: one row, on the curve of the run that was cut. */
 static void check_mark(const char *name) {
   char *table = read_whole(name);

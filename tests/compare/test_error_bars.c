@@ -17,14 +17,6 @@ static void give_error_bars(struct result_file *r) {
   r->events->error[1] = r->events->error[2] = NAN;
 }
 
-static char *read_whole(const char *name) {
-  char path[PATH_MAX], *bytes = NULL;
-  size_t n;
-  path_in(name, path);
-  EXPECT_OK(cmp_file_read(path, &bytes, &n));
-  return bytes ? bytes : text("");
-}
-
 /* A row of the gauge's table is the value, and the value less and more its error. */
 static void check_rows(const char *table) {
   size_t bars = 0, none = 0;
