@@ -59,55 +59,54 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   }
 }
 
-/* The settings in a file of their own; problems are printed. */
+/* What results say of themselves, for their settings: runs by their names, the reference's probes
+ * and gauges, and the points of all, of which a reference may have none. `room`: for the names. */
+static struct case_frame frame_of(size_t n, struct result_file *const *files, const char **room) {
+  const struct result_file *ref = files[0];
+  struct case_frame frame = {
+      .H = ref->H,
+      .g = ref->g,
+      .tank = geo_lines_box(&ref->walls),
+      .n_times = ref->n_surfaces,
+      .times = ref->surface_time,
+  };
+  frame.runs = (struct case_names){n, room};
+  for (size_t i = 0; i < n; i++) *room++ = files[i]->run;
+  frame.probes = (struct case_names){ref->n_probes, room};
+  for (size_t i = 0; i < ref->n_probes; i++) *room++ = ref->probes[i].name;
+  frame.gauges = (struct case_names){ref->n_gauges, room};
+  for (size_t i = 0; i < ref->n_gauges; i++) *room++ = ref->gauges[i].name;
+  frame.points.name = room;
+  for (size_t i = 0; i < n; i++)
+    for (size_t k = 0; k < files[i]->n_points; k++) *room++ = files[i]->points[k].name;
+  frame.points.n = (size_t)(room - frame.points.name);
+  return frame;
+}
+
+/* The settings in a file of their own, or of the case of the reference; problems are printed. */
 static struct case_file *settings_from(const char *path, size_t n, struct result_file *const *files,
                                        int *exit_code) {
   struct problems problems = {0};
   struct case_file *c = NULL;
   const struct result_file *ref = files[0];
-  size_t n_probes = ref->n_probes, n_gauges = ref->n_gauges, n_points = 0;
-  for (size_t i = 0; i < n; i++) n_points += files[i]->n_points; /* a reference may have none */
-  /* of the runs, the probes, the gauges, the points */
-  const char **names = calloc(n + n_probes + n_gauges + n_points, sizeof *names), **name = names;
-  for (size_t i = 0; names && i < n; i++) *name++ = files[i]->run;
-  for (size_t i = 0; names && i < n_probes; i++) *name++ = ref->probes[i].name;
-  for (size_t i = 0; names && i < n_gauges; i++) *name++ = ref->gauges[i].name;
-  for (size_t i = 0; names && i < n; i++)
-    for (size_t k = 0; k < files[i]->n_points; k++) *name++ = files[i]->points[k].name;
-  struct case_frame frame = {
-      .H = files[0]->H,
-      .gravity = files[0]->g,
-      .tank = geo_lines_box(&files[0]->walls),
-      .n_times = files[0]->n_surfaces,
-      .times = files[0]->surface_time,
-      .n_runs = n,
-      .runs = names,
-      .n_probes = n_probes,
-      .probes = names ? names + n : NULL,
-      .n_gauges = n_gauges,
-      .gauges = names ? names + n + n_probes : NULL,
-      .n_points = n_points,
-      .points = names ? names + n + n_probes + n_gauges : NULL,
-  };
-  enum status status = names ? case_load_settings(path, &frame, &registry, &problems, &c)
-                             : status_raise(ERR_MEMORY, "no memory for %zu runs", n);
+  size_t n_names = n + ref->n_probes + ref->n_gauges;
+  for (size_t i = 0; i < n; i++) n_names += files[i]->n_points;
+  const char **names = calloc(n_names, sizeof *names);
+  enum status status = names ? OK : status_raise(ERR_MEMORY, "no memory for %zu runs", n);
+  if (status == OK) {
+    const struct case_frame frame = frame_of(n, files, names);
+    status = path
+                 ? case_load_settings(path, &frame, &registry, &problems, &c)
+                 : case_parse_settings(ref->path, ref->case_text, &frame, &registry, &problems, &c);
+  }
+  if (!path && problems.n)
+    fprintf(stderr, "plunge: the settings in %s are not ones that this version reads:\n",
+            ref->path);
   command_list_problems(&problems);
   *exit_code = status_exit_code(status);
   if (status != OK && !problems.n) command_fail(status);
   problems_destroy(&problems);
   free(names);
-  return c;
-}
-
-/* The settings that stand in the reference's own case; problems are printed. */
-static struct case_file *settings_of(const struct result_file *ref) {
-  struct problems problems = {0};
-  struct case_file *c = NULL;
-  if (case_parse(ref->path, ref->case_text, &registry, &problems, &c) != OK) {
-    fprintf(stderr, "plunge: the case in %s is not one that this version reads:\n", ref->path);
-    command_list_problems(&problems);
-  }
-  problems_destroy(&problems);
   return c;
 }
 
@@ -146,7 +145,7 @@ int command_compare(int argc, char **argv) {
     exit_code = command_fail(status);
     goto done;
   }
-  c = a.settings ? settings_from(a.settings, a.n, files, &exit_code) : settings_of(files[0]);
+  c = settings_from(a.settings, a.n, files, &exit_code);
   if (!c) goto done;
   enum status status = command_lock_folder(a.out, false, progress, &lock);
   if (status != OK)

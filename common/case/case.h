@@ -234,15 +234,19 @@ enum status case_load(const char *path, size_t n_set, const char *const *set,
 enum status case_parse(const char *name, const char *text, const struct registry *registry,
                        struct problems *problems, struct case_file **c);
 
+struct case_names {
+  size_t n;
+  const char *const *name; /* [n], borrowed */
+};
+
 /* What is known of results that are there already, for settings that stand by themselves. */
 struct case_frame {
-  double H, gravity;   /* m, m s^-2 */
+  double H, g;         /* of the scales, m, m s^-2 */
   struct geo_box tank; /* m */
-  size_t n_times, n_runs, n_probes, n_gauges, n_points;
-  const double *times;                       /* s, of the reference's outputs, [n_times] */
-  const char *const *runs;                   /* names, the reference's first, [n_runs] */
-  const char *const *probes;                 /* names, of the reference's, [n_probes] */
-  const char *const *gauges, *const *points; /* likewise */
+  size_t n_times;
+  const double *times;    /* s, of the reference's outputs, [n_times] */
+  struct case_names runs; /* the reference's first */
+  struct case_names probes, gauges, points;
 };
 
 /* Settings of a comparison (the section `compare` alone) from a YAML file: *c has runs, probes,
@@ -250,6 +254,14 @@ struct case_frame {
 enum status case_load_settings(const char *path, const struct case_frame *frame,
                                const struct registry *registry, struct problems *problems,
                                struct case_file **c);
+
+/* The same from the case in a result file (`name` stands for the file in messages), "" of one that
+ * has none: of its sections other than `compare` only `time` and the names in its lists are looked
+ * at, so that it may be of another version, or have solvers that nobody knows. Its own names are
+ * there beside the frame's; data files are not read. */
+enum status case_parse_settings(const char *name, const char *text, const struct case_frame *frame,
+                                const struct registry *registry, struct problems *problems,
+                                struct case_file **c);
 void case_destroy(struct case_file *c);
 
 /* Every section with its keys: what is allowed, the default, what it is (for `plunge list`). */

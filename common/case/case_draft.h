@@ -49,6 +49,7 @@ struct case_table { /* what `plunge list` shows of a section; a NULL name ends a
 
 /* case_sections.c: every section but runs and compare. */
 enum status case_read_sections(struct case_draft *d);
+void case_read_time(struct case_draft *d);
 bool case_read_section(struct case_draft *d, int node, const char *path, const struct param *rows,
                        size_t n, void *into);
 void case_release_form(struct case_file *c);

@@ -250,7 +250,7 @@ static enum status find_H(struct case_draft *d) {
   return status;
 }
 
-static void read_time(struct case_draft *d) {
+void case_read_time(struct case_draft *d) {
   struct case_file *c = d->c;
   d->good.time =
       d->at.time && case_read_section(d, d->at.time, "time", time_rows, ROWS(time_rows), c);
@@ -426,7 +426,7 @@ enum status case_read_sections(struct case_draft *d) {
   TRY(read_tank(d));
   TRY(read_water(d));
   if (d->good.tank && d->good.water && c->flow->scale) TRY(flow_outline(c, &c->water));
-  read_time(d);
+  case_read_time(d);
   TRY(read_probes(d));
   TRY(read_gauges(d));
   TRY(read_points(d));

@@ -11,36 +11,72 @@
 
 enum { MOST_BYTES = 1 << 20 };
 
-static enum status take_frame(struct case_file *c, const struct case_frame *frame) {
-  c->H = frame->H;
-  c->gravity = c->g = frame->gravity;
-  c->tank = frame->tank;
-  TRY(array_create(&c->runs, frame->n_runs, "entries of the case"));
-  for (size_t i = 0; i < frame->n_runs; i++) {
-    struct case_run *r = &c->runs[c->n_runs++];
-    r->name = strdup(frame->runs[i]);
-    CHECK(r->name, ERR_MEMORY, "no memory for the name of a run");
-  }
-  TRY(array_create(&c->probes, frame->n_probes, "entries of the case"));
-  for (size_t i = 0; i < frame->n_probes; i++) {
-    struct case_probe *p = &c->probes[c->n_probes++];
-    p->name = strdup(frame->probes[i]);
-    CHECK(p->name, ERR_MEMORY, "no memory for the name of a probe");
-  }
-  TRY(array_create(&c->gauges, frame->n_gauges, "entries of the case"));
-  for (size_t i = 0; i < frame->n_gauges; i++) {
-    struct case_gauge *g = &c->gauges[c->n_gauges++];
-    g->name = strdup(frame->gauges[i]);
-    CHECK(g->name, ERR_MEMORY, "no memory for the name of a gauge");
-  }
-  TRY(array_create(&c->points, frame->n_points, "entries of the case"));
-  for (size_t i = 0; i < frame->n_points; i++) {
-    struct case_point *p = &c->points[c->n_points++];
-    p->name = strdup(frame->points[i]);
-    CHECK(p->name, ERR_MEMORY, "no memory for the name of a point");
+/* ---- names ---- */
+
+struct name_list {
+  size_t n, room;
+  const char **name; /* [n]; borrowed */
+};
+
+static enum status list_add(struct name_list *l, const char *name) {
+  for (size_t i = 0; i < l->n; i++)
+    if (!strcmp(l->name[i], name)) return OK;
+  TRY(array_grow(&l->name, &l->room, l->n + 1, "names"));
+  l->name[l->n++] = name;
+  return OK;
+}
+
+/* Those of a frame first, then what a list of the case has. A run without a name has its solver's.
+ */
+static enum status list_fill(struct case_doc *doc, const char *section,
+                             const struct case_names *known, struct name_list *l) {
+  const int list = case_doc_member(doc, case_doc_root(doc), section);
+  for (size_t i = 0; i < known->n; i++) TRY(list_add(l, known->name[i]));
+  for (size_t i = 0; i < case_doc_size(doc, list); i++) {
+    const int item = case_doc_item(doc, list, i);
+    const char *name = case_doc_text(doc, case_doc_member(doc, item, "name"));
+    if (!name) name = case_doc_text(doc, case_doc_member(doc, item, "solver"));
+    if (name) TRY(list_add(l, name));
   }
   return OK;
 }
+
+/* Copies the names to where `elements` of `size` bytes have theirs. */
+static enum status names_put(const struct name_list *l, size_t size, size_t offset, void *elements,
+                             size_t *n) {
+  for (; *n < l->n; ++*n) {
+    char *copy = strdup(l->name[*n]);
+    CHECK(copy, ERR_MEMORY, "no memory for a name");
+    memcpy((char *)elements + *n * size + offset, &copy, sizeof copy);
+  }
+  return OK;
+}
+
+#define TAKE_NAMES(list)                                                                           \
+  do {                                                                                             \
+    struct name_list names_ = {0};                                                                 \
+    enum status took_ = list_fill(&d->doc, #list, &frame->list, &names_);                          \
+    if (took_ == OK) took_ = array_create(&d->c->list, names_.n, "entries of the case");           \
+    if (took_ == OK)                                                                               \
+      took_ = names_put(&names_, sizeof *d->c->list,                                               \
+                        (size_t)((char *)&d->c->list->name - (char *)d->c->list), d->c->list,      \
+                        &d->c->n_##list);                                                          \
+    free(names_.name);                                                                             \
+    TRY(took_);                                                                                    \
+  } while (0)
+
+static enum status take_frame(struct case_draft *d, const struct case_frame *frame) {
+  d->c->H = d->doc.scales.H = frame->H;
+  d->c->gravity = d->c->g = d->doc.scales.g = frame->g;
+  d->c->tank = frame->tank;
+  TAKE_NAMES(runs);
+  TAKE_NAMES(probes);
+  TAKE_NAMES(gauges);
+  TAKE_NAMES(points);
+  return OK;
+}
+
+/* ---- a file of settings ---- */
 
 /* What belongs to a case and not to results that are there already. */
 static void check_absent(struct case_draft *d, const char *key, const char *why) {
@@ -116,6 +152,52 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
   return OK;
 }
 
+/* ---- the case of a result file ---- */
+
+/* Sections that are not the comparison's are nobody's business here. */
+static enum status read_own(struct case_draft *d) {
+  const int root = case_doc_root(&d->doc);
+  d->at.time = case_doc_member(&d->doc, root, "time");
+  d->at.compare = case_doc_member(&d->doc, root, "compare");
+  if (d->at.time) case_read_time(d);
+  TRY(case_read_compare(d));
+  case_check_tolerances(d);
+  if (!d->good.time) return OK;
+  case_check_averages(d, d->c->end, "time.end");
+  case_check_filters(d, d->c->sample, d->c->end, "time.end");
+  case_check_spectra(d, d->c->end, "time.end");
+  return OK;
+}
+
+/* ---- both ---- */
+
+/* `own`: the text is a whole case. */
+static enum status read_text(const char *text, size_t n, bool own, const struct case_frame *frame,
+                             struct case_draft *d, struct problems *problems) {
+  d->c = calloc(1, sizeof *d->c);
+  CHECK(d->c, ERR_MEMORY, "no memory for settings");
+  if (!case_doc_load(&d->doc, text, n, problems)) return OK;
+  TRY(take_frame(d, frame));
+  return own ? read_own(d) : read_settings(d, frame);
+}
+
+/* Settings out of a draft that ends with them. */
+static enum status conclude(enum status status, const char *name, struct case_draft *d,
+                            struct problems *problems, struct case_file **out) {
+  const size_t faults = problems->n + problems->unlisted;
+  case_doc_destroy(&d->doc);
+  problems_finish(problems, name, 0, NULL);
+  if (status == OK && problems->out_of_memory)
+    status = status_raise(ERR_MEMORY, "no memory to read %s", name);
+  if (status == OK && faults)
+    status = status_raise(ERR_INPUT, "%s has %zu problem%s", name, faults, faults == 1 ? "" : "s");
+  if (status == OK)
+    *out = d->c;
+  else
+    case_destroy(d->c);
+  return status;
+}
+
 enum status case_load_settings(const char *path, const struct case_frame *frame,
                                const struct registry *registry, struct problems *problems,
                                struct case_file **out) {
@@ -129,26 +211,18 @@ enum status case_load_settings(const char *path, const struct case_frame *frame,
     return status_context(ERR_INPUT, "cannot read settings, YAML of at most 1 MB, from %s: found ",
                           path);
   TRY(status);
-  d.c = calloc(1, sizeof *d.c);
-  if (!d.c)
-    status = status_raise(ERR_MEMORY, "no memory for settings");
-  else
-    status = take_frame(d.c, frame);
-  if (status == OK && case_doc_load(&d.doc, text, n, problems)) {
-    d.doc.scales = (struct param_scales){frame->H, frame->gravity};
-    status = read_settings(&d, frame);
-  }
-  case_doc_destroy(&d.doc);
+  status = read_text(text, n, false, frame, &d, problems);
   free(text);
-  size_t faults = problems->n + problems->unlisted;
-  problems_finish(problems, path, 0, NULL);
-  if (status == OK && problems->out_of_memory)
-    status = status_raise(ERR_MEMORY, "no memory to read %s", path);
-  if (status == OK && faults)
-    status = status_raise(ERR_INPUT, "%s has %zu problem%s", path, faults, faults == 1 ? "" : "s");
-  if (status == OK)
-    *out = d.c;
-  else
-    case_destroy(d.c);
-  return status;
+  return conclude(status, path, &d, problems, out);
+}
+
+enum status case_parse_settings(const char *name, const char *text, const struct case_frame *frame,
+                                const struct registry *registry, struct problems *problems,
+                                struct case_file **out) {
+  struct case_draft d = {.registry = registry};
+  const char *given = *text ? text : "{}"; /* no case: nothing is asked */
+  *problems = (struct problems){0};
+  *out = NULL;
+  return conclude(read_text(given, strlen(given), true, frame, &d, problems), name, &d, problems,
+                  out);
 }
