@@ -213,7 +213,9 @@ static bool near(double a, double b) {
   return fabs(a / b - 1) < 1e-9;
 }
 
+/* A file without walls is taken to be of any tank. */
 static bool same_walls(const struct result_file *a, const struct result_file *b) {
+  if (!a->walls.pieces || !b->walls.pieces) return true;
   if (a->walls.points != b->walls.points || a->walls.pieces != b->walls.pieces) return false;
   for (size_t i = 0; i < a->walls.points; i++)
     for (int k = 0; k < 2; k++)
@@ -252,9 +254,22 @@ static enum status averages_take(const struct comparison *c, struct cmp_data *d)
   return OK;
 }
 
+/* The walls of the first file that has any. */
+static enum status tank_find(struct comparison *c, const struct result_file *ref, size_t n,
+                             struct result_file *const *runs) {
+  c->tank = &ref->walls;
+  for (size_t r = 0; r < n && !c->tank->pieces; r++) c->tank = &runs[r]->walls;
+  CHECK(c->tank->pieces, ERR_INPUT,
+        "neither %s nor any other file has /walls: add them to one (docs/result-file.md), since "
+        "only a tank says which side of a surface is water",
+        ref->path);
+  return OK;
+}
+
 /* The scales, the depth of fronts, the reference as far as it can be believed. */
 static enum status reference_take(struct comparison *c, const struct result_file *ref, size_t n,
                                   struct result_file *const *runs) {
+  TRY(tank_find(c, ref, n, runs));
   double coarsest = n ? 0 : ref->spacing / ref->H;
   TRY(cmp_scales_set(ref, &c->scales));
   for (size_t r = 0; r < n; r++) coarsest = fmax(coarsest, runs[r]->spacing / runs[r]->H);
@@ -263,7 +278,7 @@ static enum status reference_take(struct comparison *c, const struct result_file
     c->window.min[k] = c->settings->compare.window.min[k] / c->scales.H;
     c->window.max[k] = c->settings->compare.window.max[k] / c->scales.H;
   }
-  TRY(cmp_data_create(ref, &c->scales, c->depth, &c->window, &c->ref.data));
+  TRY(cmp_data_create(ref, c->tank, &c->scales, c->depth, &c->window, &c->ref.data));
   health_of_file(ref, &c->ref.health);
   c->until = health_since(ref, HEALTH_FAILED) / c->scales.T;
   cmp_data_cut(&c->ref.data, c->until);
@@ -278,7 +293,8 @@ static enum status run_take(struct comparison *c, const struct result_file *file
                             struct cmp_run *run) {
   TRY(run_admit(c->ref.data.file, file, anyway, &run->foreign));
   struct cmp_scales own = cmp_scales_of(&c->scales, file);
-  TRY(cmp_data_create(file, &own, c->depth, &c->window, &run->data));
+  const struct geo_lines *walls = file->walls.pieces ? &file->walls : c->tank;
+  TRY(cmp_data_create(file, walls, &own, c->depth, &c->window, &run->data));
   TRY(averages_take(c, &run->data));
   TRY(signals_take(c, run));
   cmp_data_face(&run->data, &own, c->side);

@@ -57,11 +57,12 @@ struct cmp_run {
 struct comparison {
   const struct case_file *settings;
   struct cmp_scales scales;
-  struct geo_box window; /* finite */
-  bool window_whole;     /* the window leaves nothing out */
-  double depth;          /* at which fronts are taken; films on walls are thinner */
-  struct cmp_run ref;    /* at, evolution unused; pairs: against experiments */
-  double until;          /* t* at which the reference fails: nothing is compared beyond; INFINITY */
+  const struct geo_lines *tank; /* m; of files that have no walls; borrowed */
+  struct geo_box window;        /* finite */
+  bool window_whole;            /* the window leaves nothing out */
+  double depth;                 /* at which fronts are taken; films on walls are thinner */
+  struct cmp_run ref;           /* at, evolution unused; pairs: against experiments */
+  double until; /* t* at which the reference fails: nothing is compared beyond; INFINITY */
   struct cmp_value motion; /* the largest mean distance of its surface from its first */
   enum cmp_side side;      /* to which its front runs */
   size_t n_runs;

@@ -320,13 +320,14 @@ static enum status experiments(const struct result_file *f, const struct cmp_sca
   return OK;
 }
 
-enum status cmp_data_create(const struct result_file *f, const struct cmp_scales *s, double depth,
-                            const struct geo_box *window, struct cmp_data *d) {
+enum status cmp_data_create(const struct result_file *f, const struct geo_lines *walls,
+                            const struct cmp_scales *s, double depth, const struct geo_box *window,
+                            struct cmp_data *d) {
   *d = (struct cmp_data){.file = f, .dx = f->spacing / s->H, .floats = f->floats};
   CHECK(f->spacing > 0, ERR_INPUT, "%s: its spacing is %g m; it must be positive", f->path,
         f->spacing);
   cmp_text_fit(f->run, d->label, sizeof d->label);
-  TRY(lines_scaled(&f->walls, s->H, &d->walls));
+  TRY(lines_scaled(walls, s->H, &d->walls));
   d->bed = geo_lines_box(&d->walls).min[1];
   TRY(surfaces(f, s, depth, window, d));
   TRY(energies(f, s, d));

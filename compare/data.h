@@ -79,10 +79,12 @@ struct cmp_data {
 /* A jet overhangs by more than this many times the depth at which fronts are taken. */
 #define CMP_JET_LEAST 1.5
 
-/* `depth` (in H): the front is where the depth falls to it, and films on walls are thinner.
- * `window` (in H): where jets are looked for. */
-enum status cmp_data_create(const struct result_file *file, const struct cmp_scales *s,
-                            double depth, const struct geo_box *window, struct cmp_data *d);
+/* `walls` (m): the file's own, or those that it is taken to have. `depth` (in H): the front is
+ * where the depth falls to it, and films on walls are thinner. `window` (in H): where jets are
+ * looked for. */
+enum status cmp_data_create(const struct result_file *file, const struct geo_lines *walls,
+                            const struct cmp_scales *s, double depth, const struct geo_box *window,
+                            struct cmp_data *d);
 void cmp_data_destroy(struct cmp_data *d);
 
 /* To which wall the water runs: where the bed is dry at first to more than `depth`. When it is on

@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "compare/absent.h"
 #include "compare/ledger.h"
 #include "compare/outline.h"
 #include "revision.h"
@@ -241,7 +242,8 @@ static void health_row(struct page *p, const struct comparison *c, size_t r) {
   const struct result_file *f = run->data.file;
   cmp_page_open(p, "tr", NULL);
   cmp_html_run(p, c, r);
-  cmp_html_cell(p, class[h->verdict], "%s", health_verdicts[h->verdict]);
+  const bool told = !strcmp(health_word(h), health_verdicts[h->verdict]);
+  cmp_html_cell(p, told ? class[h->verdict] : NULL, "%s", health_word(h));
   bool ended = *f->ended && !h->broke_off; /* else the reasons tell */
   cmp_html_cell(p, "w", "%s%s%s%s%s%s", h->reasons, *h->reasons && ended ? "; " : "",
                 ended ? f->ended : "", *h->missing && (*h->reasons || ended) ? ". " : "",
@@ -267,13 +269,20 @@ static void provenance_row(struct page *p, const struct comparison *c, size_t r)
   const struct result_file *f = d->file;
   cmp_page_open(p, "tr", NULL);
   cmp_html_run(p, c, r);
-  cmp_html_cell(p, "t", "%s%s", f->solver, f->complete ? "" : " (unfinished)");
+  cmp_html_cell(p, "t", "%s%s", *f->solver ? f->solver : "another program",
+                f->complete ? "" : " (unfinished)");
   cmp_html_cell(p, NULL, "%.4g", 1 / d->dx);
   cmp_html_cell(p, NULL, "%zu", d->n);
   cmp_html_cell(p, NULL, "%.4g", d->n ? d->t[d->n - 1] : 0.);
-  cmp_html_cell(p, NULL, "%.0f", f->n_steps ? f->steps[f->n_steps - 1].evaluations : 0.);
-  cmp_html_cell(p, NULL, "%.1f", f->n_steps ? f->steps[f->n_steps - 1].wall_time : 0.);
-  cmp_html_cell(p, "t", "%s, %s", f->version, f->revision);
+  const struct result_step *last = f->n_steps ? &f->steps[f->n_steps - 1] : NULL;
+  if (last && last->evaluations > 0) {
+    cmp_html_cell(p, NULL, "%.0f", last->evaluations);
+    cmp_html_cell(p, NULL, "%.1f", last->wall_time);
+  } else { /* of another program, which does not say */
+    cmp_html_cell(p, NULL, "-");
+    cmp_html_cell(p, NULL, "-");
+  }
+  cmp_html_cell(p, "t", *f->version ? "%s, %s" : "", f->version, f->revision);
   cmp_html_cell(p, "w", "%s", f->path);
   cmp_page_close(p);
 }
@@ -309,12 +318,27 @@ static void case_text(struct page *p, const struct comparison *c, size_t r) {
   cmp_page_close(p);
 }
 
+/* What a result lacks is not compared: that of every one is named. */
+static void absent_say(struct page *p, const struct comparison *c, size_t r) {
+  const char *what[CMP_MOST_ABSENT];
+  const size_t n = cmp_absent_find(c, cmp_run_or_ref(c, r), what);
+  if (!n) return;
+  cmp_page_open(p, "p", NULL);
+  cmp_page_text(p, "The file of %s has no ", cmp_run_or_ref(c, r)->data.label);
+  for (size_t k = 0; k < n; k++)
+    cmp_page_text(p, "%s%s", k == 0 ? "" : k + 1 == n ? " or " : ", ", what[k]);
+  cmp_page_text(p, ": what needs them is not compared.");
+  if (!strcmp(what[0], "walls")) cmp_page_text(p, " It is taken to be of the tank of the others.");
+  cmp_page_close(p);
+}
+
 void cmp_html_provenance(struct page *p, const struct comparison *c) {
   cmp_html_table_open(p);
   cmp_html_headings(p, (const char *const[]){"run", "solver", "H/spacing", "outputs", "last t*",
                                              "evaluations", "clock [s]", "program", "file", NULL});
   for (size_t i = 0; i <= c->n_runs; i++) provenance_row(p, c, i == 0 ? SIZE_MAX : i - 1);
   cmp_html_table_close(p);
+  for (size_t i = 0; i <= c->n_runs; i++) absent_say(p, c, i == 0 ? SIZE_MAX : i - 1);
   cmp_page_element(p, "p", "soft", "This report was made by plunge %s, revision %s.",
                    PLUNGE_VERSION, PLUNGE_REVISION);
   for (size_t i = 0; i <= c->n_runs; i++) statistics_list(p, c, i == 0 ? SIZE_MAX : i - 1);
@@ -382,7 +406,8 @@ static void scales_say(struct page *p, const struct comparison *c) {
       "Scales: lengths in H = %.4g m, times t* in √(H/g) = %.4g s, pressures in ρgH = %.4g "
       "Pa, energies in E0 = %.4g J/m, %s.",
       c->scales.H, c->scales.T, c->scales.p, c->scales.E,
-      c->scales.at_rest
+      !c->ref.data.file->n_energy ? "which is ρgH³ since the reference's file has no energies"
+      : c->scales.at_rest
           ? "which is ρgH³ since the reference starts at rest"
           : "the reference's initial mechanical energy relative to its own water at rest");
   cmp_page_element(

@@ -4,6 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "compare/absent.h"
 #include "compare/ledger.h"
 #include "compare/output.h"
 #include "compare/text.h"
@@ -118,7 +119,7 @@ static json_t *pairs(struct maker *m, const struct comparison *c, const struct c
 
 static json_t *health(struct maker *m, const struct health *h) {
   json_t *object = json_object(), *measures = json_object();
-  set(m, object, "verdict", text(health_verdicts[h->verdict]));
+  set(m, object, "verdict", text(health_word(h)));
   set(m, object, "reasons", text(h->reasons));
   set(m, object, "not_told", text(h->missing));
   for (size_t k = 0; k < HEALTH_N; k++)
@@ -137,13 +138,23 @@ static void set_named(struct maker *m, json_t *object, const char *name, double 
   free(key);
 }
 
-static json_t *provenance(struct maker *m, const struct cmp_data *d) {
+static json_t *absent(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
+  const char *what[CMP_MOST_ABSENT];
+  const size_t n = cmp_absent_find(c, run, what);
+  json_t *array = json_array();
+  for (size_t k = 0; k < n; k++) add(m, array, text(what[k]));
+  return array;
+}
+
+static json_t *provenance(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
+  const struct cmp_data *d = &run->data;
   const struct result_file *f = d->file;
   json_t *object = json_object(), *statistics = json_object();
   set(m, object, "label", text(d->label));
   set(m, object, "run", text(f->run));
   set(m, object, "solver", text(f->solver));
   set(m, object, "file", text(f->path));
+  set(m, object, "absent", absent(m, c, run));
   set(m, object, "complete", json_boolean(f->complete));
   set(m, object, "ended", text(f->ended));
   set(m, object, "program_version", text(f->version));
@@ -328,7 +339,7 @@ static json_t *diagnostics(struct maker *m, const struct comparison *c, const st
 }
 
 static json_t *run_object(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
-  json_t *object = provenance(m, &run->data), *evolution = json_object(), *jets = json_array();
+  json_t *object = provenance(m, c, run), *evolution = json_object(), *jets = json_array();
   const struct cmp_evolution *e = &run->evolution;
   set(m, object, "health", health(m, &run->health));
   set(m, object, "noise_floor", number(run->noise));

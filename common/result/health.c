@@ -166,6 +166,12 @@ void health_judge(const struct health_watch *w, const char *broke_off, struct he
       append(h->missing, sizeof h->missing, ", ", "%s", health_measures[k].label);
 }
 
+const char *health_word(const struct health *h) {
+  bool told = h->verdict != HEALTH_SOUND;
+  for (size_t k = 0; k < HEALTH_N; k++) told = told || !isnan(h->value[k]);
+  return told ? health_verdicts[h->verdict] : "not known";
+}
+
 const char *health_other_reasons(const struct health *h) {
   const char *rest = h->reasons + h->broke_off;
   return rest + (h->broke_off ? strspn(rest, "; ") : 0);

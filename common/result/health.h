@@ -100,6 +100,9 @@ struct health {
 /* `broke_off`: why the run failed before its end; "" when it did not. */
 void health_judge(const struct health_watch *w, const char *broke_off, struct health *h);
 
+/* The verdict as a word: "not known" where the file tells nothing to judge a sound one by. */
+const char *health_word(const struct health *h);
+
 /* The reasons without why it broke off. */
 const char *health_other_reasons(const struct health *h);
 

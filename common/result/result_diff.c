@@ -260,9 +260,11 @@ static enum status compare_attributes(struct diff *d) {
     }
     enum status status = OK;
     for (int k = 0; k < 2 && status == OK; k++)
-      status = hdf_get_string(turn_to(d, k), names[i], &text[k]);
-    if (status == OK && strcmp(text[0], text[1]))
-      report_text(d, name, "'%s' against '%s'", text[0], text[1]);
+      if (H5Aexists(turn_to(d, k), names[i]) > 0)
+        status = hdf_get_string(turn_to(d, k), names[i], &text[k]);
+    const char *const is[2] = {text[0] ? text[0] : "", text[1] ? text[1] : ""};
+    if (status == OK && strcmp(is[0], is[1]))
+      report_text(d, name, "'%s' against '%s'", is[0], is[1]);
     else
       d->n_same++;
     free(text[0]);
@@ -272,10 +274,12 @@ static enum status compare_attributes(struct diff *d) {
   for (int i = -1; i < RESULT_SCALES; i++) {
     const char *attribute = i < 0 ? "complete" : result_scales[i].name;
     char name[64];
-    double value[2];
+    double value[2] = {NAN, NAN}; /* two that are not there are the same */
     snprintf(name, sizeof name, "@%s", attribute);
     if (result_tolerances_find(d->tolerances, name)->ignore) continue;
-    for (int k = 0; k < 2; k++) TRY(hdf_get_number(turn_to(d, k), attribute, &value[k]));
+    for (int k = 0; k < 2; k++)
+      if (H5Aexists(turn_to(d, k), attribute) > 0)
+        TRY(hdf_get_number(turn_to(d, k), attribute, &value[k]));
     struct worst w = {0};
     compare_value(&w, value[0], value[1], 0, 0);
     judge(d, name, i < 0 ? "" : result_scales[i].units, &(struct shape){.rank = 0}, &w);

@@ -143,6 +143,17 @@ bool hdf_has(hid_t group, const char *name) {
   return H5Lexists(group, name, H5P_DEFAULT) > 0 && H5Oexists_by_name(group, name, H5P_DEFAULT) > 0;
 }
 
+bool hdf_is_there(hid_t group, const char *path) {
+  char part[256];
+  for (const char *end = path; *end; end++) {
+    end += strcspn(end, "/");
+    snprintf(part, sizeof part, "%.*s", (int)(end - path), path);
+    if (H5Lexists(group, part, H5P_DEFAULT) <= 0) return false;
+    if (!*end) break;
+  }
+  return true;
+}
+
 enum status hdf_open_group(hid_t parent, const char *name, hid_t *group) {
   *group = hdf_has(parent, name) ? H5Gopen2(parent, name, H5P_DEFAULT) : -1;
   return *group >= 0 ? OK : hdf_raise(ERR_INPUT, "it has no group %s", full_name(parent, name));

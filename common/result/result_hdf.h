@@ -41,6 +41,9 @@ enum status hdf_put_string(hid_t group, const char *name, const char *value, con
 enum status hdf_check_confined(hid_t file);
 
 bool hdf_has(hid_t group, const char *name); /* a link that leads to an object */
+/* Whether the path has links all the way, wherever the last of them leads: what a file without it
+ * does not have, and one with it must have right. */
+bool hdf_is_there(hid_t group, const char *path);
 enum status hdf_open_group(hid_t parent, const char *name, hid_t *group);
 enum status hdf_get_string(hid_t object, const char *name,
                            char **value); /* attribute; to be freed */

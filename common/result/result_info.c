@@ -193,8 +193,7 @@ static void say_health(FILE *out, const struct result_file *f) {
   struct health h;
   health_of_file(f, &h);
   char verdict[32 + sizeof h.facts];
-  snprintf(verdict, sizeof verdict, "%s%s%s", health_verdicts[h.verdict], *h.facts ? ": " : "",
-           h.facts);
+  snprintf(verdict, sizeof verdict, "%s%s%s", health_word(&h), *h.facts ? ": " : "", h.facts);
   say_text(out, "health", verdict);
   for (char *rest = h.reasons, *reason; *h.reasons && (reason = strsep(&rest, ";"));)
     say_text(out, "", reason + strspn(reason, " "));
@@ -206,14 +205,15 @@ enum status result_info(const char *path, FILE *out) {
   TRY(result_read(path, &f));
   double scale = sqrt(f->H / f->g);
   say(out, "file", "%s", path);
-  say(out, "title", "%s", f->title);
-  say(out, "run", "%s (%s), %s", f->run, f->solver,
+  if (*f->title) say(out, "title", "%s", f->title);
+  say(out, "run", "%s (%s), %s", f->run, *f->solver ? f->solver : "another program",
       f->complete                     ? "complete"
       : result_store_is_written(path) ? "under way"
                                       : "stopped before its end");
   if (*f->ended) say_text(out, "ended", f->ended);
   say_health(out, f);
-  say(out, "program", "plunge %s, revision %s, run at %s", f->version, f->revision, f->created);
+  if (*f->version)
+    say(out, "program", "plunge %s, revision %s, run at %s", f->version, f->revision, f->created);
   say(out, "scales", "H = %.6g m, g = %.6g m/s^2, density %.6g kg/m^3, spacing %.5g m (H/%.5g)",
       f->H, f->g, f->density, f->spacing, f->H / f->spacing);
   say_points(out, f, scale);

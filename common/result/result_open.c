@@ -64,12 +64,19 @@ static int open_to_read(const char *path) {
 
 /* ---- in the child ---- */
 
+/* A file of another program is a result if it has the scales. */
 static enum status check_format(hid_t file) {
   char *format = NULL;
   int64_t version = 0;
   bool ours = hdf_get_string(file, "format", &format) == OK && !strcmp(format, RESULT_FORMAT);
   free(format);
-  CHECK(ours, ERR_INPUT, "is an HDF5 file, but not a result of plunge");
+  if (!ours) {
+    CHECK(
+        H5Aexists(file, "H") > 0, ERR_INPUT,
+        "is an HDF5 file, but no result: it has none of the attributes H, g, density and spacing, "
+        "which docs/result-file.md describes");
+    return OK;
+  }
   enum status status = hdf_get_integer(file, "format_version", &version);
   if (status != OK) return status_context(status, "is not a usable result: ");
   CHECK(version == RESULT_FORMAT_VERSION, ERR_INPUT,

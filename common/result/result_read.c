@@ -10,7 +10,15 @@
 #include "common/result/result_open.h"
 #include "common/result/result_series.h"
 
-/* ---- parts ---- */
+/* ---- parts: what is not there is no fault, what is there must be right ---- */
+
+/* An attribute that older files and other programs' lack; "" then. */
+static enum status read_optional(hid_t object, const char *name, char **value) {
+  if (H5Aexists(object, name) > 0) return hdf_get_string(object, name, value);
+  *value = strdup("");
+  CHECK(*value, ERR_MEMORY, "no memory for a result");
+  return OK;
+}
 
 /* `first` must rise from 0 to `end`. */
 static enum status check_offsets(const char *what, size_t n, const size_t *first, size_t end) {
@@ -27,10 +35,12 @@ static enum status check_points(const char *what, size_t n, double (*p)[2]) {
   return OK;
 }
 
+/* Results of other programs may have none. */
 static enum status read_walls(hid_t file, struct geo_lines *walls) {
   hid_t group = -1;
   size_t n = 0;
   enum status status = OK;
+  if (!hdf_is_there(file, "walls")) return OK;
   ATTEMPT(hdf_open_group(file, "walls", &group));
   ATTEMPT(hdf_get_all(group, "points", H5T_NATIVE_DOUBLE, 2, &walls->points, &walls->p));
   ATTEMPT(hdf_get_all(group, "closed", H5T_NATIVE_UCHAR, 0, &walls->pieces, &walls->closed));
@@ -59,6 +69,24 @@ static enum status cut_surface(const size_t *first_point, const unsigned char *c
   return OK;
 }
 
+/* Where there is one piece a surface, results of other programs need not say so. */
+static enum status read_first_piece(hid_t group, size_t n_time, size_t *n, size_t **first) {
+  if (hdf_is_there(group, "first_piece"))
+    return hdf_get_all(group, "first_piece", H5T_NATIVE_HSIZE, 0, n, first);
+  TRY(array_create(first, n_time + 1, "surfaces"));
+  for (size_t k = 0; k <= n_time; k++) (*first)[k] = k;
+  *n = n_time + 1;
+  return OK;
+}
+
+/* Nor that all of them are open. */
+static enum status read_closed(hid_t group, size_t pieces, size_t *n, unsigned char **closed) {
+  if (hdf_is_there(group, "closed"))
+    return hdf_get_all(group, "closed", H5T_NATIVE_UCHAR, 0, n, closed);
+  *n = pieces;
+  return array_create(closed, pieces, "surfaces");
+}
+
 static enum status read_surface(hid_t file, struct result_file *f) {
   hid_t group = -1;
   size_t n_time = 0, n_piece = 0, n_first_point = 0, pieces = 0, points = 0;
@@ -66,11 +94,12 @@ static enum status read_surface(hid_t file, struct result_file *f) {
   unsigned char *closed = NULL;
   double(*p)[2] = NULL;
   enum status status = OK;
+  if (!hdf_is_there(file, "surface") && hdf_is_there(file, "VTKHDF")) return OK;
   ATTEMPT(hdf_open_group(file, "surface", &group));
   ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &n_time, &f->surface_time));
-  ATTEMPT(hdf_get_all(group, "first_piece", H5T_NATIVE_HSIZE, 0, &n_piece, &first_piece));
+  ATTEMPT(read_first_piece(group, n_time, &n_piece, &first_piece));
   ATTEMPT(hdf_get_all(group, "first_point", H5T_NATIVE_HSIZE, 0, &n_first_point, &first_point));
-  ATTEMPT(hdf_get_all(group, "closed", H5T_NATIVE_UCHAR, 0, &pieces, &closed));
+  ATTEMPT(read_closed(group, n_first_point ? n_first_point - 1 : 0, &pieces, &closed));
   ATTEMPT(hdf_get_all(group, "points", H5T_NATIVE_DOUBLE, 2, &points, &p));
   if (n_piece != n_time + 1 || n_first_point != pieces + 1) {
     status =
@@ -99,9 +128,11 @@ done:
   return status;
 }
 
-/* Columns of one length, gathered into zeroed rows of `width` numbers. */
+/* Columns of one length, gathered into zeroed rows of `width` numbers. `spare`: the column may be
+ * missing. */
 static enum status read_table(hid_t file, const char *name, size_t n_columns,
-                              const struct result_column *columns, size_t width, size_t *n,
+                              const struct result_column *columns,
+                              bool (*spare)(const char *column), size_t width, size_t *n,
                               void **out) {
   hid_t group = -1;
   enum status status = OK;
@@ -109,6 +140,7 @@ static enum status read_table(hid_t file, const char *name, size_t n_columns,
   ATTEMPT(hdf_open_group(file, name, &group));
   for (size_t k = 0; k < n_columns; k++) {
     size_t length = 0;
+    if (spare(columns[k].name) && !hdf_is_there(group, columns[k].name)) continue;
     ATTEMPT(hdf_get_all(group, columns[k].name, H5T_NATIVE_DOUBLE, 0, &length, &column));
     if (k == 0) {
       ATTEMPT(result_check_times(name, length, column));
@@ -133,6 +165,15 @@ done:
   return status;
 }
 
+/* What results of other programs may not know. */
+static bool is_spare_energy(const char *column) {
+  return !strcmp(column, "internal") || !strcmp(column, "total") || !strcmp(column, "removed");
+}
+
+static bool is_spare_step(const char *column) {
+  return strcmp(column, "time") != 0 && strcmp(column, "volume") != 0;
+}
+
 static bool is_energy_column(const char *name) {
   for (int k = 0; k < RESULT_ENERGY_COLUMNS; k++)
     if (!strcmp(result_energy_columns[k].name, name)) return true;
@@ -145,7 +186,7 @@ static enum status read_term(hid_t group, const char *link, struct result_term_r
   CHECK(term->name, ERR_MEMORY, "no memory for a name");
   hid_t set = H5Dopen2(group, link, H5P_DEFAULT);
   if (set < 0) return hdf_raise(ERR_INPUT, "its term of energy %s cannot be read", link);
-  enum status status = hdf_get_string(set, "description", &term->help);
+  enum status status = read_optional(set, "description", &term->help);
   if (status == OK && H5Aexists(set, "outside") > 0)
     status = hdf_get_integer(set, "outside", &outside);
   H5Dclose(set);
@@ -173,6 +214,9 @@ static enum status read_energy(hid_t file, struct result_file *f) {
   size_t n_links = 0;
   char **links = NULL;
   enum status status = OK;
+  if (!hdf_is_there(file, "series/energy")) return OK;
+  CHECK(isfinite(f->rest_potential), ERR_INPUT,
+        "it has /series/energy, but no attribute rest_potential, from which energies are counted");
   ATTEMPT(hdf_open_group(file, "series/energy", &group));
   ATTEMPT(hdf_list(group, &n_links, &links));
   ATTEMPT(read_terms(group, n_links, links, f));
@@ -181,7 +225,10 @@ static enum status read_energy(hid_t file, struct result_file *f) {
     columns[RESULT_ENERGY_COLUMNS + k] = (struct result_column){.name = f->terms[k].name};
   ATTEMPT(array_lend(&f->energy,
                      read_table(file, "/series/energy", RESULT_ENERGY_COLUMNS + f->n_terms, columns,
-                                sizeof *f->energy / sizeof(double), &f->n_energy, &memory_)));
+                                is_spare_energy, sizeof *f->energy / sizeof(double), &f->n_energy,
+                                &memory_)));
+  for (size_t i = 0; i < f->n_energy && !hdf_is_there(group, "total"); i++)
+    f->energy[i].total = f->energy[i].kinetic + f->energy[i].potential + f->energy[i].internal;
 done:
   hdf_list_destroy(n_links, links);
   if (group >= 0) H5Gclose(group);
@@ -195,8 +242,8 @@ static enum status read_energy_errors(hid_t file, struct result_file *f) {
     columns[RESULT_ENERGY_COLUMNS + k] = (struct result_column){.name = f->terms[k].name};
   TRY(array_lend(&f->energy_error,
                  read_table(file, "/errors/energy", RESULT_ENERGY_COLUMNS + f->n_terms, columns,
-                            sizeof *f->energy_error / sizeof(double), &f->n_energy_errors,
-                            &memory_)));
+                            is_spare_energy, sizeof *f->energy_error / sizeof(double),
+                            &f->n_energy_errors, &memory_)));
   CHECK(f->n_energy_errors == f->n_energy, ERR_INPUT,
         "its error bars of energy have %zu rows, its energies %zu", f->n_energy_errors,
         f->n_energy);
@@ -226,7 +273,7 @@ static enum status read_event(hid_t parent, const char *link, void *element) {
   hid_t group = -1;
   enum status status = OK;
   ATTEMPT(hdf_open_group(parent, link, &group));
-  ATTEMPT(hdf_get_string(group, "name", &e->name));
+  ATTEMPT(result_read_name(group, link, &e->name));
   ATTEMPT(hdf_get_scalar(group, "time", H5T_NATIVE_DOUBLE, &e->time));
   ATTEMPT(hdf_get_scalar(group, "x", H5T_NATIVE_DOUBLE, &e->x));
   ATTEMPT(hdf_get_scalar(group, "y", H5T_NATIVE_DOUBLE, &e->y));
@@ -279,17 +326,9 @@ static enum status read_statistic(hid_t group, const char *link, void *element) 
   s->name = strdup(link);
   CHECK(s->name, ERR_MEMORY, "no memory for a name");
   hid_t set = H5Dopen2(group, link, H5P_DEFAULT);
-  enum status status = hdf_get_string(set, "description", &s->help);
+  enum status status = read_optional(set, "description", &s->help);
   H5Dclose(set);
   return status;
-}
-
-/* An attribute that older files lack; "" then. */
-static enum status read_optional(hid_t file, const char *name, char **value) {
-  if (H5Aexists(file, name) > 0) return hdf_get_string(file, name, value);
-  *value = strdup("");
-  CHECK(*value, ERR_MEMORY, "no memory for a result");
-  return OK;
 }
 
 static enum status read_health(hid_t file, char **verdict) {
@@ -300,30 +339,59 @@ static enum status read_health(hid_t file, char **verdict) {
   return status;
 }
 
-static enum status read_header(hid_t file, struct result_file *f) {
-  int64_t complete = 0, floats = 0;
-  TRY(hdf_get_string(file, "solver", &f->solver));
-  TRY(hdf_get_string(file, "run", &f->run));
-  TRY(hdf_get_string(file, "title", &f->title));
-  TRY(read_optional(file, "ended", &f->ended));
-  TRY(read_optional(file, "water", &f->water_fingerprint));
+/* The name of the file without its folder and ending. */
+static enum status name_of_file(const char *path, char **name) {
+  const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path,
+             *dot = strrchr(base, '.');
+  *name = strndup(base, dot && dot > base ? (size_t)(dot - base) : strlen(base));
+  CHECK(*name, ERR_MEMORY, "no memory for a result");
+  return OK;
+}
+
+static enum status read_texts(hid_t file, struct result_file *f) {
+  const struct {
+    const char *name;
+    char **to;
+  } text[] = {
+      {"solver", &f->solver},           {"title", &f->title},     {"ended", &f->ended},
+      {"water", &f->water_fingerprint}, {"version", &f->version}, {"revision", &f->revision},
+      {"fingerprint", &f->fingerprint}, {"created", &f->created}};
+  for (size_t k = 0; k < sizeof text / sizeof *text; k++)
+    TRY(read_optional(file, text[k].name, text[k].to));
+  if (H5Aexists(file, "run") > 0)
+    TRY(hdf_get_string(file, "run", &f->run));
+  else
+    TRY(name_of_file(f->path, &f->run));
   TRY(read_health(file, &f->health));
-  TRY(hdf_get_string(file, "version", &f->version));
-  TRY(hdf_get_string(file, "revision", &f->revision));
-  TRY(hdf_get_string(file, "fingerprint", &f->fingerprint));
-  TRY(hdf_get_string(file, "created", &f->created));
-  TRY(hdf_get_text(file, "case", &f->case_text));
-  TRY(hdf_get_integer(file, "complete", &complete));
-  f->complete = complete == 1;
-  if (H5Aexists(file, "floats") > 0) TRY(hdf_get_integer(file, "floats", &floats));
-  f->floats = floats == 1;
-  for (int i = 0; i < RESULT_SCALES; i++) {
-    double *value = (double *)((char *)f + result_scales[i].offset);
-    TRY(hdf_get_number(file, result_scales[i].name, value));
-    const double least = result_scales[i].any ? -INFINITY : 0;
-    CHECK(isfinite(*value) && *value > least, ERR_INPUT, "its attribute %s is %g; it must be %s",
-          result_scales[i].name, *value, result_scales[i].any ? "a number" : "positive");
-  }
+  if (hdf_is_there(file, "case")) return hdf_get_text(file, "case", &f->case_text);
+  f->case_text = strdup("");
+  CHECK(f->case_text, ERR_MEMORY, "no memory for a result");
+  return OK;
+}
+
+static enum status read_scale(hid_t file, const struct result_scale *scale, double *value) {
+  *value = NAN;
+  if (scale->any && H5Aexists(file, scale->name) <= 0) return OK; /* asked for with energies */
+  TRY(hdf_get_number(file, scale->name, value));
+  const double least = scale->any ? -INFINITY : 0;
+  CHECK(isfinite(*value) && *value > least, ERR_INPUT, "its attribute %s is %g; it must be %s",
+        scale->name, *value, scale->any ? "a number" : "positive");
+  return OK;
+}
+
+static enum status read_flag(hid_t file, const char *name, bool otherwise, bool *flag) {
+  int64_t value = otherwise;
+  if (H5Aexists(file, name) > 0) TRY(hdf_get_integer(file, name, &value));
+  *flag = value == 1;
+  return OK;
+}
+
+static enum status read_header(hid_t file, struct result_file *f) {
+  TRY(read_texts(file, f));
+  TRY(read_flag(file, "complete", true, &f->complete));
+  TRY(read_flag(file, "floats", false, &f->floats));
+  for (int i = 0; i < RESULT_SCALES; i++)
+    TRY(read_scale(file, &result_scales[i], (double *)((char *)f + result_scales[i].offset)));
   return OK;
 }
 
@@ -349,9 +417,10 @@ static enum status read_all(hid_t file, struct result_file *f) {
   TRY(read_walls(file, &f->walls));
   TRY(read_surface(file, f));
   TRY(read_energy(file, f));
-  TRY(array_lend(&f->steps,
-                 read_table(file, "/series/run", RESULT_STEP_COLUMNS, result_step_columns,
-                            RESULT_STEP_COLUMNS, &f->n_steps, &memory_)));
+  if (hdf_is_there(file, "series/run"))
+    TRY(array_lend(&f->steps,
+                   read_table(file, "/series/run", RESULT_STEP_COLUMNS, result_step_columns,
+                              is_spare_step, RESULT_STEP_COLUMNS, &f->n_steps, &memory_)));
   TRY(read_errors(file, f));
   TRY(result_read_series(file, f));
   TRY(array_lend(&f->events, result_read_members(file, "events", sizeof *f->events, read_event,
@@ -359,9 +428,8 @@ static enum status read_all(hid_t file, struct result_file *f) {
   TRY(array_lend(&f->experiments,
                  result_read_members(file, "experiments", sizeof *f->experiments, read_experiment,
                                      &f->n_experiments, &memory_)));
-  if (hdf_has(file, "profiles")) /* of few runs, and of no older file */
-    TRY(array_lend(&f->profiles, result_read_members(file, "profiles", sizeof *f->profiles,
-                                                     read_profile, &f->n_profiles, &memory_)));
+  TRY(array_lend(&f->profiles, result_read_members(file, "profiles", sizeof *f->profiles,
+                                                   read_profile, &f->n_profiles, &memory_)));
   TRY(array_lend(&f->statistics, result_read_members(file, "statistics", sizeof *f->statistics,
                                                      read_statistic, &f->n_statistics, &memory_)));
   return read_outputs(file, f);

@@ -21,6 +21,7 @@ enum status result_read_members(hid_t file, const char *path, size_t size,
   size_t n_links = 0;
   char **links = NULL;
   enum status status = OK;
+  if (!hdf_is_there(file, path)) return OK;
   ATTEMPT(hdf_open_group(file, path, &group));
   ATTEMPT(hdf_list(group, &n_links, &links));
   *array = calloc(n_links + 1, size);
@@ -36,6 +37,13 @@ done:
   hdf_list_destroy(n_links, links);
   if (group >= 0) H5Gclose(group);
   return status;
+}
+
+enum status result_read_name(hid_t group, const char *link, char **name) {
+  if (H5Aexists(group, "name") > 0) return hdf_get_string(group, "name", name);
+  *name = strdup(link);
+  CHECK(*name, ERR_MEMORY, "no memory for a name");
+  return OK;
 }
 
 enum status result_read_columns(hid_t group, const char *link, const char *name, size_t *n,
@@ -57,7 +65,7 @@ static enum status read_series(hid_t parent, const char *link, const char *value
   s->help = strdup("");
   CHECK(s->units && s->help, ERR_MEMORY, "no memory for a unit");
   ATTEMPT(hdf_open_group(parent, link, &group));
-  ATTEMPT(hdf_get_string(group, "name", &s->name));
+  ATTEMPT(result_read_name(group, link, &s->name));
   ATTEMPT(hdf_get_number(group, "x", &s->x));
   if (H5Aexists(group, "y") > 0) ATTEMPT(hdf_get_number(group, "y", &s->y));
   if (H5Aexists(group, "size") > 0) ATTEMPT(hdf_get_number(group, "size", &s->size));
@@ -152,20 +160,32 @@ done:
   return status;
 }
 
+/* NaN where the file does not have it. */
+static enum status read_point_column(hid_t group, const char *link, const char *name, size_t n,
+                                     double **value) {
+  size_t n_values = 0;
+  if (hdf_is_there(group, name)) {
+    TRY(hdf_get_all(group, name, H5T_NATIVE_DOUBLE, 0, &n_values, value));
+    CHECK(n_values == n, ERR_INPUT, "its series %s has columns of different lengths", link);
+    return OK;
+  }
+  TRY(array_create(value, n, "rows of a point"));
+  for (size_t i = 0; i < n; i++) (*value)[i] = NAN;
+  return OK;
+}
+
 static enum status read_point(hid_t parent, const char *link, void *element) {
   struct result_point_read *p = element;
   hid_t group = -1;
   enum status status = OK;
   ATTEMPT(hdf_open_group(parent, link, &group));
-  ATTEMPT(hdf_get_string(group, "name", &p->name));
+  ATTEMPT(result_read_name(group, link, &p->name));
   ATTEMPT(hdf_get_number(group, "x", &p->x));
   ATTEMPT(hdf_get_number(group, "y", &p->y));
-  for (int k = 0; k < CASE_POINT_FIELDS; k++) {
-    free(p->t); /* that of all columns is the same */
-    p->t = NULL;
-    ATTEMPT(result_read_columns(group, link, result_point_columns[1 + k].name, &p->n, &p->t,
-                                &p->value[k]));
-  }
+  ATTEMPT(hdf_get_all(group, "time", H5T_NATIVE_DOUBLE, 0, &p->n, &p->t));
+  ATTEMPT(result_check_times(link, p->n, p->t));
+  for (int k = 0; k < CASE_POINT_FIELDS; k++)
+    ATTEMPT(read_point_column(group, link, result_point_columns[1 + k].name, p->n, &p->value[k]));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
@@ -178,9 +198,8 @@ enum status result_read_series(hid_t file, struct result_file *f) {
                                                  read_gauge, &f->n_gauges, &memory_)));
   TRY(read_series_errors(file, "errors/probes", "pressure", f->n_probes, f->probes));
   TRY(read_series_errors(file, "errors/gauges", "elevation", f->n_gauges, f->gauges));
-  if (hdf_has(file, "series/points")) /* of few runs, and of no older file */
-    TRY(array_lend(&f->points, result_read_members(file, "series/points", sizeof *f->points,
-                                                   read_point, &f->n_points, &memory_)));
+  TRY(array_lend(&f->points, result_read_members(file, "series/points", sizeof *f->points,
+                                                 read_point, &f->n_points, &memory_)));
   return read_diagnostics(file, f);
 }
 

@@ -116,15 +116,16 @@ static const struct {
   double value;
   const char *says;
 } cases[] = {
-    {NO_ATTRIBUTE, "format", 0, 0, "is an HDF5 file, but not a result of plunge"},
     {ATTRIBUTE, "format_version", 0, 2,
      "has version 2 of the result format; this program reads version 1"},
     {NO_ATTRIBUTE, "format_version", 0, 0, "no numeric attribute \"format_version\""},
-    {NO_ATTRIBUTE, "title", 0, 0, "it has no text attribute \"title\""},
+    {NO_ATTRIBUTE, "g", 0, 0, "no numeric attribute \"g\""},
+    {NO_ATTRIBUTE, "rest_potential", 0, 0,
+     "it has /series/energy, but no attribute rest_potential, from which energies are counted"},
     {ATTRIBUTE, "H", 0, 0, "its attribute H is 0; it must be positive"},
     {ATTRIBUTE, "g", 0, NAN, "its attribute g is nan; it must be positive"},
-    {DELETE, "case", 0, 0, "it has no text /case"},
-    {DELETE, "walls", 0, 0, "it has no group /walls"},
+    {DANGLE, "case", 0, 0, "it has no text /case"},
+    {DANGLE, "walls", 0, 0, "it has no group /walls"},
     {NUMBER, "walls/points", 1, INFINITY, "its dataset /walls/points is not finite at row 1"},
     {NUMBER, "walls/first_point", 1, 99, "its dataset /walls/first_point is inconsistent"},
     {DANGLE, "surface", 0, 0, "it has no group /surface"},
@@ -142,9 +143,11 @@ static const struct {
     {ROWS, "series/energy/kinetic", 0, 49,
      "its series /series/energy has columns of different lengths"},
     {NUMBER, "series/run/time", 9, -1, "its times of /series/run do not increase at row 9 (-1 s)"},
-    {DELETE, "series/run/dt", 0, 0, "it has no dataset /series/run/dt"},
+    {DELETE, "series/run/volume", 0, 0, "it has no dataset /series/run/volume"},
+    {DELETE, "series/energy/potential", 0, 0, "it has no dataset /series/energy/potential"},
+    {DANGLE, "series/energy/total", 0, 0, "it has no dataset /series/energy/total"},
     {ROWS, "series/probes/P_1/pressure", 0, 7, "its series P_1 has columns of different lengths"},
-    {CYCLE, "series/probes/all", 0, 0, "it has no text attribute \"name\""},
+    {CYCLE, "series/probes/all", 0, 0, "no numeric attribute \"x\""},
     {DELETE, "events/touchdown/x", 0, 0, "it has no number /events/touchdown/x"},
     {REPLACE_TEXT, "statistics/steps", 0, 0, "it has no number /statistics/steps"},
     {ROWS, "VTKHDF/NumberOfPoints", 0, 4, "its dataset /VTKHDF/NumberOfPoints is inconsistent"},
@@ -194,7 +197,10 @@ static void test_hdf5_of_another_program_is_named(void) {
   hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   H5Fclose(file);
   EXPECT(result_read(path, &f) == ERR_INPUT);
-  snprintf(message, sizeof message, "%s is an HDF5 file, but not a result of plunge", path);
+  snprintf(message, sizeof message,
+           "%s is an HDF5 file, but no result: it has none of the attributes H, g, density and "
+           "spacing, which docs/result-file.md describes",
+           path);
   EXPECT_STR(status_message(), message);
 }
 

@@ -52,7 +52,7 @@ static void test_each_run_counts_from_its_own_rest(void) {
   struct cmp_scales s;
   struct cmp_data d;
   EXPECT_OK(cmp_scales_set(&reference, &s));
-  EXPECT_OK(cmp_data_create(&run, &s, 0.1, &window, &d));
+  EXPECT_OK(cmp_data_create(&run, &run.walls, &s, 0.1, &window, &d));
   EXPECT_NEAR(d.mechanical.value[0], 1, 1e-12);
   EXPECT_NEAR(d.potential.value[1], 0.5, 1e-12);
   cmp_data_destroy(&d);

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# Results that another program wrote: what they have is compared, what they lack is named.
+source "$2/tests/cli/begin"
+/usr/bin/python3 -c 'import h5py' 2>/dev/null || exit 77
+pretend_gnuplot
+
+cat >wave.yaml <<'E2'
+title: A small standing wave
+scales: {H: 2}
+tank: {walls: [[[0, 3], [0, 0], [4, 0], [4, 3]]]}
+water: {wave: {amplitude: 0.04, wavelength: 8, depth: 2}}
+time: {end: 2, every: 0.1}
+gauges: [{name: middle, x: 1}]
+runs: [{name: theory, solver: exact, resolution: 40, order: 1}]
+E2
+"$program" run wave.yaml --out out -q >log 2>&1 || fail "no result: $(cat log)"
+/usr/bin/python3 "$2/docs/examples/write_result.py" || fail "the example does not run"
+
+# both are the same linear theory: only sampling keeps them apart
+cat >settings.yaml <<'E2'
+compare:
+  times: [0.5, 1.5]
+  tolerances:
+    - {measure: mean_distance, max: 1e-5}
+    - {measure: kinetic, max: 0.01}
+    - {measure: gauge_rms, max: 1e-4}
+E2
+"$program" compare out/theory.h5 airy.h5 -s settings.yaml -o report >log 2>&1 || fail "theory and example: $(cat log)"
+grep -q "5 of 5 checks passed" log || fail "not five checks: $(cat log)"
+grep -q "The file of airy has no volumes: what needs them is not compared" report/report.html || fail "volumes are missed"
+
+# the least that a file must have
+cat >least.py <<'E2'
+import sys, h5py
+with h5py.File("airy.h5") as whole, h5py.File("least.h5", "w") as f:
+    for name in ("H", "g", "density", "spacing"):
+        if name not in sys.argv[1:]: f.attrs[name] = whole.attrs[name]
+    for name in ("surface/time", "surface/first_point", "surface/points"):
+        if name not in sys.argv[1:]: f[name] = whole[name][...]
+E2
+/usr/bin/python3 least.py
+"$program" compare out/theory.h5 least.h5 -o least >log 2>&1 || fail "the least: $(cat log)"
+/usr/bin/python3 - <<'E2' || fail "the report of the least"
+import json
+run, = json.load(open("least/report.json"))["runs"]
+assert run["absent"] == ["walls", "energies", "volumes", "gauges"], run["absent"]
+assert run["health"]["verdict"] == "not known"
+assert max(run["against_time"]["mean_distance"]) < 1e-5
+E2
+grep -q "The file of least has no walls, energies, volumes or gauges" least/report.html || fail "what is missed"
+"$program" compare least.h5 out/theory.h5 -o turned >log 2>&1 || fail "as the reference: $(cat log)"
+"$program" info least.h5 >log 2>&1 || fail "info: $(cat log)"
+"$program" diff least.h5 least.h5 >log 2>&1 || fail "diff: $(cat log)"
+
+refused() { # the message for a file without what is named
+  local says=$1
+  shift
+  /usr/bin/python3 least.py "$@"
+  "$program" compare out/theory.h5 least.h5 -o least >log 2>&1 && fail "$* is not missed"
+  grep -qF "plunge: least.h5 $says" log || fail "without $*: $(cat log)"
+}
+refused 'is an HDF5 file, but no result: it has none of the attributes H, g, density and spacing' H
+refused 'is not a usable result: it has no numeric attribute "spacing"' spacing
+refused 'is not a usable result: it has no dataset /surface/points' surface/points
+refused 'is not a usable result: it has no group /surface' surface/time surface/first_point surface/points
+/usr/bin/python3 least.py
+! "$program" compare least.h5 least.h5 -o two >log 2>&1 || fail "two without walls"
+grep -q "neither least.h5 nor any other file has /walls" log || fail "no walls at all: $(cat log)"
+
+exit $failed
