@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bem/drawn.h"
 #include "bem/moving.h"
 #include "bem/outline.h"
 #include "common/base/array.h"
@@ -133,6 +134,13 @@ done:
   return status;
 }
 
+static enum status place_lie(const struct flow_water *w, const struct case_run *r, struct lie *l,
+                             struct bem_flow *f) {
+  const struct flow_line *line = flow_line_of(w->c);
+  if (line) return bem_drawn_start(w->c, line, f);
+  return l->straight ? place(w, l->at, f) : bem_outline_start(&l->outline, w->c, r, f);
+}
+
 static enum status start(const struct flow_water *w, const struct case_run *r,
                          struct bem_shore *shore, struct bem_flow *f) {
   struct lie l;
@@ -143,7 +151,7 @@ static enum status start(const struct flow_water *w, const struct case_run *r,
   ATTEMPT(status);
   const double complex edge[2] = {in_H(w->c, l.at[0]), in_H(w->c, l.at[1])};
   ATTEMPT(bem_shore_place(shore, edge, &f->surface));
-  ATTEMPT(l.straight ? place(w, l.at, f) : bem_outline_start(&l.outline, w->c, r, f));
+  ATTEMPT(place_lie(w, r, &l, f));
 done:
   bem_outline_destroy(&l.outline);
   return status;

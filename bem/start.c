@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bem/basin.h"
+#include "bem/drawn.h"
 #include "bem/options.h"
 #include "bem/outline.h"
 #include "common/flow/flow.h"
@@ -158,14 +159,15 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
 }
 
 /* From wall to wall, or round a tank without sides, with the potential that the flow has there. */
-static enum status start_wave(const struct flow_water *w, double resolution,
-                              struct bem_surface *s) {
+static enum status start_wave(const struct flow_water *w, double resolution, struct bem_flow *f) {
   const struct case_file *c = w->c;
+  struct bem_surface *s = &f->surface;
   size_t last = (size_t)ceil(s->tank * resolution);
   double speed = sqrt(c->gravity * c->H);
   s->right = BEM_END_WALL;
   s->length = s->tank;
   if (c->periodic[0]) s->period = bem_period_create(s->tank, c->flow->scale(c).mean / c->H);
+  if (flow_line_of(c)) return bem_drawn_start(c, flow_line_of(c), f);
   TRY(bem_surface_reserve(s, last + 1));
   double *x = s->state, *y = x + s->n, *phi = y + s->n;
   for (size_t k = 0; k < s->n; k++) {
@@ -249,7 +251,7 @@ static enum status start_at_rest(const struct case_file *c, const struct case_ru
   f->level = c->flow->scale(c).mean / c->H;
   struct flow_water w;
   enum status status = flow_open(c, (struct flow_use){0}, &w);
-  if (status == OK) status = start_wave(&w, r->resolution, &f->surface);
+  if (status == OK) status = start_wave(&w, r->resolution, f);
   flow_close(&w);
   return status;
 }

@@ -329,7 +329,7 @@ static void check_tank(const struct case_file *c, const struct case_run *r,
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'sph' with the motion of a surface from a file in a tank "
                  "that is not rectangular, where nothing tells the velocities below it; allowed: "
-                 "lines 'x, eta' of water at rest; take solver: bem, or another file",
+                 "lines 'x, eta' of water at rest; take solver: bem, or kind: curve",
                  r->name);
   if (sph_walls[o->walls]->moving) check_corners(c, r, problems);
   if (sph_walls[o->walls] == &sph_wall_dynamic)
@@ -357,13 +357,15 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
   sph_forms_check(r, problems);
   sph_owners_check(r, problems);
   check_integrator(r, problems);
-  if (o->free_surface == SPH_FREE_SURFACE_fitted && !(flow_is_wave(c->flow) && c->rectangular))
-    problems_add(problems, case_run_line(r, "free_surface"),
-                 "runs.%s.free_surface: found 'fitted' with regions of water, or in a tank that is "
-                 "not rectangular, whose outline no row of "
-                 "particles follows; allowed: with water.wave in a rectangular tank; write "
-                 "free_surface: natural",
-                 r->name);
+  if (o->free_surface == SPH_FREE_SURFACE_fitted &&
+      !(flow_is_wave(c->flow) && !c->flow->line && c->rectangular))
+    problems_add(
+        problems, case_run_line(r, "free_surface"),
+        "runs.%s.free_surface: found 'fitted' with regions of water, a curve, or in a tank "
+        "that is not rectangular, whose outline no row of "
+        "particles follows; allowed: with water.wave in a rectangular tank; write "
+        "free_surface: natural",
+        r->name);
   check_walls(c, r, problems);
   check_gravity(c, r, problems);
   check_motions(c, r, problems);

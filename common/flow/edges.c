@@ -1,6 +1,10 @@
 #include "common/flow/edges.h"
 
+#include <math.h>
+#include <string.h>
+
 #include "common/case/case.h"
+#include "common/flow/line.h"
 
 enum { SAMPLES = 32 }; /* of a segment of the wall, at which it must be under water */
 
@@ -34,10 +38,40 @@ static bool covered(const struct flow_water *w, const struct flow_edges *e) {
   return true;
 }
 
+/* The segment of the wall that is nearest to a point, and how near. */
+static size_t find_side(const struct geo_lines *walls, const double p[2], double *distance) {
+  size_t side = 0;
+  *distance = INFINITY;
+  for (size_t i = 0; i + 1 < walls->points; i++) {
+    double foot[2];
+    geo_segment_foot(walls->p[i], walls->p[i + 1], p, foot);
+    const double here = hypot(foot[0] - p[0], foot[1] - p[1]);
+    if (here >= *distance) continue;
+    *distance = here;
+    side = i;
+  }
+  return side;
+}
+
+const char *flow_line_edges(const struct geo_lines *walls, const struct flow_line *line,
+                            double near, struct flow_edges *e) {
+  static const char *const off[] = {"a surface that begins on no wall",
+                                    "a surface that ends on no wall"};
+  for (int end = 0; end < 2; end++) {
+    double distance;
+    const struct flow_line_point at = flow_line_at(line, end ? line->to : line->from);
+    memcpy(e->at[end], at.p, sizeof at.p);
+    e->side[end] = find_side(walls, at.p, &distance);
+    if (distance > near) return off[end];
+  }
+  return e->side[0] < e->side[1] ? NULL : "a surface that runs to the left, or back to its wall";
+}
+
 const char *flow_find_edges(const struct flow_water *w, struct flow_edges *e) {
   const struct geo_lines *walls = &w->c->walls;
   double at[2];
   if (walls->pieces != 1 || walls->closed[0] || walls->points < 2) return "walls of several pieces";
+  if (flow_line_of(w->c)) return flow_line_edges(walls, flow_line_of(w->c), case_near(w->c), e);
   const size_t last = walls->points - 2;
   if (depth_at(w, 0, 0, at) > 0) return "water above the top of the left side";
   if (depth_at(w, last, 1, at) > 0) return "water above the top of the right side";

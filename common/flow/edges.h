@@ -11,6 +11,11 @@ struct flow_edges {
 /* At t = 0. The problem, if the water is not one body below one surface, else NULL. */
 const char *flow_find_edges(const struct flow_water *w, struct flow_edges *e);
 
+/* The same of a surface that may hang over, whose ends are on `walls` within `near`, m. */
+struct flow_line;
+const char *flow_line_edges(const struct geo_lines *walls, const struct flow_line *line,
+                            double near, struct flow_edges *e);
+
 struct flow_flat {
   double left, right, bed; /* m */
 };

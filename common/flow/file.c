@@ -9,11 +9,11 @@
 #include "common/case/case_draft.h"
 #include "common/flow/flow.h"
 #include "common/flow/harmonic.h"
+#include "common/flow/line.h"
 #include "common/tank/motion.h"
 
-enum { MOST_TERMS = 240 };              /* of the harmonic functions */
-static const double LITTLE_GAIN = 1e-3; /* of the potential's largest, in a period */
-static const double SAME_ENDS = 1e-6;   /* of the depth: a period ends as it begins */
+enum { MOST_TERMS = 240 };            /* of the harmonic functions */
+static const double SAME_ENDS = 1e-6; /* of the depth: a period ends as it begins */
 
 struct form {
   double depth; /* m */
@@ -47,31 +47,6 @@ static enum status repeat(size_t n, double **value, double step) {
   return OK;
 }
 
-/* u + v eta', times half the way, at a place between two rows; s: splines of eta, u, v. */
-static double slope_at(const struct tank_record s[3], double x) {
-  double q[3][3];
-  for (int i = 0; i < 3; i++) tank_record_at(&s[i], x, q[i]);
-  return q[1][0] + q[2][0] * q[0][1];
-}
-
-/* phi at the rows by Simpson's rule along the surface, and what it has gained at the end of a
- * period, which is an error of the file or a current, spread evenly if it is little. */
-static void integrate(const struct tank_record s[3], bool round, double *phi) {
-  const size_t n = s[0].n;
-  const double *x = s[0].t;
-  double largest = 0;
-  phi[0] = 0;
-  for (size_t i = 0; i + 1 < n; i++) {
-    const double a = x[i], b = x[i + 1];
-    phi[i + 1] =
-        phi[i] + (b - a) / 6 * (slope_at(s, a) + 4 * slope_at(s, (a + b) / 2) + slope_at(s, b));
-    largest = fmax(largest, fabs(phi[i + 1]));
-  }
-  const double gain = phi[n - 1];
-  if (!round || fabs(gain) > LITTLE_GAIN * largest) return;
-  for (size_t i = 1; i < n; i++) phi[i] -= gain * (x[i] - x[0]) / (x[n - 1] - x[0]);
-}
-
 static enum status copy(const double *from, size_t n, double **to) {
   TRY(array_create(to, n, "a surface"));
   memcpy(*to, from, n * sizeof **to);
@@ -80,18 +55,19 @@ static enum status copy(const double *from, size_t n, double **to) {
 
 /* Puts the potential in the place of the velocities. */
 static enum status find_potential(const struct case_file *c, struct case_rows *r) {
-  struct tank_record s[3] = {0};
-  const double *column[] = {r->y, r->z, r->w};
+  struct flow_way way = {0};
+  struct tank_record *of[] = {&way.x, &way.y, &way.u, &way.v};
+  const double *column[] = {r->x, r->y, r->z, r->w};
   enum status status = OK;
-  for (int i = 0; i < 3; i++) {
-    s[i].n = r->n;
-    ATTEMPT(copy(r->x, r->n, &s[i].t));
-    ATTEMPT(copy(column[i], r->n, &s[i].q));
-    ATTEMPT(tank_record_finish(&s[i]));
+  for (int i = 0; i < 4; i++) {
+    of[i]->n = r->n;
+    ATTEMPT(copy(r->x, r->n, &of[i]->t));
+    ATTEMPT(copy(column[i], r->n, &of[i]->q));
+    ATTEMPT(tank_record_finish(of[i]));
   }
-  integrate(s, c->periodic[0], r->z);
+  flow_way_integrate(&way, c->periodic[0], r->z);
 done:
-  for (int i = 0; i < 3; i++) tank_record_destroy(&s[i]);
+  for (int i = 0; i < 4; i++) tank_record_destroy(of[i]);
   return status;
 }
 

@@ -2,11 +2,14 @@
 
 #include <assert.h>
 #include <math.h>
+#include <stdlib.h>
 
 #include "common/case/case.h"
 #include "common/flow/edges.h"
+#include "common/flow/line.h"
 
 enum { OUTLINE_POINTS = 256, MOST_LENGTHS = 64 }; /* of an outline, for each length of the wave */
+enum { LINE_POINTS = 2000 };                      /* of one that hangs over, at least */
 
 #define FLOW(name, help) &flow_##name,
 #define NAME(name, help) #name,
@@ -86,6 +89,23 @@ enum status flow_head(const struct flow_water *w, const struct flow_point *p, do
   return OK;
 }
 
+const struct flow_line *flow_line_of(const struct case_file *c) {
+  return c->flow->line ? c->flow->line(c) : NULL;
+}
+
+/* A surface that may hang over, from the right to the left, without its ends. */
+static enum status draw_line(const struct flow_line *l, struct geo_lines *water) {
+  size_t n;
+  double *way;
+  enum status status = flow_line_sample(l, 0, (l->to - l->from) / LINE_POINTS, &n, &way);
+  for (size_t i = n; status == OK && i-- > 2;) {
+    const struct flow_line_point at = flow_line_at(l, way[i - 1]);
+    status = geo_lines_add(water, at.p[0], at.p[1]);
+  }
+  free(way);
+  return status;
+}
+
 /* Parts of the surface over a width. */
 static size_t count_parts(const struct flow_water *w, double width) {
   const double lengths = fmin(width / w->c->flow->scale(w->c).length, MOST_LENGTHS);
@@ -102,6 +122,7 @@ static enum status draw_between_walls(const struct flow_water *w, struct geo_lin
   for (size_t i = e.side[0] + 1; i <= e.side[1]; i++)
     TRY(geo_lines_add(water, w->c->walls.p[i][0], w->c->walls.p[i][1]));
   TRY(geo_lines_add(water, e.at[1][0], e.at[1][1]));
+  if (flow_line_of(w->c)) return draw_line(flow_line_of(w->c), water);
   const double left = e.at[0][0], width = e.at[1][0] - left;
   const size_t n = count_parts(w, width);
   for (size_t i = n; i-- > 1;) {
@@ -130,7 +151,8 @@ enum status flow_outline(const struct case_file *c, struct geo_lines *water) {
   struct flow_water w;
   if (flow_is_body(c->flow)) return c->flow->outline(c, water);
   enum status status = flow_open(c, (struct flow_use){0}, &w);
-  if (status == OK) status = c->rectangular ? draw(&w, water) : draw_between_walls(&w, water);
+  if (status == OK)
+    status = c->rectangular && !flow_line_of(c) ? draw(&w, water) : draw_between_walls(&w, water);
   flow_close(&w);
   return status;
 }

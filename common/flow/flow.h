@@ -15,6 +15,7 @@
 
 struct case_draft;
 struct case_file;
+struct flow_line;
 
 struct flow_scale {
   double depth;     /* of the water at rest, m; of a body, its side or radius */
@@ -90,6 +91,10 @@ struct flow {
    * the case's. */
   struct flow_scale (*scale)(const struct case_file *c);
   double (*elevation)(const struct flow_water *w, double x, double t); /* y, m */
+  /* Of waves whose surface may hang over: as a line, or NULL where there is none (line.h); the
+   * elevation is its highest point then, and the flow below it is known where `use` has a spacing.
+   */
+  const struct flow_line *(*line)(const struct case_file *c);
 
   /* Of bodies, which float without gravity in the middle of a rectangular tank and touch no wall:
    * one closed piece at t = 0; where theory follows them, their rim, clockwise from part = 0 to 1;
@@ -145,7 +150,8 @@ struct flow {
   X(stokes, "a wave of second order that runs to the right, round the same")                       \
   X(hump, "a hump or a hollow of Gaussian shape, at rest")                                         \
   X(bore, "a smooth step between two levels that runs to a side of a flat tank")                   \
-  X(file, "a surface from a file, at rest or with the potential on it")
+  X(file, "a surface from a file, at rest or with the potential on it")                            \
+  X(curve, "a surface from a file that may hang over, at rest or with the potential on it")
 #define FLOWS_OF_BODIES(X)                                                                         \
   X(patch, "a square that turns like a rigid body: u = rate y, v = -rate x from its middle")       \
   X(drop,                                                                                          \
@@ -190,6 +196,9 @@ bool flow_has_theory(const struct flow *f);
 /* What was opened is closed in any case. */
 enum status flow_open(const struct case_file *c, struct flow_use use, struct flow_water *w);
 void flow_close(struct flow_water *w);
+
+/* The surface of a wave that may hang over, or NULL. */
+const struct flow_line *flow_line_of(const struct case_file *c);
 
 /* The flow's functions, or what stands for those that it has not. */
 double flow_elevation(const struct flow_water *w, double x, double t);

@@ -163,9 +163,8 @@ enum status sph_initial_fill(struct sph *s, const struct case_file *c) {
       momentum_is_of_reference((enum sph_momentum)s->scheme.momentum); /* thesis, eq. (4.27) */
   const struct flow_use use = {.spacing = s->dx, .sound = s->c0, .even = even};
   ATTEMPT(flow_open(c, use, &w.water));
-  ATTEMPT(c->flow->start                            ? fill_lattice(&w)
-          : flow_is_wave(c->flow) && c->rectangular ? fill_columns(&w)
-                                                    : fill_regions(&w));
+  const bool stands = flow_is_wave(c->flow) && !flow_line_of(c) && c->rectangular;
+  ATTEMPT(c->flow->start ? fill_lattice(&w) : stands ? fill_columns(&w) : fill_regions(&w));
 done:
   flow_close(&w.water);
   TRY(status);
