@@ -8,8 +8,11 @@
 static const double WORTH = 20;  /* of its thickness: the length of thin film that is cut */
 static const double TIP = 0.06;  /* of the film, see struct bem_surface: a fifth of its thickness */
 static const double BELOW = 0.1; /* H: of the top of the wall, where the cap of a film ends */
+static const double REST = 2;    /* lengths of water at rest on a slope */
+static const double SLIVER = 0.05; /* of its length: what is thinner is a tongue */
 enum {
-  CAP = 8 /* points of the cap, and its length in film thicknesses */
+  CAP = 8,    /* points of the cap, and its length in film thicknesses */
+  TONGUE = 12 /* nodes of one at most */
 };
 
 /* The first node beyond the wall, else the last node. */
@@ -124,9 +127,12 @@ static size_t film_begin(const struct film *f, double thin) {
   return i;
 }
 
-/* Water on a side that is flatter than 45 degrees rests there. */
-static bool is_steep(const struct film *f) {
-  return cimag(f->up) > M_SQRT1_2;
+/* Water on a side that is flatter than 45 degrees rests there; on one that is not quite as flat a
+ * film is cut to get on, where it is longer than water at rest would be as thin. */
+static bool may_be_cut(const struct film *f, double length, double thin, bool rescue) {
+  const double steep = cimag(f->up), flat = fabs(creal(f->up));
+  if (steep > M_SQRT1_2) return length > WORTH * thin;
+  return rescue && steep > 0 && steep * (length - WORTH * thin) > REST * thin * flat;
 }
 
 bool bem_contact_film_is_thin(const struct bem_surface *s, bool right, double coarse) {
@@ -135,10 +141,10 @@ bool bem_contact_film_is_thin(const struct bem_surface *s, bool right, double co
   const double thin = coarse * s->film;
   const size_t begin = film_begin(&f, thin);
   double length = 0;
-  if (!is_steep(&f) || begin + 2 >= s->n) return false; /* an edge alone is none */
+  if (begin + 2 >= s->n) return false; /* an edge alone is none */
   for (size_t i = begin; i + 1 < s->n; i++)
     if (film_is_thin(&f, i + 1, thin)) length += cabs(film_place(&f, i + 1) - film_place(&f, i));
-  return length > WORTH * thin;
+  return may_be_cut(&f, length, thin, coarse > 1);
 }
 
 /* The nodes whose polynomial gives the potential on a cap at node c: one before it, and three
@@ -182,6 +188,36 @@ static enum status cut_behind(struct bem_flow *f, const struct film *film, size_
 enum status bem_contact_cut_film(struct bem_flow *f, bool right, double coarse) {
   const struct film film = film_of(&f->surface, right);
   return cut_behind(f, &film, film_begin(&film, coarse * f->surface.film));
+}
+
+/* ---- tongues ---- */
+
+/* Water at rest on a slope is no tongue. */
+static double tongue_slope(const struct film *f) {
+  const double steep = cimag(f->up), flat = fabs(creal(f->up));
+  return steep > 0 && steep < flat ? fmin(SLIVER, 0.3 * steep / flat) : SLIVER;
+}
+
+size_t bem_contact_tongue(const struct bem_surface *s, bool right) {
+  if (bem_surface_is_closed(s) || s->n < 2 * TONGUE) return 0;
+  const struct film f = film_of(s, right);
+  const size_t edge = s->n - 1;
+  const double slope = tongue_slope(&f);
+  size_t count = 0;
+  for (size_t i = 1; i <= TONGUE; i++)
+    if (film_thickness(&f, edge - i) <
+        slope * fabs(film_height(&f, edge) - film_height(&f, edge - i)))
+      count = i;
+  return count;
+}
+
+enum status bem_contact_cut_tongue(struct bem_flow *f, bool right) {
+  const struct bem_surface *s = &f->surface;
+  const struct film film = film_of(s, right);
+  const size_t count = bem_contact_tongue(s, right), root = film_node(&film, s->n - 1 - count);
+  const double complex foot = film.foot + film_height(&film, s->n - 1 - count) * film.up;
+  double end[1][BEM_FIELDS] = {{creal(foot), cimag(foot), s->state[2 * s->n + root]}};
+  return right ? bem_replace(f, root, s->n, 1, end) : bem_replace(f, 0, root + 1, 1, end);
 }
 
 /* The last node from which a cap ends well below `top`. */

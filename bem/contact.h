@@ -23,6 +23,13 @@ bool bem_contact_film_is_thin(const struct bem_surface *s, bool right, double co
  * the water there, interpolated by the complex polynomial of neighbouring nodes. */
 enum status bem_contact_cut_film(struct bem_flow *f, bool right, double coarse);
 
+/* Of how many nodes the tongue is that the water at an end of the surface has put out along the
+ * wall, thinner than anything that panels can follow, or even through it; 0: there is none. */
+size_t bem_contact_tongue(const struct bem_surface *s, bool right);
+
+/* Lets the surface end on the wall where that tongue begins. */
+enum status bem_contact_cut_tongue(struct bem_flow *f, bool right);
+
 /* Thickness (H) of the film on the right wall where it would be cut to end below `top`. */
 double bem_contact_thickness(const struct bem_surface *s, double top);
 

@@ -111,7 +111,8 @@ static enum status set_panels(struct bem_flow *f, const double *state, size_t *n
   const double *x = state, *y = x + s->n;
   *n = s->n;
   if (s->walls) {
-    f->panels.kinked = f->motion.frame || f->motion.sides;
+    for (int end = 0; end < 2; end++)
+      f->panels.kinked[end] = f->motion.frame || f->motion.sides || s->blunt[end];
     return bem_panels_set_walls(&f->panels, *n, x, y, s->walls, s->side);
   }
   if (bem_surface_is_closed(s))

@@ -234,7 +234,8 @@ enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x
     for (size_t k = 0; k < p->charts; k++) p->chart[k].radius = 0;
   p->walls = walls;
   p->changes = walls->changes;
-  for (int end = 0; end < 2; end++) p->mirrored[end] = !p->kinked && !leans_over(walls, side[end]);
+  for (int end = 0; end < 2; end++)
+    p->mirrored[end] = !p->kinked[end] && !leans_over(walls, side[end]);
   TRY(reserve_charts(p, n));
   for (size_t k = 0; k < n; k++) {
     double complex z = CMPLX(x[k], y[k]);

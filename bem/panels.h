@@ -11,9 +11,9 @@
  * neighbouring nodes (Vinje & Brevig 1981 use two; with four the velocity is of fourth order). At
  * the edges of the water, where beta continues into the mirror image, the nodes' images complete
  * the stencils in tanks that are not rectangular, so that these stay centred and know the wall;
- * but not on a side that leans over the water, or where walls accelerate: where the angle between
- * them and the surface is more than a right one velocities have no bound, and polynomials across
- * the edge only spread that. */
+ * but not on a side that leans over the water, under a front that does, or where walls accelerate:
+ * where the angle between them and the surface is more than a right one velocities have no bound,
+ * and polynomials across the edge only spread that. */
 #pragma once
 #include <complex.h>
 #include <stddef.h>
@@ -34,7 +34,7 @@ struct bem_panels {
                           chain, which has each node once */
   double left, length; /* x of the left wall and L of the map, H */
   struct bem_period period; /* of a closed chain */
-  int kinked;      /* surface and mirror image meet at an angle, as on walls that accelerate */
+  int kinked[2]; /* surface and mirror image meet at an angle there, as on walls that accelerate */
   int mirrored[2]; /* whether stencils at the left and the right edge reach into the mirror image */
   double complex *zeta;   /* nodes in the mapped plane, [n], owned; so are all arrays below */
   double complex *dzeta;  /* d zeta / d z at the nodes, 1/H, [n] */

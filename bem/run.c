@@ -14,8 +14,11 @@ enum {
 };
 
 enum status bem_run_restart(struct bem_run *r) {
+  struct bem_surface *s = &r->flow.surface;
   bem_pace_restarted(&r->pace);
-  TRY(bem_sides_reserve(&r->sides, &r->flow.surface));
+  for (int right = 0; s->walls && right < 2; right++)
+    s->blunt[right] = bem_sides_is_blunt(s, right);
+  TRY(bem_sides_reserve(&r->sides, s));
   return bem_stepper_restart(r->stepper, r->time);
 }
 
@@ -25,6 +28,8 @@ static enum status change_shape(struct bem_run *r, const struct bem_cut *cut) {
     return bem_contact_meet_wall(&r->flow);
   case BEM_CUT_THIN_FILM:
     return bem_contact_cut_film(&r->flow, cut->right, cut->coarse);
+  case BEM_CUT_TONGUE:
+    return bem_contact_cut_tongue(&r->flow, cut->right);
   case BEM_CUT_TOP:
     return bem_contact_cut_top(&r->flow, r->top[1]);
   case BEM_CUT_SHEET:
@@ -41,7 +46,8 @@ static enum status change_shape(struct bem_run *r, const struct bem_cut *cut) {
 static enum status record_cut(struct bem_run *r, const struct bem_cut *cut) {
   const struct bem_surface *s = &r->flow.surface;
   const bool film = cut->kind <= BEM_CUT_TOP;
-  const size_t end = cut->kind == BEM_CUT_THIN_FILM && !cut->right ? 0 : s->n - 1;
+  const bool left = (cut->kind == BEM_CUT_THIN_FILM || cut->kind == BEM_CUT_TONGUE) && !cut->right;
+  const size_t end = left ? 0 : s->n - 1;
   return bem_output_event(&r->output, cut->kind == BEM_CUT_WRINKLE ? "smoothed" : "cut", r->time,
                           film ? s->state[end] : cut->piece.x,
                           film ? s->state[s->n + end] : cut->piece.y);
@@ -54,22 +60,35 @@ static enum status measure(struct bem_flow *f, struct bem_totals *t) {
   return OK;
 }
 
+/* Where the flow cannot be solved for before the cut, since its nodes are beyond the wall, the
+ * little water that goes is taken to have no kinetic energy. */
+static enum status measure_before(struct bem_flow *f, const struct bem_cut *cut,
+                                  struct bem_totals *t) {
+  const enum status status = measure(f, t);
+  if (status != ERR_SOLVER || cut->kind != BEM_CUT_TONGUE) return status;
+  *t = bem_surface_totals(&f->surface, f->psi);
+  t->kinetic = NAN;
+  return OK;
+}
+
 /* Starts afresh and books what has gone since; *volume: of that, H^2. */
 static enum status book(struct bem_run *r, const struct bem_totals *before, double *volume) {
   struct bem_totals after;
   TRY(bem_run_restart(r));
+  for (int right = 0; right < 2; right++) bem_runup_moved(&r->runup[right]);
   TRY(measure(&r->flow, &after));
   bem_output_changed(&r->output);
   *volume = before->volume - after.volume;
   r->output.removed_volume += *volume;
-  r->output.removed_energy += before->kinetic + before->potential - after.kinetic - after.potential;
+  const double kinetic = isnan(before->kinetic) ? after.kinetic : before->kinetic;
+  r->output.removed_energy += kinetic + before->potential - after.kinetic - after.potential;
   return OK;
 }
 
 enum status bem_run_cut(struct bem_run *r, const struct bem_cut *cut) {
   struct bem_totals before;
   double volume;
-  TRY(measure(&r->flow, &before));
+  TRY(measure_before(&r->flow, cut, &before));
   TRY(change_shape(r, cut));
   TRY(book(r, &before, &volume));
   if (cut->kind == BEM_CUT_TOP) r->output.spilled_volume += volume;
@@ -92,6 +111,16 @@ static bool find_film(const struct bem_surface *s, double coarse, struct bem_cut
   return false;
 }
 
+/* Only where the run does not get on: a tongue is mostly taken in again. */
+static bool find_tongue(const struct bem_surface *s, struct bem_cut *cut) {
+  cut->kind = BEM_CUT_TONGUE;
+  for (int right = 1; right >= 0; right--) {
+    cut->right = right;
+    if (bem_contact_tongue(s, right)) return true;
+  }
+  return false;
+}
+
 /* coarse: see bem_cuts_find_sheet. */
 static bool find_cut(const struct bem_run *r, double coarse, struct bem_cut *cut) {
   const struct bem_surface *s = &r->flow.surface;
@@ -99,6 +128,7 @@ static bool find_cut(const struct bem_run *r, double coarse, struct bem_cut *cut
     cut->kind = BEM_CUT_AT_WALL;
     return true;
   }
+  if (coarse > 1 && find_tongue(s, cut)) return true;
   if (find_film(s, coarse, cut)) return true;
   bem_sides_set(&r->sides, s, s->state);
   cut->kind = BEM_CUT_LOOP;

@@ -37,6 +37,7 @@ struct bem_run {
 enum bem_cut_kind {
   BEM_CUT_AT_WALL,
   BEM_CUT_THIN_FILM,
+  BEM_CUT_TONGUE,
   BEM_CUT_TOP,
   BEM_CUT_SHEET,
   BEM_CUT_LOOP,
@@ -46,8 +47,8 @@ enum bem_cut_kind {
 struct bem_cut {
   enum bem_cut_kind kind;
   struct bem_piece piece; /* of the last three */
-  bool right;             /* of a thin film: which end of the surface it has */
-  double coarse;          /* of that: so many times as thick as usual */
+  bool right;             /* of a thin film or a tongue: which end of the surface it has */
+  double coarse;          /* of a film: so many times as thick as usual */
 };
 
 /* Starts the integrator afresh from the flow's surface. */

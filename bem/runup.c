@@ -41,6 +41,10 @@ void bem_runup_add(struct bem_runup *u, double time, double x, double y) {
   u->top[Y] = height;
 }
 
+void bem_runup_moved(struct bem_runup *u) {
+  u->n = 0;
+}
+
 bool bem_runup_found(const struct bem_runup *u, double start) {
   return u->top[Y] > start + RISE;
 }

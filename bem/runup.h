@@ -5,10 +5,13 @@
 #include <stddef.h>
 
 struct bem_runup {
-  size_t n;        /* steps so far */
+  size_t n;        /* steps since the edge was last moved */
   double at[3][3]; /* the last three: time, x, y (sqrt(H/g), H) */
   double top[3];   /* the highest so far, of the same; top[2] = 0: none */
 };
+
+/* The edge has been moved: what comes next is no way on from where it was. */
+void bem_runup_moved(struct bem_runup *u);
 
 /* Takes over the edge of a surface after a step. */
 void bem_runup_add(struct bem_runup *u, double time, double x, double y);

@@ -10,8 +10,9 @@
 /* So many times as far along the surface as straight on is another side: half round a tip is less
  * than 1.6 times, and a notch of more than 40 degrees never. */
 static const double AROUND = 3;
-static const double FACING = 0.3; /* cosine between the normal and the way over */
-static const double FAR = 1e3;    /* H: walls go on for ever */
+static const double FACING = 0.3;  /* cosine between the normal and the way over */
+static const double FAR = 1e3;     /* H: walls go on for ever */
+static const double BLUNT = -0.17; /* cosine: 100 degrees, up to which velocities hardly grow */
 
 enum status bem_sides_reserve(struct bem_sides *w, const struct bem_surface *s) {
   const size_t stretches = bem_stretches_count(s);
@@ -72,6 +73,16 @@ void bem_sides_wall(const struct bem_surface *s, size_t wall, double complex *a,
   const double complex corner[] = {CMPLX(s->left, FAR), s->left, end, CMPLX(end, FAR)};
   *a = corner[wall];
   *b = corner[wall + 1];
+}
+
+bool bem_sides_is_blunt(const struct bem_surface *s, bool right) {
+  const double *x = s->state, *y = x + s->n;
+  const size_t edge = right ? s->n - 1 : 0, inner = right ? edge - 1 : 1;
+  double complex a, b;
+  bem_sides_wall(s, bem_sides_held(s, right), &a, &b);
+  const double complex below = right ? a - b : b - a,
+                       way = CMPLX(x[inner] - x[edge], y[inner] - y[edge]);
+  return creal(way * conj(below)) < BLUNT * cabs(way) * cabs(below);
 }
 
 /* ---- distances ---- */

@@ -44,6 +44,9 @@ size_t bem_sides_held(const struct bem_surface *s,
                       bool right); /* that an end of the surface is on */
 void bem_sides_wall(const struct bem_surface *s, size_t wall, double complex *a, double complex *b);
 
+/* Whether the water at an end of the surface meets its wall at more than a right angle. */
+bool bem_sides_is_blunt(const struct bem_surface *s, bool right);
+
 enum status bem_sides_reserve(struct bem_sides *w, const struct bem_surface *s);
 void bem_sides_destroy(struct bem_sides *w);
 

@@ -21,8 +21,10 @@ struct bem_surface {
   double depth, volume; /* mean depth of the water, H, and how much of it there is, H^2 */
   const struct bem_conformal *walls; /* NULL: those of a rectangular tank */
   size_t side[2];                    /* of the walls, which the first and the last node are on */
-  double left, tank;                 /* x of the walls of a rectangular tank, H */
-  double length; /* of the tank that the map closes: longer until the tip has met the wall, H */
+  bool blunt[2]; /* the angle of the water there was more than a right one when the integrator was
+                    last started */
+  double left, tank; /* x of the walls of a rectangular tank, H */
+  double length;     /* of the tank that the map closes: longer until the tip has met the wall, H */
   struct bem_period period; /* of water without sides: the last node is the first, a period on */
 };
 

@@ -2,11 +2,13 @@
  * at random (tests/bem/columns.h), 15 to 80 nodes per H, evenly in the logarithm.
  *
  *   bench_columns [runs, default 60] [most nodes per H, default 80] [the first run, default 0]
+ * [slopes]
  *
- * The n-th run is the same in every call. A line a run: column and tank (H), gap between them,
- * nodes per H, largest relative errors of volume and energy with all that was taken away, removed
- * volume and energy, last time, seconds of the processor, and how it ended. A run that takes longer
- * than ten minutes of it is given up. */
+ * With the last word, columns on and before slopes, steps and bars (tests/bem/slopes.h). The n-th
+ * run is the same in every call. A line a run: column and tank (H), gap between them, or kind of
+ * bed, column, slope and rounding; nodes per H, largest relative errors of volume and energy with
+ * all that was taken away, removed volume and energy, last time, seconds of the processor, and how
+ * it ended. A run that takes longer than ten minutes of it is given up. */
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -19,6 +21,7 @@
 #include "common/case/case.h"
 #include "common/result/result.h"
 #include "tests/bem/columns.h"
+#include "tests/bem/slopes.h"
 
 static const struct rlimit patience = {600, 600}; /* s */
 
@@ -74,20 +77,35 @@ static void run(const char *with, const char *path) {
   exit(0);
 }
 
+static void write_column(int n, double most, struct slope_text *t) {
+  const struct column c = column_at(n);
+  const double resolution = floor(15 * pow(most / 15, c.share) + 0.5);
+  column_write(t->text, &c, resolution);
+  printf("%3d %5.2f %6.2f %6.2f %3.0f", n, c.wide, c.tank, c.tank - c.wide, resolution);
+}
+
+static void write_slope(int n, double most, struct slope_text *t) {
+  static const char *const kind[] = {"beach", "falling", "rising", "step", "bar"};
+  const struct slope s = slope_at(n);
+  const double resolution = floor(15 * pow(most / 15, s.share) + 0.5);
+  slope_write(t, &s, resolution, 0);
+  printf("%3d %-7s %5.2f 1:%-5.2f %5.3f %3.0f", n, kind[s.kind], s.wide, s.cot, s.rounding,
+         resolution);
+}
+
 int main(int argc, char **argv) {
   const int runs = argc > 1 ? atoi(argv[1]) : 60, first = argc > 3 ? atoi(argv[3]) : 0;
   const double most = argc > 2 ? atof(argv[2]) : 80;
+  const bool slopes = argc > 4 && !strcmp(argv[4], "slopes");
   for (int n = first; n < first + runs; n++) {
-    char with[sizeof column_text + 100], path[64];
-    struct column c = column_at(n);
-    const double resolution = floor(15 * pow(most / 15, c.share) + 0.5);
+    struct slope_text with;
+    char path[64];
     int state = 0;
-    column_write(with, &c, resolution);
+    (slopes ? write_slope : write_column)(n, most, &with);
     snprintf(path, sizeof path, "/tmp/bench-columns-%d-%d.h5", (int)getpid(), n);
-    printf("%3d %5.2f %6.2f %6.2f %3.0f", n, c.wide, c.tank, c.tank - c.wide, resolution);
     fflush(stdout);
     const pid_t child = fork();
-    if (child == 0) run(with, path);
+    if (child == 0) run(with.text, path);
     if (child < 0 || waitpid(child, &state, 0) < 0) return 1;
     if (WIFSIGNALED(state)) printf(" stopped by signal %d\n", WTERMSIG(state));
     fflush(stdout);

@@ -8,21 +8,23 @@ static const char text[] = "title: dam break\n"
                            "tank: {walls: [[[0, %g], [0, 0], [%g, 0], [%g, %g]]]}\n"
                            "water: {regions: [[[0, 0], [%g, 0], [%g, 1], [0, 1]]], %s}\n"
                            "time: {end: %g, every: 0.5}\n"
-                           "runs: [{name: bem, solver: bem, resolution: 16, film: %g}]\n";
+                           "runs: [{name: bem, solver: bem, resolution: %g, film: %g}]\n";
 
 struct setting {
   double left, length, right, column, end, film;
   const char *pressure;
+  double nodes; /* per H */
 };
 
 static void write_case(char with[600], const struct setting *s) {
   snprintf(with, 600, text, s->left, s->length, s->length, s->right, s->column, s->column,
-           s->pressure, s->end, s->film);
+           s->pressure, s->end, s->nodes, s->film);
 }
 
 static struct result_file *released(double right, double length, double column) {
   char with[600];
-  write_case(with, &(struct setting){1.5, length, right, column, 7, 0.005, "pressure: released"});
+  write_case(with,
+             &(struct setting){1.5, length, right, column, 7, 0.005, "pressure: released", 16});
   return run_bem(with);
 }
 
@@ -54,7 +56,7 @@ static void test_thin_film_above_the_top_is_counted_as_spilled_until_touchdown(v
 
 static void test_a_run_that_reaches_the_end_of_its_case_ends_without_a_reason(void) {
   char with[600];
-  write_case(with, &(struct setting){1.5, 3, 3, 1.5, 0.5, 0.005, "pressure: released"});
+  write_case(with, &(struct setting){1.5, 3, 3, 1.5, 0.5, 0.005, "pressure: released", 16});
   struct result_file *f = run_bem(with);
   if (!f) return;
   EXPECT_STR(f->ended, "");
@@ -67,7 +69,7 @@ static void test_a_film_as_thick_as_at_the_impact_is_refused(void) {
   char with[600];
   struct problems problems = {0};
   struct case_file *c = NULL;
-  write_case(with, &(struct setting){1.5, 3, 3, 1.5, 0.5, 0.01, "pressure: released"});
+  write_case(with, &(struct setting){1.5, 3, 3, 1.5, 0.5, 0.01, "pressure: released", 16});
   EXPECT(case_parse("test", with, &run_registry, &problems, &c) == ERR_INPUT);
   EXPECT(problems.n == 1 && strstr(problems.text[0], "runs.bem.film: found 0.01 m; allowed: less"));
   problems_destroy(&problems);
@@ -93,10 +95,10 @@ static void test_a_narrow_tank_comes_to_touchdown_through_many_cuts(void) {
   result_file_destroy(f);
 }
 
-/* Fifteen nodes for each H are too few for a gap of 0.44 H: what is known until then is there. */
+/* Twelve nodes for each H are too few for a gap of 0.44 H: what is known until then is there. */
 static void test_a_run_that_is_lost_says_where_and_until_when_it_is_good(void) {
   char with[600];
-  write_case(with, &(struct setting){4, 1.48, 4, 1.04, 3, 0.005, "pressure: released"});
+  write_case(with, &(struct setting){4, 1.48, 4, 1.04, 3, 0.005, "pressure: released", 12});
   struct result_file *f = run_bem(with);
   if (!f) return;
   const double good = run_statistic(f, "last_good_time");
@@ -107,12 +109,21 @@ static void test_a_run_that_is_lost_says_where_and_until_when_it_is_good(void) {
   result_file_destroy(f);
 }
 
+/* With 16 its film puts a tongue out along the wall, which stopped it at t = 0.6. */
+static void test_a_narrow_gap_is_lived_through(void) {
+  struct result_file *f = released(4, 1.48, 1.04);
+  if (!f) return;
+  EXPECT(strstr(f->ended, "the jet touched down at t = "));
+  result_file_destroy(f);
+}
+
 int main(void) {
   RUN(test_thick_water_above_the_top_of_a_wall_ends_the_run);
   RUN(test_thin_film_above_the_top_is_counted_as_spilled_until_touchdown);
   RUN(test_a_run_that_reaches_the_end_of_its_case_ends_without_a_reason);
   RUN(test_a_narrow_tank_comes_to_touchdown_through_many_cuts);
   RUN(test_a_film_as_thick_as_at_the_impact_is_refused);
+  RUN(test_a_narrow_gap_is_lived_through);
   RUN(test_a_run_that_is_lost_says_where_and_until_when_it_is_good);
   return TEST_RESULT;
 }
