@@ -321,7 +321,7 @@ static enum status run_with_errors(const struct case_file *c, const struct case_
     status = OK;
   }
   ATTEMPT(status);
-  ATTEMPT(result_hold_against(out, c, twin, &how));
+  ATTEMPT(result_hold_against(out, twin, &how));
   ATTEMPT(run_once(c, cr, out, progress));
 done:
   result_destroy(twin);

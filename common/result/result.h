@@ -51,8 +51,36 @@ struct result_field {
 
 enum result_cells { RESULT_VERTICES, RESULT_LINE }; /* loose particles, or one polyline */
 
-/* Creates (truncates) the file with its header, the case text, walls, experiments and empty series,
- * and the .xdmf beside it. ERR_IO with what to do. */
+/* What a result file says before the run. What it points to is borrowed: texts until the file is
+ * there, all else until it is written. */
+struct result_about {
+  const char *solver, *run, *title;
+  const char *case_text, *fingerprint, *water_fingerprint; /* "": there is none */
+  bool floats;                                             /* a body without gravity */
+  double H, g, density;                                    /* m, m s^-2, kg m^-3 */
+  double resolution;                                       /* H over the spacing */
+  double rest_potential;                                   /* J/m */
+  const struct geo_lines *walls;                           /* of no piece: there are none */
+  size_t n_probes, n_gauges, n_points;
+  const struct case_probe *probes;
+  const struct case_gauge *gauges;
+  const struct case_point *points;
+  size_t n_terms, n_diagnostics; /* of the solver, see solver.h */
+  const struct solver_term *terms;
+  const struct solver_diagnostic *diagnostics;
+  size_t n_params;
+  const struct param *params; /* the table behind `options` */
+  const void *options;
+  size_t n_experiments, n_profiles;
+  const struct case_experiment *experiments;
+  const struct case_profile *profiles;
+};
+
+/* Creates (truncates) the file with its header and empty series, and the .xdmf beside it. ERR_IO
+ * with what to do. */
+enum status result_begin(const char *path, const struct result_about *about, struct result **out);
+
+/* The same of a run of a case. */
 enum status result_create(const char *path, const struct case_file *c, const struct case_run *r,
                           struct result **out);
 
@@ -94,8 +122,8 @@ struct result_coarser {
 /* From now on what `w` gets is held against what `coarser` has of the same instant, event or
  * surface, and its standard error is written as well: before anything else is, and `coarser` must
  * outlive it. */
-enum status result_hold_against(struct result *w, const struct case_file *c,
-                                const struct result *coarser, const struct result_coarser *how);
+enum status result_hold_against(struct result *w, const struct result *coarser,
+                                const struct result_coarser *how);
 
 /* ---- what is known at the end ---- */
 

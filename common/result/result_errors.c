@@ -19,16 +19,16 @@ struct result_errors {
 };
 
 static enum status create_energy(struct result_errors *e, struct hdf_columns *all, hid_t group,
-                                 const struct solver *solver) {
+                                 const struct result_about *about) {
   struct result_column columns[RESULT_ENERGY_COLUMNS + RESULT_TERMS];
-  for (size_t k = 0; k < RESULT_ENERGY_COLUMNS + solver->n_terms; k++) {
+  for (size_t k = 0; k < RESULT_ENERGY_COLUMNS + about->n_terms; k++) {
     const bool term = k >= RESULT_ENERGY_COLUMNS;
-    columns[k] = (struct result_column){term ? solver->terms[k - RESULT_ENERGY_COLUMNS].name
+    columns[k] = (struct result_column){term ? about->terms[k - RESULT_ENERGY_COLUMNS].name
                                              : result_energy_columns[k].name,
                                         "J/m", "standard error of the column of that name"};
   }
   columns[0] = result_energy_columns[0];
-  return result_table_create(all, group, "energy", RESULT_ENERGY_COLUMNS + solver->n_terms, columns,
+  return result_table_create(all, group, "energy", RESULT_ENERGY_COLUMNS + about->n_terms, columns,
                              &e->energy);
 }
 
@@ -45,15 +45,15 @@ static enum status create_series(struct hdf_columns *all, hid_t parent, const ch
 }
 
 static enum status create_instruments(struct result_errors *e, struct hdf_columns *all, hid_t group,
-                                      const struct case_file *c) {
+                                      const struct result_about *about) {
   hid_t probes = -1, gauges = -1;
   enum status status = OK;
   ATTEMPT(hdf_group_create(group, "probes", &probes));
   ATTEMPT(hdf_group_create(group, "gauges", &gauges));
-  for (size_t i = 0; i < c->n_probes; i++)
-    ATTEMPT(create_series(all, probes, c->probes[i].name, "pressure", "Pa", &e->probes[i]));
-  for (size_t i = 0; i < c->n_gauges; i++)
-    ATTEMPT(create_series(all, gauges, c->gauges[i].name, "elevation", "m", &e->gauges[i]));
+  for (size_t i = 0; i < about->n_probes; i++)
+    ATTEMPT(create_series(all, probes, about->probes[i].name, "pressure", "Pa", &e->probes[i]));
+  for (size_t i = 0; i < about->n_gauges; i++)
+    ATTEMPT(create_series(all, gauges, about->gauges[i].name, "elevation", "m", &e->gauges[i]));
 done:
   if (gauges >= 0) H5Gclose(gauges);
   if (probes >= 0) H5Gclose(probes);
@@ -72,7 +72,7 @@ static enum status create_surface(struct result_errors *e, struct hdf_columns *a
 }
 
 static enum status create_group(struct result_errors *e, hid_t file, struct hdf_columns *all,
-                                const struct case_file *c, const struct solver *solver,
+                                const struct result_about *about,
                                 const struct result_coarser *how) {
   hid_t group = -1;
   enum status status = OK;
@@ -80,24 +80,24 @@ static enum status create_group(struct result_errors *e, hid_t file, struct hdf_
   ATTEMPT(hdf_set_number(group, "spacing", e->twin->spacing));
   ATTEMPT(hdf_set_number(group, "ratio", how->ratio));
   ATTEMPT(hdf_set_number(group, "order", how->order));
-  ATTEMPT(create_energy(e, all, group, solver));
-  ATTEMPT(create_instruments(e, all, group, c));
+  ATTEMPT(create_energy(e, all, group, about));
+  ATTEMPT(create_instruments(e, all, group, about));
   ATTEMPT(create_surface(e, all, group));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
 }
 
-enum status result_errors_create(hid_t file, struct hdf_columns *all, const struct case_file *c,
-                                 const struct solver *solver, struct result_twin *twin,
+enum status result_errors_create(hid_t file, struct hdf_columns *all,
+                                 const struct result_about *about, struct result_twin *twin,
                                  const struct result_coarser *how, struct result_errors **out) {
   struct result_errors *e = *out = calloc(1, sizeof *e);
   CHECK(e, ERR_MEMORY, "no memory for error bars");
   e->twin = twin;
   e->share = 1 / (pow(how->ratio, how->order) - 1);
-  TRY(array_create(&e->probes, c->n_probes, "error bars of probes"));
-  TRY(array_create(&e->gauges, c->n_gauges, "error bars of gauges"));
-  return create_group(e, file, all, c, solver, how);
+  TRY(array_create(&e->probes, about->n_probes, "error bars of probes"));
+  TRY(array_create(&e->gauges, about->n_gauges, "error bars of gauges"));
+  return create_group(e, file, all, about, how);
 }
 
 void result_errors_destroy(struct result_errors *e) {

@@ -11,8 +11,8 @@
 struct result_errors;
 
 /* Makes /errors. The twin must outlive *out. */
-enum status result_errors_create(hid_t file, struct hdf_columns *all, const struct case_file *c,
-                                 const struct solver *solver, struct result_twin *twin,
+enum status result_errors_create(hid_t file, struct hdf_columns *all,
+                                 const struct result_about *about, struct result_twin *twin,
                                  const struct result_coarser *how, struct result_errors **out);
 void result_errors_destroy(struct result_errors *e); /* NULL is fine */
 

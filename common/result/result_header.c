@@ -4,37 +4,33 @@
 #include <string.h>
 #include <time.h>
 
-#include "common/flow/flow.h"
 #include "common/result/result_hdf.h"
 #include "common/result/result_layout.h"
 #include "revision.h"
 
-static enum status write_attributes(hid_t file, const struct case_file *c,
-                                    const struct case_run *r) {
-  char fingerprint[33], water[33], created[32];
-  case_fingerprint(c, r, fingerprint);
-  case_water_fingerprint(c, water);
+static enum status write_attributes(hid_t file, const struct result_about *about) {
+  char created[32];
   time_t now = time(NULL);
   strftime(created, sizeof created, "%Y-%m-%dT%H:%M:%SZ", gmtime(&now));
   const char *const text[][2] = {{"format", RESULT_FORMAT},
-                                 {"solver", r->solver->name},
-                                 {"run", r->name},
-                                 {"title", c->title},
+                                 {"solver", about->solver},
+                                 {"run", about->run},
+                                 {"title", about->title},
                                  {"version", PLUNGE_VERSION},
                                  {"revision", PLUNGE_REVISION},
-                                 {"fingerprint", fingerprint},
-                                 {"water", water},
+                                 {"fingerprint", about->fingerprint},
+                                 {"water", about->water_fingerprint},
                                  {"created", created}};
   for (size_t i = 0; i < sizeof text / sizeof *text; i++)
-    TRY(hdf_set_string(file, text[i][0], text[i][1]));
+    if (*text[i][1]) TRY(hdf_set_string(file, text[i][0], text[i][1]));
   TRY(hdf_set_integers(file, "format_version", 1, (int64_t[]){RESULT_FORMAT_VERSION}));
   TRY(hdf_set_integers(file, "complete", 1, (int64_t[]){0}));
-  TRY(hdf_set_integers(file, "floats", 1, (int64_t[]){flow_is_body(c->flow)}));
-  struct result_file scales = {.H = c->H,
-                               .g = c->g,
-                               .density = c->density,
-                               .spacing = c->H / r->resolution,
-                               .rest_potential = case_rest_potential(c)};
+  TRY(hdf_set_integers(file, "floats", 1, (int64_t[]){about->floats}));
+  struct result_file scales = {.H = about->H,
+                               .g = about->g,
+                               .density = about->density,
+                               .spacing = about->H / about->resolution,
+                               .rest_potential = about->rest_potential};
   for (int i = 0; i < RESULT_SCALES; i++)
     TRY(hdf_set_number(file, result_scales[i].name,
                        *(double *)((char *)&scales + result_scales[i].offset)));
@@ -68,14 +64,14 @@ static enum status write_parameter(hid_t group, const struct param *p, const voi
   return OK;
 }
 
-static enum status write_parameters(hid_t file, const struct case_run *r) {
+static enum status write_parameters(hid_t file, const struct result_about *about) {
   hid_t group = -1;
   enum status status = hdf_group_create(file, "parameters", &group);
   if (status == OK)
-    status = hdf_put_scalar(group, "resolution", H5T_NATIVE_DOUBLE, &r->resolution, "1",
+    status = hdf_put_scalar(group, "resolution", H5T_NATIVE_DOUBLE, &about->resolution, "1",
                             "scale of length H over the particle or node spacing");
-  for (size_t i = 0; i < r->solver->n_params && status == OK; i++)
-    status = write_parameter(group, &r->solver->params[i], r->options);
+  for (size_t i = 0; i < about->n_params && status == OK; i++)
+    status = write_parameter(group, &about->params[i], about->options);
   if (group >= 0) H5Gclose(group);
   return status;
 }
@@ -98,13 +94,13 @@ done:
 }
 
 /* Pressure at a probe, else lengths: see the units of experiments in the case file. */
-static const char *experiment_units(const struct case_file *c, const char *target) {
-  for (size_t i = 0; i < c->n_probes; i++)
-    if (!strcmp(c->probes[i].name, target)) return "Pa";
+static const char *experiment_units(const struct result_about *about, const char *target) {
+  for (size_t i = 0; i < about->n_probes; i++)
+    if (!strcmp(about->probes[i].name, target)) return "Pa";
   return "m";
 }
 
-static enum status write_experiment(hid_t parent, size_t number, const struct case_file *c,
+static enum status write_experiment(hid_t parent, size_t number, const struct result_about *about,
                                     const struct case_experiment *e) {
   char name[32];
   snprintf(name, sizeof name, "experiment_%zu", number);
@@ -116,17 +112,18 @@ static enum status write_experiment(hid_t parent, size_t number, const struct ca
   ATTEMPT(hdf_set_string(group, "target", e->target));
   ATTEMPT(hdf_put(group, "time", H5T_NATIVE_DOUBLE, e->n, 0, e->t, "s", "time"));
   ATTEMPT(hdf_put(group, "value", H5T_NATIVE_DOUBLE, e->n, 0, e->value,
-                  experiment_units(c, e->target), "measured value, in the units of its target"));
+                  experiment_units(about, e->target),
+                  "measured value, in the units of its target"));
 done:
   if (group >= 0) H5Gclose(group);
   return status;
 }
 
-static enum status write_experiments(hid_t file, const struct case_file *c) {
+static enum status write_experiments(hid_t file, const struct result_about *about) {
   hid_t group = -1;
   enum status status = hdf_group_create(file, "experiments", &group);
-  for (size_t i = 0; i < c->compare.n_experiments && status == OK; i++)
-    status = write_experiment(group, i + 1, c, &c->compare.experiments[i]);
+  for (size_t i = 0; i < about->n_experiments && status == OK; i++)
+    status = write_experiment(group, i + 1, about, &about->experiments[i]);
   if (group >= 0) H5Gclose(group);
   return status;
 }
@@ -148,21 +145,23 @@ done:
   return status;
 }
 
-static enum status write_profiles(hid_t file, const struct case_file *c) {
+static enum status write_profiles(hid_t file, const struct result_about *about) {
   hid_t group = -1;
-  if (!c->compare.n_profiles) return OK;
+  if (!about->n_profiles) return OK;
   enum status status = hdf_group_create(file, "profiles", &group);
-  for (size_t i = 0; i < c->compare.n_profiles && status == OK; i++)
-    status = write_profile(group, i + 1, &c->compare.profiles[i]);
+  for (size_t i = 0; i < about->n_profiles && status == OK; i++)
+    status = write_profile(group, i + 1, &about->profiles[i]);
   if (group >= 0) H5Gclose(group);
   return status;
 }
 
-enum status result_header_write(hid_t file, const struct case_file *c, const struct case_run *r) {
-  TRY(write_attributes(file, c, r));
-  TRY(hdf_put_string(file, "case", c->text, "the case file as run, with overrides applied"));
-  TRY(write_parameters(file, r));
-  TRY(write_walls(file, &c->walls));
-  TRY(write_experiments(file, c));
-  return write_profiles(file, c);
+enum status result_header_write(hid_t file, const struct result_about *about) {
+  TRY(write_attributes(file, about));
+  if (*about->case_text)
+    TRY(hdf_put_string(file, "case", about->case_text,
+                       "the case file as run, with overrides applied"));
+  TRY(write_parameters(file, about));
+  if (about->walls->pieces) TRY(write_walls(file, about->walls));
+  TRY(write_experiments(file, about));
+  return write_profiles(file, about);
 }

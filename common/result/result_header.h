@@ -3,6 +3,6 @@
 #pragma once
 #include <hdf5.h>
 
-#include "common/case/case.h"
+#include "common/result/result.h"
 
-enum status result_header_write(hid_t file, const struct case_file *c, const struct case_run *r);
+enum status result_header_write(hid_t file, const struct result_about *about);

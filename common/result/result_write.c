@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/array.h"
 #include "common/case/case.h"
+#include "common/flow/flow.h"
 #include "common/result/health.h"
 #include "common/result/result.h"
 #include "common/result/result_column.h"
@@ -29,10 +31,8 @@ struct result {
     struct hdf_column *time, *first_piece, *first_point, *closed, *points;
   } surface;
   struct result_table energy, steps, diagnostics;
-  const struct solver *solver; /* borrowed */
-  size_t n_probes, n_gauges;
-  struct result_table *probes, *gauges; /* [n_probes], [n_gauges], owned */
-  const struct case_point *point;       /* the case's, borrowed */
+  struct result_about about;            /* what is in it is borrowed */
+  struct result_table *probes, *gauges; /* of each, owned */
   struct result_table *points_at;       /* of each, owned; without columns until its first row */
   struct health_watch watch;            /* over what is written */
   struct vtkhdf *points;                /* from the first output on */
@@ -90,33 +90,34 @@ done:
 }
 
 /* What all solvers have, then the terms that this one has. */
-static enum status create_energy(struct result *w, hid_t parent, const struct solver *solver) {
+static enum status create_energy(struct result *w, hid_t parent) {
+  const struct result_about *about = &w->about;
   struct result_column columns[RESULT_ENERGY_COLUMNS + RESULT_TERMS];
-  assert(solver->n_terms <= RESULT_TERMS);
+  assert(about->n_terms <= RESULT_TERMS);
   memcpy(columns, result_energy_columns, sizeof result_energy_columns);
-  for (size_t k = 0; k < solver->n_terms; k++)
+  for (size_t k = 0; k < about->n_terms; k++)
     columns[RESULT_ENERGY_COLUMNS + k] =
-        (struct result_column){solver->terms[k].name, "J/m", solver->terms[k].help};
-  TRY(result_table_create(w->columns, parent, "energy", RESULT_ENERGY_COLUMNS + solver->n_terms,
+        (struct result_column){about->terms[k].name, "J/m", about->terms[k].help};
+  TRY(result_table_create(w->columns, parent, "energy", RESULT_ENERGY_COLUMNS + about->n_terms,
                           columns, &w->energy));
-  for (size_t k = 0; k < solver->n_terms; k++) TRY(mark_term(parent, &solver->terms[k]));
+  for (size_t k = 0; k < about->n_terms; k++) TRY(mark_term(parent, &about->terms[k]));
   return OK;
 }
 
-static enum status create_series(struct result *w, const struct case_file *c,
-                                 const struct solver *solver) {
+static enum status create_series(struct result *w) {
+  const struct result_about *about = &w->about;
   hid_t series = -1, probes = -1, gauges = -1;
   enum status status = OK;
   ATTEMPT(hdf_group_create(w->file, "series", &series));
-  ATTEMPT(create_energy(w, series, solver));
+  ATTEMPT(create_energy(w, series));
   ATTEMPT(result_table_create(w->columns, series, "run", RESULT_STEP_COLUMNS, result_step_columns,
                               &w->steps));
   ATTEMPT(hdf_group_create(series, "probes", &probes));
-  for (size_t i = 0; i < w->n_probes; i++)
-    ATTEMPT(create_probe(w, probes, &c->probes[i], &w->probes[i]));
+  for (size_t i = 0; i < about->n_probes; i++)
+    ATTEMPT(create_probe(w, probes, &about->probes[i], &w->probes[i]));
   ATTEMPT(hdf_group_create(series, "gauges", &gauges));
-  for (size_t i = 0; i < w->n_gauges; i++)
-    ATTEMPT(create_gauge(w, gauges, &c->gauges[i], &w->gauges[i]));
+  for (size_t i = 0; i < about->n_gauges; i++)
+    ATTEMPT(create_gauge(w, gauges, &about->gauges[i], &w->gauges[i]));
 done:
   if (gauges >= 0) H5Gclose(gauges);
   if (probes >= 0) H5Gclose(probes);
@@ -153,41 +154,41 @@ done:
   return status;
 }
 
-static enum status create_content(struct result *w, const struct case_file *c,
-                                  const struct case_run *r) {
-  TRY(result_header_write(w->file, c, r));
+static enum status create_content(struct result *w) {
+  TRY(result_header_write(w->file, &w->about));
   TRY(create_surface(w));
-  TRY(create_series(w, c, r->solver));
+  TRY(create_series(w));
   TRY(hdf_group_create(w->file, "events", &w->events));
   return hdf_group_create(w->file, "statistics", &w->statistics);
 }
 
-enum status result_create(const char *path, const struct case_file *c, const struct case_run *r,
-                          struct result **out) {
+static enum status create_tables(struct result *w) {
+  TRY(array_create(&w->probes, w->about.n_probes, "the series of probes"));
+  TRY(array_create(&w->gauges, w->about.n_gauges, "the series of gauges"));
+  return array_create(&w->points_at, w->about.n_points, "the series of points");
+}
+
+enum status result_begin(const char *path, const struct result_about *about, struct result **out) {
   enum status status = OK;
   hdf_quiet();
   struct result *w = *out = calloc(1, sizeof *w);
   CHECK(w, ERR_MEMORY, "no memory to write %s", path);
   w->file = w->events = w->statistics = -1;
   w->broken = true; /* until the header is complete */
+  w->about = *about;
   w->path = strdup(path);
-  w->probes = calloc(c->n_probes + 1, sizeof *w->probes);
-  w->gauges = calloc(c->n_gauges + 1, sizeof *w->gauges);
-  w->point = c->points;
-  w->points_at = calloc(c->n_points + 1, sizeof *w->points_at);
-  if (!w->path || !w->probes || !w->gauges || !w->points_at) {
+  if (!w->path) {
     status = status_raise(ERR_MEMORY, "no memory to write %s", path);
     goto done;
   }
-  w->solver = r->solver;
-  w->n_probes = c->n_probes;
-  w->n_gauges = c->n_gauges;
-  health_watch_begin(&w->watch, case_rest_potential(c), c->density * c->g * c->H * c->H * c->H);
-  for (size_t k = 0; k < w->solver->n_terms; k++) w->watch.outside[k] = w->solver->terms[k].outside;
+  ATTEMPT(create_tables(w));
+  health_watch_begin(&w->watch, about->rest_potential,
+                     about->density * about->g * about->H * about->H * about->H);
+  for (size_t k = 0; k < about->n_terms; k++) w->watch.outside[k] = about->terms[k].outside;
   ATTEMPT(hdf_columns_create(&w->columns));
   ATTEMPT(result_store_create(path, &w->store));
   ATTEMPT(result_store_open(w->store, &w->file));
-  ATTEMPT(create_content(w, c, r));
+  ATTEMPT(create_content(w));
   w->broken = false;
   ATTEMPT(result_flush(w));
   ATTEMPT(xdmf_create(path, &w->xdmf));
@@ -198,6 +199,47 @@ done:
     *out = NULL;
   }
   return status;
+}
+
+enum status result_create(const char *path, const struct case_file *c, const struct case_run *r,
+                          struct result **out) {
+  const struct solver *solver = r->solver;
+  char fingerprint[33], water[33];
+  case_fingerprint(c, r, fingerprint);
+  case_water_fingerprint(c, water);
+  const struct result_about about = {
+      .solver = solver->name,
+      .run = r->name,
+      .title = c->title,
+      .case_text = c->text,
+      .fingerprint = fingerprint,
+      .water_fingerprint = water,
+      .floats = flow_is_body(c->flow),
+      .H = c->H,
+      .g = c->g,
+      .density = c->density,
+      .resolution = r->resolution,
+      .rest_potential = case_rest_potential(c),
+      .walls = &c->walls,
+      .n_probes = c->n_probes,
+      .n_gauges = c->n_gauges,
+      .n_points = c->n_points,
+      .probes = c->probes,
+      .gauges = c->gauges,
+      .points = c->points,
+      .n_terms = solver->n_terms,
+      .n_diagnostics = solver->n_diagnostics,
+      .terms = solver->terms,
+      .diagnostics = solver->diagnostics,
+      .n_params = solver->n_params,
+      .params = solver->params,
+      .options = r->options,
+      .n_experiments = c->compare.n_experiments,
+      .n_profiles = c->compare.n_profiles,
+      .experiments = c->compare.experiments,
+      .profiles = c->compare.profiles,
+  };
+  return result_begin(path, &about, out);
 }
 
 /* ---- appending ---- */
@@ -221,10 +263,10 @@ enum status result_create_coarser(const struct case_file *c, const struct case_r
   return result_twin_create(c, r, &w->twin);
 }
 
-enum status result_hold_against(struct result *w, const struct case_file *c,
-                                const struct result *coarser, const struct result_coarser *how) {
+enum status result_hold_against(struct result *w, const struct result *coarser,
+                                const struct result_coarser *how) {
   return guard(
-      w, result_errors_create(w->file, w->columns, c, w->solver, coarser->twin, how, &w->errors));
+      w, result_errors_create(w->file, w->columns, &w->about, coarser->twin, how, &w->errors));
 }
 
 /* ---- points, surfaces, rows ---- */
@@ -316,7 +358,7 @@ done:
 static enum status add_point(struct result *w, size_t point, double time, const double *value) {
   struct result_table *s = &w->points_at[point];
   double row[1 + CASE_POINT_FIELDS] = {time};
-  if (!s->n_columns) TRY(create_point(w, &w->point[point], s));
+  if (!s->n_columns) TRY(create_point(w, &w->about.points[point], s));
   memcpy(row + 1, value, CASE_POINT_FIELDS * sizeof *value);
   return result_table_add(s, row);
 }
@@ -329,16 +371,16 @@ enum status result_point(struct result *w, size_t point, double time,
 
 /* Their datasets, when the first row comes. */
 static enum status create_diagnostics(struct result *w) {
-  const struct solver *solver = w->solver;
+  const struct result_about *about = &w->about;
   struct result_column columns[1 + RESULT_DIAGNOSTICS] = {{"time", "s", "physical time"}};
   hid_t group = -1;
-  assert(solver->n_diagnostics <= RESULT_DIAGNOSTICS);
-  for (size_t k = 0; k < solver->n_diagnostics; k++)
-    columns[1 + k] = (struct result_column){
-        solver->diagnostics[k].name, solver->diagnostics[k].units, solver->diagnostics[k].help};
+  assert(about->n_diagnostics <= RESULT_DIAGNOSTICS);
+  for (size_t k = 0; k < about->n_diagnostics; k++)
+    columns[1 + k] = (struct result_column){about->diagnostics[k].name, about->diagnostics[k].units,
+                                            about->diagnostics[k].help};
   enum status status = hdf_open_group(w->file, "series", &group);
   if (status == OK)
-    status = result_table_create(w->columns, group, "diagnostics", 1 + solver->n_diagnostics,
+    status = result_table_create(w->columns, group, "diagnostics", 1 + about->n_diagnostics,
                                  columns, &w->diagnostics);
   if (group >= 0) H5Gclose(group);
   return status;
@@ -347,7 +389,7 @@ static enum status create_diagnostics(struct result *w) {
 static enum status add_diagnostics(struct result *w, double time, const double *values) {
   double row[1 + RESULT_DIAGNOSTICS] = {time};
   if (!w->diagnostics.n_columns) TRY(create_diagnostics(w));
-  memcpy(row + 1, values, w->solver->n_diagnostics * sizeof *values);
+  memcpy(row + 1, values, w->about.n_diagnostics * sizeof *values);
   return result_table_add(&w->diagnostics, row);
 }
 

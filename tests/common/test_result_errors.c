@@ -44,7 +44,7 @@ static struct result_file *held(double off, double shift) {
   EXPECT_OK(result_create_coarser(c, &c->runs[0], &coarser));
   EXPECT_OK(write_run(coarser, 3, off, shift));
   EXPECT_OK(result_create(path, c, &c->runs[0], &w));
-  EXPECT_OK(result_hold_against(w, c, coarser, &how));
+  EXPECT_OK(result_hold_against(w, coarser, &how));
   EXPECT_OK(write_run(w, 5, 0, 0));
   EXPECT_OK(result_finish(w));
   result_destroy(w);
