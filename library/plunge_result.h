@@ -53,11 +53,11 @@ int plunge_result_term(plunge_result *r, const char *name, const char *help);
 
 /* ---- outputs: times (s) that do not fall, of each kind by itself ---- */
 
-/* The free surface: n points in one open piece, the water on its right (a flat one goes from left to
- * right). */
+/* The free surface: n points in one open piece, the water on its right (a flat one goes from left
+ * to right). */
 int plunge_result_surface(plunge_result *r, double time, int n, const double *points);
-/* The same in pieces, piece k from point first[k] to first[k + 1] - 1, [pieces + 1]; closed [pieces]
- * or NULL: those that are not 0 are drops and cavities. */
+/* The same in pieces, piece k from point first[k] to first[k + 1] - 1, [pieces + 1]; closed
+ * [pieces] or NULL: those that are not 0 are drops and cavities. */
 int plunge_result_pieces(plunge_result *r, double time, int pieces, const int *first,
                          const int *closed, const double *points);
 

@@ -55,6 +55,7 @@ enum result_cells { RESULT_VERTICES, RESULT_LINE }; /* loose particles, or one p
  * there, all else until it is written. */
 struct result_about {
   const char *solver, *run, *title;
+  const char *version, *revision; /* of the program; "" as below */
   const char *case_text, *fingerprint, *water_fingerprint; /* "": there is none */
   bool floats;                                             /* a body without gravity */
   double H, g, density;                                    /* m, m s^-2, kg m^-3 */

@@ -1,12 +1,12 @@
 #include "common/result/result_header.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
 
 #include "common/result/result_hdf.h"
 #include "common/result/result_layout.h"
-#include "revision.h"
 
 static enum status write_attributes(hid_t file, const struct result_about *about) {
   char created[32];
@@ -16,8 +16,8 @@ static enum status write_attributes(hid_t file, const struct result_about *about
                                  {"solver", about->solver},
                                  {"run", about->run},
                                  {"title", about->title},
-                                 {"version", PLUNGE_VERSION},
-                                 {"revision", PLUNGE_REVISION},
+                                 {"version", about->version},
+                                 {"revision", about->revision},
                                  {"fingerprint", about->fingerprint},
                                  {"water", about->water_fingerprint},
                                  {"created", created}};
@@ -31,9 +31,10 @@ static enum status write_attributes(hid_t file, const struct result_about *about
                                .density = about->density,
                                .spacing = about->H / about->resolution,
                                .rest_potential = about->rest_potential};
-  for (int i = 0; i < RESULT_SCALES; i++)
-    TRY(hdf_set_number(file, result_scales[i].name,
-                       *(double *)((char *)&scales + result_scales[i].offset)));
+  for (int i = 0; i < RESULT_SCALES; i++) {
+    const double value = *(double *)((char *)&scales + result_scales[i].offset);
+    if (!isnan(value)) TRY(hdf_set_number(file, result_scales[i].name, value));
+  }
   return OK;
 }
 

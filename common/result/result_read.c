@@ -215,8 +215,6 @@ static enum status read_energy(hid_t file, struct result_file *f) {
   char **links = NULL;
   enum status status = OK;
   if (!hdf_is_there(file, "series/energy")) return OK;
-  CHECK(isfinite(f->rest_potential), ERR_INPUT,
-        "it has /series/energy, but no attribute rest_potential, from which energies are counted");
   ATTEMPT(hdf_open_group(file, "series/energy", &group));
   ATTEMPT(hdf_list(group, &n_links, &links));
   ATTEMPT(read_terms(group, n_links, links, f));
@@ -229,6 +227,9 @@ static enum status read_energy(hid_t file, struct result_file *f) {
                                 &memory_)));
   for (size_t i = 0; i < f->n_energy && !hdf_is_there(group, "total"); i++)
     f->energy[i].total = f->energy[i].kinetic + f->energy[i].potential + f->energy[i].internal;
+  if (f->n_energy && isnan(f->rest_potential))
+    status = status_raise(ERR_INPUT, "it has /series/energy, but no attribute rest_potential, from "
+                                     "which energies are counted");
 done:
   hdf_list_destroy(n_links, links);
   if (group >= 0) H5Gclose(group);

@@ -18,6 +18,7 @@
 #include "common/result/result_table.h"
 #include "common/result/result_vtkhdf.h"
 #include "common/result/result_xdmf.h"
+#include "revision.h"
 
 enum { SURFACE_ROWS = 4096 }; /* of a chunk */
 
@@ -211,6 +212,8 @@ enum status result_create(const char *path, const struct case_file *c, const str
       .solver = solver->name,
       .run = r->name,
       .title = c->title,
+      .version = PLUNGE_VERSION,
+      .revision = PLUNGE_REVISION,
       .case_text = c->text,
       .fingerprint = fingerprint,
       .water_fingerprint = water,
