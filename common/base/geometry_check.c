@@ -361,6 +361,14 @@ static const double *vertex_at(const struct geo_lines *l, double near, const dou
   return at;
 }
 
+/* Whether the last piece ends, or begins, at a point: rounding may leave two of one. */
+static bool is_last_point(const struct geo_lines *l, double near, const double p[2]) {
+  const size_t first = l->first[l->pieces - 1], last = l->points - 1;
+  if (l->points == first) return false;
+  return hypot(l->p[first][0] - p[0], l->p[first][1] - p[1]) <= near ||
+         hypot(l->p[last][0] - p[0], l->p[last][1] - p[1]) <= near;
+}
+
 static enum status add_ring(struct geos *g, const GEOSGeometry *ring, const struct geo_lines *l,
                             double near, bool hole, struct geo_lines *out) {
   const GEOSCoordSequence *s = GEOSGeom_getCoordSeq_r(g->h, ring);
@@ -371,7 +379,7 @@ static enum status add_ring(struct geos *g, const GEOSGeometry *ring, const stru
     double at[2];
     GEOSCoordSeq_getXY_r(g->h, s, i, &at[0], &at[1]);
     const double *p = vertex_at(l, 2 * near, at);
-    TRY(geo_lines_add(out, p[0], p[1]));
+    if (!is_last_point(out, 4 * near, p)) TRY(geo_lines_add(out, p[0], p[1]));
   }
   if ((geo_piece_area(out, out->pieces - 1) < 0) != hole) geo_piece_reverse(out, out->pieces - 1);
   return OK;

@@ -310,7 +310,7 @@ static void check_pressure(struct case_draft *d) {
   }
   if (d->pressure == 0) return;
   snprintf(found, sizeof found, "'%s' with a %s", name, flow_is_wave(c->flow) ? "wave" : "body");
-  snprintf(allowed, sizeof allowed, "%s for regions of water in a rectangular tank", name);
+  snprintf(allowed, sizeof allowed, "%s for regions of water", name);
   case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.water, "pressure"),
                    "water.pressure", found, allowed, "write hydrostatic");
 }

@@ -10,7 +10,6 @@
 
 #include "common/flow/bodies.h"
 #include "common/flow/release.h"
-#include "common/tank/tank.h"
 
 struct form {
   double side, rate; /* m, 1/s */
@@ -49,11 +48,10 @@ static enum status outline(const struct case_file *c, struct geo_lines *water) {
 static enum status create(struct flow_water *w) {
   const struct case_file *c = w->c;
   const struct form *f = c->form;
-  const struct tank tank = tank_of(&c->walls, c->periodic);
   const struct release_drive turning = {.source = -2 * f->rate * f->rate / c->g};
   struct release *r = NULL;
   if (w->use.spacing == 0) return OK;
-  TRY(release_create(&c->water, &tank, w->use.spacing, case_near(c), &turning, &r));
+  TRY(release_create(&c->water, &c->walls, w->use.spacing, case_near(c), &turning, &r));
   w->own = r;
   return OK;
 }

@@ -151,75 +151,6 @@ static void test_water_that_falls_free_has_no_pressure(void) {
 
 /* ---- released pressure ---- */
 
-static const struct release_drive weight = {.weight = 1};
-
-static struct geo_lines rectangle(double x0, double x1, double y1) {
-  struct geo_lines l = {0};
-  const double p[4][2] = {{x0, 0}, {x1, 0}, {x1, y1}, {x0, y1}};
-  EXPECT_OK(geo_lines_begin(&l, true));
-  for (int i = 0; i < 4; i++) EXPECT_OK(geo_lines_add(&l, p[i][0], p[i][1]));
-  return l;
-}
-
-/* Root mean square of the difference from the column's series, over H, at points of the water that
- * are not those of the lattice. `from`: where the column's wall, or its middle, is. */
-static double released_error(double x0, double x1, double from, double side, double spacing) {
-  const double H = 0.873;
-  struct tank tank = {.box = {{0, 0}, {4, 3}}, .top = {3, 3}};
-  struct geo_lines water = rectangle(x0, x1, H);
-  struct release *r;
-  EXPECT_OK(release_create(&water, &tank, spacing, 1e-9, &weight, &r));
-  double sum = 0, L = side > 0 ? x1 - from : from - x0;
-  int n = 0;
-  for (double x = 0.003; x < L; x += 0.0171)
-    for (double y = 0.0021; y < H; y += 0.0171, n++)
-      sum += pow(release_at(r, from + side * x, y) - release_head(x, y, L, H), 2);
-  release_destroy(r);
-  geo_lines_destroy(&water);
-  return sqrt(sum / n) / H;
-}
-
-/* The corner at the foot of the gate, where dp/dx has a logarithm, leaves an order between one and
- * two; 1.7 to 1.9 measured. */
-static void test_sparse_solve_converges_to_the_column(void) {
-  static const struct {
-    double x0, x1, from, side;
-  } columns[] = {{0, 1.31, 0, 1}, {2.77, 4, 4, -1}, {1.17, 3.03, 2.1, 1}}; /* free on both sides */
-  for (size_t k = 0; k < sizeof columns / sizeof *columns; k++) {
-    double error[3];
-    for (int i = 0; i < 3; i++)
-      error[i] = released_error(columns[k].x0, columns[k].x1, columns[k].from, columns[k].side,
-                                0.04 / (1 << i));
-    printf("     column %zu: error over H %.1e %.1e %.1e\n", k, error[0], error[1], error[2]);
-    EXPECT(error[2] < 2e-4);
-    EXPECT(error[2] < error[0] / 6);
-  }
-}
-
-/* A slanting surface: the right triangle of side 1 at the wall has p/(rho g) = 1/2 - y + (y^2 -
- * x^2)/2, zero where x + y = 1. Stencils and interpolation are exact for parabolas; the
- * errors of the stencils cut by the surface, of second order, have opposite signs in x and y here.
- * Largest error. */
-static double triangle_error(double spacing) {
-  struct tank tank = {.box = {{0, 0}, {4, 3}}, .top = {3, 3}};
-  struct case_file *c = water_of("regions: [[[0, 0], [1, 0], [0, 1]]], pressure: released", 20);
-  struct release *r;
-  EXPECT_OK(release_create(&c->water, &tank, spacing, 1e-9, &weight, &r));
-  double worst = 0;
-  for (double x = 0.003; x < 1; x += 0.0171)
-    for (double y = 0.0021; y < 1 - x; y += 0.0171)
-      worst = fmax(worst, fabs(release_at(r, x, y) - (0.5 - y + (y * y - x * x) / 2)));
-  release_destroy(r);
-  case_destroy(c);
-  return worst;
-}
-
-static void test_sparse_solve_meets_a_slanting_surface(void) {
-  double coarse = triangle_error(0.043), fine = triangle_error(0.0107);
-  printf("     triangle: error over H %.1e %.1e\n", coarse, fine);
-  EXPECT(coarse < 1e-4 && fine < 1e-5); /* the spacings in x and y differ by up to 1 % */
-}
-
 /* Nothing can start to move: hydrostatic, exactly, since the solution is linear. */
 static void test_released_water_between_walls_stays_hydrostatic(void) {
   expect_depth("regions: [[[0, 0], [4, 0], [4, 1], [0, 1]]], pressure: released", one);
@@ -227,32 +158,6 @@ static void test_released_water_between_walls_stays_hydrostatic(void) {
       "regions: [[[0, 0], [4, 0], [4, 0.31], [0, 0.31]], [[0, 0.31], [4, 0.31], [4, 1], [0, "
       "1]]], pressure: released",
       one);
-}
-
-/* A wet bed as one polygon and as two: the same water, the same pressure, at the points of one. */
-static void test_regions_that_touch_are_one_water(void) {
-  struct case_file *c[2] = {
-      water_of("regions: [" L_SHAPE "], pressure: released", 20),
-      water_of("regions: [[[0, 0], [0.97, 0], [0.97, 1], [0, 1]], [[0.97, 0], [4, 0], [4, 0.27], "
-               "[0.97, 0.27]]], pressure: released",
-               20)};
-  struct release *r[2];
-  struct tank tank = {.box = c[0]->tank, .top = {3, 3}};
-  for (int k = 0; k < 2; k++)
-    EXPECT_OK(release_create(&c[k]->water, &tank, 0.05, 1e-9, &weight, &r[k]));
-  double worst = 0, most = 0;
-  for (double x = 0.01; x < 4; x += 0.0371)
-    for (double y = 0.01; y < surface_of_L(x); y += 0.0371) {
-      worst = fmax(worst, fabs(release_at(r[0], x, y) - release_at(r[1], x, y)));
-      most = fmax(most, release_at(r[0], x, y));
-    }
-  EXPECT_NEAR(worst, 0, 1e-12);
-  /* below the hydrostatic one of the column, above that of a column on a dry bed */
-  EXPECT(most < 1 && most > release_head(0, 0, 0.97, 1));
-  for (int k = 0; k < 2; k++) {
-    release_destroy(r[k]);
-    case_destroy(c[k]);
-  }
 }
 
 /* Bits that do not depend on anything but the case. */
@@ -270,10 +175,7 @@ int main(void) {
   RUN(test_circle_of_many_sides_is_exact);
   RUN(test_depth_counts_from_the_surface_above);
   RUN(test_water_that_falls_free_has_no_pressure);
-  RUN(test_sparse_solve_converges_to_the_column);
-  RUN(test_sparse_solve_meets_a_slanting_surface);
   RUN(test_released_water_between_walls_stays_hydrostatic);
-  RUN(test_regions_that_touch_are_one_water);
   RUN(test_start_is_repeatable);
   return TEST_RESULT;
 }
