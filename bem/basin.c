@@ -251,7 +251,7 @@ static void check_water(const struct case_file *c, const struct case_run *r,
   else if (problem)
     bem_outline_refuse(r, problems, problem);
   else {
-    if (!l.straight) bem_outline_check(&l.outline, c, r, problems);
+    if (l.outline.chain.pieces) bem_outline_check(&l.outline, c, r, problems);
     check_edges(c, r, m, &l, problems, length);
   }
   bem_outline_destroy(&l.outline);

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "bem/start.h"
+
 static const double PANELS = 4; /* what is wider than so many panels is no trouble */
 
 static void name_wall(const struct bem_run *r, size_t wall, char name[20]) {
@@ -74,6 +76,9 @@ enum status bem_ending_write(struct bem_run *r) {
   r->lost = true;
   describe(r, what, &x, &y);
   return bem_run_end(r, x, y, what,
-                     "what was written before is valid: end the case there, or try another "
-                     "resolution or film");
+                     bem_start_is_rounded(r->c)
+                         ? "what was written before is valid: end the case there, or try another "
+                           "resolution, film or rounding"
+                         : "what was written before is valid: end the case there, or try another "
+                           "resolution or film");
 }

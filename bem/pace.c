@@ -13,7 +13,8 @@ enum {
   WINDOW = 15,   /* steps */
   PATIENCE = 50, /* steps */
   STRETCH = 200,
-  SETTLE = 60 /* steps that CVODE's order and step need to grow after a start */
+  MOST_STEPS = 1000000, /* a hundred times as many as any run has needed */
+  SETTLE = 60           /* steps that CVODE's order and step need to grow after a start */
 };
 
 void bem_pace_destroy(struct bem_pace *p) {
@@ -34,6 +35,10 @@ enum status bem_pace_add(struct bem_pace *p, double time, double dt) {
 void bem_pace_restarted(struct bem_pace *p) {
   p->since = 0;
   p->watch.set = false;
+}
+
+bool bem_pace_is_spent(const struct bem_pace *p) {
+  return p->steps >= MOST_STEPS;
 }
 
 bool bem_pace_leads_nowhere(const struct bem_pace *p) {

@@ -24,6 +24,9 @@ void bem_pace_destroy(struct bem_pace *p);
 enum status bem_pace_add(struct bem_pace *p, double time, double dt);
 void bem_pace_restarted(struct bem_pace *p);
 
+/* Whether so many steps have been made that the end is out of reach. */
+bool bem_pace_is_spent(const struct bem_pace *p);
+
 /* Whether the last steps lead nowhere; or that, or so slowly that the end is out of reach. */
 bool bem_pace_leads_nowhere(const struct bem_pace *p);
 bool bem_pace_is_lost(const struct bem_pace *p, double time);

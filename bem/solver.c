@@ -7,6 +7,7 @@
 
 #include "bem/accuracy.h"
 #include "bem/basin.h"
+#include "bem/ending.h"
 #include "bem/estimate.h"
 #include "bem/events.h"
 #include "bem/forces.h"
@@ -119,7 +120,6 @@ static const struct param params[] = {
 static const double GENTLE = 1. / 30;
 static const double SHOWN = 1e-6;   /* residual that is enough for outputs */
 static const double UPRIGHT = 1e-6; /* cosine of a wall's slope: less is rounding */
-enum { MOST_STEPS = 1000000 };
 
 /* After a step: events, then what is too thin, then the spacing of the nodes. */
 static enum status act(struct bem_run *r, const int *found) {
@@ -201,7 +201,7 @@ static enum status advance(struct bem_run *r, struct progress *progress) {
   double end = r->c->end / r->output.time_scale, work = 0;
   for (size_t step = 1; r->time < end && !r->ended; step++) {
     TRY(rescue(r, step_on(r, progress, step, end, &work)));
-    CHECK(step < MOST_STEPS, ERR_SOLVER, "%d time steps have not led to the end", MOST_STEPS);
+    if (!r->ended && bem_pace_is_spent(&r->pace)) TRY(bem_ending_write(r));
   }
   return OK;
 }

@@ -230,6 +230,17 @@ static void start_moving(const struct case_file *c, struct bem_flow *f) {
   for (size_t k = 0; k < s->n; k++) phi[k] -= velocity[0] * x[k] + velocity[1] * y[k];
 }
 
+bool bem_start_is_rounded(const struct case_file *c) {
+  struct flow_column column;
+  struct bem_outline o;
+  const char *problem;
+  if (flow_is_wave(c->flow) || flow_is_body(c->flow) || flow_line_of(c)) return false;
+  if (!bem_basin_is_mapped(c) && flow_find_column(c, &column)) return false;
+  const bool bent = bem_outline_find(c, &o, &problem) == OK && !problem && o.chain.points > 2;
+  bem_outline_destroy(&o);
+  return bent;
+}
+
 static enum status start_regions(const struct case_file *c, const struct case_run *r,
                                  struct bem_flow *f) {
   struct flow_column column;

@@ -23,6 +23,16 @@ static void test_energy_that_changes_by_itself_is_noticed(void) {
   EXPECT(!runs_away(STEP, -0.05));
 }
 
+/* The run then ends in a sentence, with what is known until then. */
+static void test_a_million_steps_are_enough(void) {
+  struct bem_pace p = {0};
+  for (int i = 0; i < 999999; i++) EXPECT_OK(bem_pace_add(&p, i * STEP, STEP));
+  EXPECT(!bem_pace_is_spent(&p));
+  EXPECT_OK(bem_pace_add(&p, 10, STEP));
+  EXPECT(bem_pace_is_spent(&p));
+  bem_pace_destroy(&p);
+}
+
 /* Long steps get on, whatever their errors. */
 static void test_long_steps_are_not_watched(void) {
   EXPECT(!runs_away(0.01, 1));
@@ -61,6 +71,7 @@ static void test_steps_that_shrink_by_and_by_are_not_cut_short(void) {
 }
 
 int main(void) {
+  RUN(test_a_million_steps_are_enough);
   RUN(test_steps_that_shrink_by_and_by_are_not_cut_short);
   RUN(test_energy_that_changes_by_itself_is_noticed);
   RUN(test_long_steps_are_not_watched);
