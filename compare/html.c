@@ -220,7 +220,36 @@ static void check_row(struct page *p, const struct comparison *c, const struct c
   cmp_page_close(p);
 }
 
-static void checks(struct page *p, const struct comparison *c, const struct cmp_rows *rows) {
+static void event_row(struct page *p, const struct comparison *c, const struct cmp_check *check,
+                      struct cmp_html_reasons *why) {
+  const char *outcome = check->passed ? "PASS" : "FAIL";
+  const struct case_event *e = check->of;
+  cmp_page_open(p, "tr", NULL);
+  cmp_html_run(p, c, check->run);
+  cmp_html_cell(p, "t", "%s, %s", case_event_names[e->event], case_event_parts[e->part]);
+  cmp_html_value(p, &check->value, why);
+  cmp_html_cell(p, NULL, "%.5g", check->published);
+  cmp_html_cell(p, NULL, "%.3g", check->within);
+  cmp_html_cell(p, "t", "%s", cmp_check_units(check));
+  cmp_html_cell(p, outcome, "%s", outcome);
+  cmp_html_cell(p, "w", "%s", e->source);
+  cmp_page_close(p);
+}
+
+static void event_checks(struct page *p, const struct comparison *c,
+                         const struct cmp_checks *checks) {
+  struct cmp_html_reasons why = {0};
+  if (!checks->n) return;
+  cmp_page_element(p, "h3", NULL, "Events against published numbers");
+  cmp_html_table_open(p);
+  cmp_html_headings(p, (const char *const[]){"run", "event", "value", "published", "within",
+                                             "units", "verdict", "source", NULL});
+  for (size_t i = 0; i < checks->n; i++) event_row(p, c, &checks->check[i], &why);
+  cmp_html_table_close(p);
+  cmp_html_reasons_list(p, &why);
+}
+
+static void limit_checks(struct page *p, const struct comparison *c, const struct cmp_rows *rows) {
   struct cmp_html_reasons why = {0};
   if (!rows->passed && !rows->failed) {
     cmp_page_element(
@@ -230,6 +259,7 @@ static void checks(struct page *p, const struct comparison *c, const struct cmp_
         "0.02}; the measures are listed at the end of this page.");
     return;
   }
+  if (rows->passed + rows->failed == rows->checks.n) return;
   cmp_html_table_open(p);
   cmp_html_headings(p, (const char *const[]){"run", "measure", "t*", "value", "limit",
                                              "noise floor", "units", "where", "verdict", NULL});
@@ -243,6 +273,11 @@ static void checks(struct page *p, const struct comparison *c, const struct cmp_
     cmp_page_element(p, "p", "soft",
                      "Tolerances of the case that concern none of the runs compared here: %zu.",
                      rows->unused);
+}
+
+static void checks(struct page *p, const struct comparison *c, const struct cmp_rows *rows) {
+  limit_checks(p, c, rows);
+  event_checks(p, c, &rows->checks);
 }
 
 /* ---- the page ---- */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "compare/absent.h"
+#include "compare/chart.h"
 #include "compare/ledger.h"
 #include "compare/output.h"
 #include "compare/text.h"
@@ -398,6 +399,21 @@ static json_t *row_object(struct maker *m, const struct comparison *c, const str
   return object;
 }
 
+static json_t *check_object(struct maker *m, const struct comparison *c,
+                            const struct cmp_check *check) {
+  json_t *object = json_object();
+  set(m, object, "event", text(case_event_names[check->of->event]));
+  set(m, object, "of", text(case_event_parts[check->of->part]));
+  set(m, object, "units", text(cmp_check_units(check)));
+  set(m, object, "run", text(cmp_run_or_ref(c, check->run)->data.label));
+  set_value(m, object, "value", &check->value);
+  set(m, object, "published", number(check->published));
+  set(m, object, "within", number(check->within));
+  set(m, object, "source", text(check->of->source));
+  set(m, object, "outcome", text(check->passed ? "pass" : "fail"));
+  return object;
+}
+
 static json_t *scales(struct maker *m, const struct comparison *c) {
   json_t *object = json_object();
   set(m, object, "H_m", number(c->scales.H));
@@ -412,7 +428,7 @@ enum status cmp_json_write(const struct comparison *c, const struct cmp_rows *ro
                            const char *sentence, const char *path) {
   struct maker maker = {true}, *m = &maker;
   json_t *root = json_object(), *runs = json_array(), *measures = json_array();
-  json_t *window = json_array();
+  json_t *window = json_array(), *events = json_array();
   set(m, root, "format", text("plunge report"));
   set(m, root, "program_version", text(PLUNGE_VERSION));
   set(m, root, "program_revision", text(PLUNGE_REVISION));
@@ -435,6 +451,9 @@ enum status cmp_json_write(const struct comparison *c, const struct cmp_rows *ro
   set(m, root, "runs", runs);
   for (size_t i = 0; i < rows->n; i++) add(m, measures, row_object(m, c, &rows->row[i]));
   set(m, root, "measures", measures);
+  for (size_t i = 0; i < rows->checks.n; i++)
+    add(m, events, check_object(m, c, &rows->checks.check[i]));
+  set(m, root, "events", events);
 
   enum status status = OK;
   struct cmp_output out = {0};

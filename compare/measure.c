@@ -93,8 +93,16 @@ static void tolerances_apply(const struct comparison *c, struct cmp_rows *rows) 
   }
 }
 
+static void count_checks(struct cmp_rows *rows) {
+  for (size_t i = 0; i < rows->checks.n; i++) {
+    rows->passed += rows->checks.check[i].passed;
+    rows->failed += !rows->checks.check[i].passed;
+  }
+}
+
 enum status cmp_rows_create(const struct comparison *c, struct cmp_rows *rows) {
   *rows = (struct cmp_rows){0};
+  TRY(cmp_checks_create(c, &rows->checks));
   rows->row = calloc(CMP_N_MEASURES * c->n_runs * (c->n_times + 1) + 1, sizeof *rows->row);
   CHECK(rows->row, ERR_MEMORY, "no memory for the table of measures");
   rows->n_times = c->n_times;
@@ -110,12 +118,14 @@ enum status cmp_rows_create(const struct comparison *c, struct cmp_rows *rows) {
   }
   rows->first[CMP_N_MEASURES] = rows->n;
   tolerances_apply(c, rows);
+  count_checks(rows);
   return OK;
 }
 
 void cmp_rows_destroy(struct cmp_rows *rows) {
   if (!rows) return;
   free(rows->row);
+  cmp_checks_destroy(&rows->checks);
   *rows = (struct cmp_rows){0};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "common/solver.h"
 #include "compare/comparison.h"
+#include "compare/events.h"
 #include "compare/measures/list.h"
 #include "compare/section.h"
 
@@ -28,7 +29,8 @@ struct cmp_rows {
   size_t partial;      /* of those passed: without every sensor */
   struct cmp_row *row; /* by measure, run and time */
   size_t first[CMP_N_MEASURES + 1], n_times;
-  size_t unused; /* tolerances that applied to nothing that was compared */
+  struct cmp_checks checks; /* of events against published numbers; among the passed and failed */
+  size_t unused;            /* tolerances that applied to nothing that was compared */
 };
 
 enum status cmp_rows_create(const struct comparison *c, struct cmp_rows *rows);

@@ -149,10 +149,10 @@ static void print_kinds(FILE *out, const char *section, const struct flow_list *
 }
 
 void case_print_keys(FILE *out) {
-  const struct case_table *const lists[] = {case_section_tables, case_line_tables,
-                                            case_motion_tables,  case_run_tables,
-                                            case_profile_tables, case_signal_tables};
-  for (size_t i = 0; i < 6; i++)
+  const struct case_table *const lists[] = {
+      case_section_tables, case_line_tables,  case_motion_tables, case_run_tables,
+      case_profile_tables, case_event_tables, case_signal_tables};
+  for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
     for (const struct case_table *t = lists[i]; t->name; t++) {
       print_section(out, t->name, t->params, t->n);
       if (!strcmp(t->name, "water.wave")) print_kinds(out, t->name, &flow_waves);
@@ -213,5 +213,7 @@ void case_destroy(struct case_file *c) {
   free(c->compare.experiments);
   for (size_t i = 0; i < c->compare.n_profiles; i++) case_profile_destroy(&c->compare.profiles[i]);
   free(c->compare.profiles);
+  for (size_t i = 0; i < c->compare.n_events; i++) case_event_destroy(&c->compare.events[i]);
+  free(c->compare.events);
   free(c);
 }

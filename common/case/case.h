@@ -112,6 +112,31 @@ struct case_experiment { /* a measured series laid over a probe's or a gauge's p
   double *t, *value; /* s, and Pa or m, [n], owned */
 };
 
+/* X(name, help): what happens at an instant, as solvers name it. */
+#define CASE_EVENTS(X)                                                                             \
+  X(wall_impact, "the front reaches its wall")                                                     \
+  X(overturning, "a face becomes vertical")                                                        \
+  X(touchdown, "a jet reaches the water below")                                                    \
+  X(self_contact, "the surface meets itself or a wall with air between")                           \
+  X(overflow, "water passes the top of a wall")                                                    \
+  X(run_up, "an edge of the water is highest on its slope")
+enum {
+#define X(name, help) CASE_EVENT_OF_##name,
+  CASE_EVENTS(X)
+#undef X
+      CASE_N_EVENTS
+};
+enum case_event_part { CASE_EVENT_time, CASE_EVENT_x, CASE_EVENT_y, CASE_N_EVENT_PARTS };
+extern const char *const case_event_names[], *const case_event_parts[]; /* "time", "x", "y" */
+
+struct case_event {     /* a published number of an event */
+  int event, part;      /* places in the two lists */
+  double value, within; /* s or m; a larger difference fails */
+  char *source;         /* owned */
+  size_t n_runs;        /* 0: every run, and the reference */
+  size_t *runs;         /* indices into case_file.runs, [n_runs], owned */
+};
+
 struct case_profile { /* a measured surface at an instant, laid over those of the runs */
   char *label, *source;
   double time; /* s */
@@ -172,6 +197,8 @@ struct case_file {
     struct case_experiment *experiments;
     size_t n_profiles;
     struct case_profile *profiles;
+    size_t n_events;
+    struct case_event *events;
   } compare;
 };
 
@@ -204,6 +231,7 @@ struct case_strokes case_find_strokes(const struct case_file *c, int side);
 void case_refuse_motions(const struct case_file *c, const struct case_run *r,
                          struct problems *problems);
 
+void case_event_destroy(struct case_event *e);     /* what it owns */
 void case_profile_destroy(struct case_profile *p); /* what it owns */
 
 /* Whether a run has value `key` itself, not from a named scheme or the solver's table. */

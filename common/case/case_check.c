@@ -322,6 +322,7 @@ void case_check(struct case_draft *d) {
   if (d->good.time) check_times(d);
   if (d->good.time) case_check_profiles(d);
   if (d->good.time && d->good.runs) case_check_tolerances(d);
+  if (d->good.runs) case_check_events(d);
   if (d->good.time) {
     case_check_averages(d, d->c->end, "time.end");
     case_check_filters(d, d->c->sample, d->c->end, "time.end");

@@ -57,6 +57,9 @@ void case_release_form(struct case_file *c);
 /* case_runs.c: runs, then compare, which names them. */
 enum status case_read_runs(struct case_draft *d);
 enum status case_read_compare(struct case_draft *d);
+/* Names of runs as indices, *runs the caller's; the reference may be among them or not. */
+enum status case_read_run_names(struct case_draft *d, int node, const char *path, bool reference,
+                                size_t *n, size_t **runs);
 
 extern const struct case_table case_section_tables[], case_run_tables[];
 
@@ -133,6 +136,11 @@ extern const struct case_table case_motion_tables[];
 enum status case_read_profiles(struct case_draft *d, int node);
 void case_check_profiles(struct case_draft *d);
 extern const struct case_table case_profile_tables[];
+
+/* case_event.c: compare.events. */
+enum status case_read_events(struct case_draft *d, int node);
+void case_check_events(struct case_draft *d);
+extern const struct case_table case_event_tables[];
 
 /* case_experiment.c: reads the data file of e, a path relative to the case file, into SI units.
  * Adds problems; `line` and `path` are those of the key `file`. */

@@ -135,7 +135,8 @@ enum status case_read_runs(struct case_draft *d) {
 /* ---- compare ---- */
 
 struct compare_section {
-  int reference, times, window, tolerances, averages, filters, spectra, experiments, profiles;
+  int reference, times, window, tolerances, averages, filters, spectra, experiments, profiles,
+      events;
 };
 static const struct param compare_rows[] = {
     NODE(struct compare_section, reference, "", "the name of a run; default: the first"),
@@ -149,6 +150,7 @@ static const struct param compare_rows[] = {
     NODE(struct compare_section, spectra, "", "a list of spectra of series"),
     NODE(struct compare_section, experiments, "", "a list of experiments"),
     NODE(struct compare_section, profiles, "", "a list of measured surfaces at instants"),
+    NODE(struct compare_section, events, "", "a list of published numbers of events"),
 };
 
 static const char *run_name(const struct case_file *c, size_t i) {
@@ -260,23 +262,22 @@ static enum status read_measure(struct case_draft *d, int node, const char *path
   return OK;
 }
 
-static enum status read_tolerance_runs(struct case_draft *d, int node, const char *path,
-                                       struct case_tolerance *t) {
+enum status case_read_run_names(struct case_draft *d, int node, const char *path, bool reference,
+                                size_t *n, size_t **runs) {
   struct case_doc *doc = &d->doc;
   char item[CASE_PATH + 48];
-  snprintf(item, sizeof item, "%s.runs", path);
-  if (!case_doc_expect_list(doc, node, item, 1, CASE_MOST_ITEMS, "runs")) return OK;
-  size_t n = case_doc_size(doc, node);
-  TRY(array_create(&t->runs, n, "entries of the case"));
-  for (size_t i = 0; i < n; i++) {
+  if (!case_doc_expect_list(doc, node, path, 1, CASE_MOST_ITEMS, "runs")) return OK;
+  const size_t all = case_doc_size(doc, node);
+  TRY(array_create(runs, all, "entries of the case"));
+  for (size_t i = 0; i < all; i++) {
     int name = case_doc_item(doc, node, i);
-    snprintf(item, sizeof item, "%s.runs[%zu]", path, i);
+    snprintf(item, sizeof item, "%s[%zu]", path, i);
     size_t run = find_run(d, name, item);
     if (run == d->c->n_runs) continue;
-    if (run == d->c->compare.reference)
+    if (!reference && run == d->c->compare.reference)
       case_doc_problem(doc, case_doc_line(doc, name), item, "the reference itself",
                        "runs that are compared with it", "remove it");
-    t->runs[t->n_runs++] = run;
+    (*runs)[(*n)++] = run;
   }
   return OK;
 }
@@ -298,7 +299,8 @@ static enum status read_tolerances(struct case_draft *d, int node) {
     t->max = s.max;
     snprintf(key, sizeof key, "%s.measure", path);
     TRY(read_measure(d, s.measure, key, &t->measure));
-    if (s.runs) TRY(read_tolerance_runs(d, s.runs, path, t));
+    snprintf(key, sizeof key, "%s.runs", path);
+    if (s.runs) TRY(case_read_run_names(d, s.runs, key, false, &t->n_runs, &t->runs));
   }
   return OK;
 }
@@ -408,6 +410,7 @@ enum status case_read_compare(struct case_draft *d) {
   if (s.averages) TRY(read_averages(d, s.averages));
   if (s.filters) TRY(case_read_filters(d, s.filters));
   if (s.spectra) TRY(case_read_spectra(d, s.spectra));
+  if (s.events) TRY(case_read_events(d, s.events));
   if (s.profiles && d->read_data) TRY(case_read_profiles(d, s.profiles));
   if (!s.experiments || !d->read_data ||
       !case_doc_expect_list(doc, s.experiments, "compare.experiments", 0, CASE_MOST_ITEMS,

@@ -402,7 +402,7 @@ enum status case_read_sections(struct case_draft *d) {
       SECTION(runs, NULL, "a list of runs"),
       SECTION(compare, "",
               "a mapping with reference, times, window, tolerances, averages, filters, spectra, "
-              "experiments, profiles"),
+              "experiments, profiles, events"),
   };
   struct case_file *c = d->c;
   struct case_doc *doc = &d->doc;

@@ -108,8 +108,8 @@ static void check_time(struct case_draft *d, const struct case_frame *frame, int
 
 /* The section without its name: one hint for all of its keys. */
 static bool is_bare_section(struct case_draft *d, int root) {
-  static const char *const keys[] = {"times",    "window",  "tolerances",
-                                     "averages", "filters", "spectra"};
+  static const char *const keys[] = {"times",   "window",  "tolerances", "averages",
+                                     "filters", "spectra", "events"};
   if (case_doc_member(&d->doc, root, "compare")) return false;
   for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
     if (!case_doc_member(&d->doc, root, keys[k])) continue;
@@ -127,7 +127,7 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
        .type = PARAM_NODE,
        .offset = offsetof(struct case_draft, at.compare),
        .value = NULL,
-       .help = "a mapping with times, window, tolerances, averages, filters, spectra"},
+       .help = "a mapping with times, window, tolerances, averages, filters, spectra, events"},
   };
   struct case_block block = {rows, ROWS(rows), d, NULL};
   int root = case_doc_root(&d->doc);

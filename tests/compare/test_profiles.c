@@ -1,4 +1,5 @@
-/* Surfaces that were measured, laid over those of runs whose distance from them is known. */
+/* What others have measured or found: surfaces laid over those of runs whose distance from them is
+ * known, and numbers of events. */
 #include <stdlib.h>
 
 #include "compare/report.h"
@@ -103,12 +104,88 @@ static void test_tolerance_is_for_times_of_profiles(void) {
   EXPECT(v.passed == 0 && v.failed == 2);
 }
 
+/* ---- events against published numbers ---- */
+
+static void add_event(struct result_file *r, const char *name, double t, double x, double y) {
+  r->events = realloc(r->events, (r->n_events + 1) * sizeof *r->events);
+  if (!r->events) abort();
+  r->events[r->n_events++] = (struct result_event_read){
+      .name = text(name), .time = t * sqrt(H / g), .x = x * H, .y = y * H};
+}
+
+static struct cmp_verdict held(struct case_event *e) {
+  struct case_file c;
+  char names[][2] = {"a", "b"};
+  struct case_run runs[] = {{.name = names[0]}, {.name = names[1]}};
+  settings_make(&c);
+  settings_free(&c);
+  c.compare.n_tolerances = 0;
+  c.n_runs = 2;
+  c.runs = runs;
+  c.compare.n_events = 1;
+  c.compare.events = e;
+  struct result_file *a = made_up("a", "seen", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "seen", (struct flaws){.until = end});
+  add_event(a, "run_up", 2, 0.5, 1.25);
+  add_event(a, "run_up", 3, 0.5, 1.5); /* not the first */
+  add_event(b, "run_up", 2, 0.5, 1.375);
+  const struct cmp_verdict v = compare(&c, a, 1, &b);
+  result_file_destroy(a);
+  result_file_destroy(b);
+  return v;
+}
+
+/* The reference is held against them, too. */
+static void test_events_are_held_against_published_numbers(void) {
+  size_t only[] = {1};
+  char source[] = "a <source>";
+  struct case_event e = {.event = CASE_EVENT_OF_run_up, .part = CASE_EVENT_y, .source = source};
+  e.value = 1.3 * H;
+  e.within = 0.06 * H;
+  struct cmp_verdict v = held(&e); /* off by 0.05 and 0.075 */
+  EXPECT(v.passed == 1 && v.failed == 1);
+  EXPECT(file_says("report.html", "a &lt;source&gt;"));
+  const json_t *first = json_array_get(json_object_get(report, "events"), 0);
+  EXPECT_NEAR(json_number_value(json_object_get(first, "value")), 1.25, 1e-12);
+  EXPECT_NEAR(json_number_value(json_object_get(first, "published")), 1.3, 1e-12);
+  EXPECT(!strcmp(json_string_value(json_object_get(first, "outcome")), "pass"));
+  e.within = 0.08 * H;
+  v = held(&e);
+  EXPECT(v.passed == 2 && v.failed == 0);
+  e.n_runs = 1;
+  e.runs = only;
+  e.within = 0.06 * H;
+  v = held(&e);
+  EXPECT(v.passed == 0 && v.failed == 1);
+  e.n_runs = 0;
+  e = (struct case_event){.event = CASE_EVENT_OF_run_up, .source = source};
+  e.value = 2.01 * sqrt(H / g);
+  e.within = 0.02 * sqrt(H / g);
+  v = held(&e);
+  EXPECT(v.passed == 2 && v.failed == 0);
+}
+
+/* None that has not happened. */
+static void test_event_that_has_not_happened_fails(void) {
+  char source[] = "s";
+  struct case_event e = {.event = CASE_EVENT_OF_overflow,
+                         .part = CASE_EVENT_x,
+                         .value = 1,
+                         .within = 1e9,
+                         .source = source};
+  struct cmp_verdict v = held(&e);
+  EXPECT(v.passed == 0 && v.failed == 2);
+  EXPECT(file_says("report.html", "the run has no event overflow"));
+}
+
 int main(void) {
   if (!mkdtemp(folder)) return 1;
   gnuplot_pretend();
   RUN(test_distance_is_that_of_the_points);
   RUN(test_what_cannot_be_measured_is_left_out);
   RUN(test_tolerance_is_for_times_of_profiles);
+  RUN(test_events_are_held_against_published_numbers);
+  RUN(test_event_that_has_not_happened_fails);
   json_decref(report);
   folder_remove(folder);
   return TEST_RESULT;
