@@ -11,7 +11,7 @@
 enum {
   SAMPLES_PER_PERIOD = 64, /* the extreme is found within 1 - cos(pi/64), a thousandth */
   MOST_SAMPLES = 200000,
-  STEPS = 16, /* between rest and the extreme, at which the walls are looked at */
+  STEPS = 16, /* between rest and the extreme, to find which comes first of what is in the way */
 };
 
 static double shortest_time(const struct case_file *c, int side) {
@@ -46,22 +46,58 @@ struct case_strokes case_find_strokes(const struct case_file *c, int side) {
   return s;
 }
 
+/* The room that a vessel closes, as a closed piece. */
+static enum status copy_vessel(const struct geo_lines *w, size_t vessel, struct geo_lines *room) {
+  geo_lines_clear(room);
+  TRY(geo_lines_begin(room, true));
+  for (size_t i = w->first[vessel]; i < w->first[vessel + 1]; i++)
+    TRY(geo_lines_add(room, w->p[i][0], w->p[i][1]));
+  return OK;
+}
+
+/* Whether a side has gone past wall k: a part of it that was in the room at rest is behind. Sides
+ * pass each place once on their way to one end, so that what has neither been met nor passed there
+ * is not met before, however thin it is. */
+static bool has_passed(const struct geo_lines *rest, const struct geo_lines *now,
+                       const struct geo_lines *w, size_t k) {
+  for (size_t i = 0; i < geo_piece_segments(w, k); i++) {
+    const double *a = w->p[w->first[k] + i], *b = geo_segment_end(w, k, i);
+    const double x = (a[0] + b[0]) / 2, y = (a[1] + b[1]) / 2;
+    if (geo_lines_contain(rest, x, y) && !geo_lines_contain(now, x, y)) return true;
+  }
+  return false;
+}
+
+/* Whether a wall other than the vessel is met or passed. */
+static bool meets_other(const struct case_file *c, const struct geo_lines *w, size_t vessel,
+                        enum status *status) {
+  struct geo_lines rest = {0}, now = {0};
+  bool meets = false;
+  *status = copy_vessel(&c->walls, vessel, &rest);
+  if (*status == OK) *status = copy_vessel(w, vessel, &now);
+  for (size_t k = 0; k < w->pieces && *status == OK && !meets; k++) {
+    if (k == vessel) continue;
+    *status = geo_pieces_cross(w, vessel, k, &meets);
+    meets = *status == OK && (meets || has_passed(&rest, &now, w, k));
+  }
+  geo_lines_destroy(&rest);
+  geo_lines_destroy(&now);
+  return meets;
+}
+
 /* What is wrong with walls in a place, or NULL; *status for want of memory. */
 static const char *judge_walls(const struct case_file *c, const struct geo_lines *w,
                                const struct tank_side *s, enum status *status) {
   const size_t vessel = geo_lines_vessel(&c->walls);
   const double *foot = w->p[s->foot], *next = w->p[s->next], *was = c->walls.p[s->foot];
-  bool simple, cross;
+  bool simple;
   double at[2], area = INFINITY;
   if (s->next != s->foot && (next[0] - foot[0]) * (c->walls.p[s->next][0] - was[0]) < 0)
     return "beyond the end of its level bed";
   if ((*status = geo_piece_simple(w, vessel, true, &simple, at)) != OK) return NULL;
   if (!simple) return "into another part of the wall";
-  for (size_t k = 0; k < w->pieces; k++) {
-    if (k == vessel) continue;
-    if ((*status = geo_pieces_cross(w, vessel, k, &cross)) != OK) return NULL;
-    if (cross) return "through another wall";
-  }
+  if (meets_other(c, w, vessel, status)) return "through another wall";
+  if (*status != OK) return NULL;
   const size_t a = w->first[vessel], b = w->first[vessel + 1] - 1;
   if ((*status = geo_area_below(w, fmin(w->p[a][1], w->p[b][1]), &area, at)) != OK) return NULL;
   return area < case_water_area(c) * (1 - CASE_SAME) ? "until the water has no room" : NULL;
