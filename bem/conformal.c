@@ -30,11 +30,15 @@ double complex bem_conformal_along(const struct bem_conformal *m, size_t side) {
 
 /* ---- series ---- */
 
-static double gap(const struct bem_conformal *m, double complex zeta, size_t without) {
+static double gap_without(const struct bem_conformal *m, double complex zeta, size_t without) {
   double least = INFINITY;
   for (size_t k = 0; k < m->n; k++)
     if (k != without) least = fmin(least, cabs(zeta - m->xi[k]));
   return isfinite(least) ? least : 1;
+}
+
+double bem_conformal_gap(const struct bem_conformal *m, double complex zeta) {
+  return gap_without(m, zeta, m->n);
 }
 
 /* C prod (zeta - xi_k)^power_k over all bends but one, zeta on the real axis or above it. */
@@ -66,7 +70,7 @@ static void expand(const struct bem_conformal *m, double complex zeta, size_t wi
 
 static void chart_set(const struct bem_conformal *m, double complex z, double complex zeta,
                       struct bem_chart *c) {
-  *c = (struct bem_chart){.z = z, .zeta = zeta, .radius = gap(m, zeta, m->n)};
+  *c = (struct bem_chart){.z = z, .zeta = zeta, .radius = bem_conformal_gap(m, zeta)};
   double complex lead = product(m, zeta, m->n) * c->radius;
   expand(m, zeta, m->n, c->radius, BEM_CHART, c->a);
   for (int j = 0; j < BEM_CHART; j++) c->a[j] *= lead / (j + 1);
@@ -124,7 +128,7 @@ struct corner {
 };
 
 static struct corner corner_at(const struct bem_conformal *m, size_t k) {
-  struct corner c = {gap(m, m->xi[k], k), 1 + m->power[k], product(m, m->xi[k], k), {0}};
+  struct corner c = {gap_without(m, m->xi[k], k), 1 + m->power[k], product(m, m->xi[k], k), {0}};
   expand(m, m->xi[k], k, c.radius, MANY, c.q);
   return c;
 }
@@ -163,7 +167,7 @@ double bem_conformal_length(const struct bem_conformal *m, size_t k) {
   const double end = m->xi[k + 1] - NEAR * b.radius;
   double complex q[MANY];
   for (double at = m->xi[k] + NEAR * a.radius, next; at < end; at = next) {
-    const double radius = gap(m, at, m->n);
+    const double radius = bem_conformal_gap(m, at);
     double sum = 0, t;
     next = fmin(end, at + NEAR * radius);
     t = (next - at) / radius;

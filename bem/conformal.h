@@ -48,6 +48,9 @@ enum status bem_conformal_copy(const struct bem_conformal *m, struct bem_conform
 enum status bem_conformal_move(struct bem_conformal *m, const double complex *point);
 void bem_conformal_destroy(struct bem_conformal *m);
 
+/* Distance of a point of the plane of the map from the nearest image of a bend. */
+double bem_conformal_gap(const struct bem_conformal *m, double complex zeta);
+
 /* Unit vector along a side. */
 double complex bem_conformal_along(const struct bem_conformal *m, size_t side);
 

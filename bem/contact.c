@@ -65,7 +65,7 @@ enum status bem_contact_meet_wall(struct bem_flow *f) {
   TRY(status);
   if (s->right == BEM_END_BED) s->tip = TIP;
   s->right = BEM_END_WALL;
-  s->length = s->tank;
+  s->length = s->tank - s->left;
   return bem_replace(f, keep, s->n, 1, end);
 }
 

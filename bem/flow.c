@@ -67,7 +67,7 @@ static struct bem_part part_of_flux(const struct bem_flow *f, double complex zet
   const double turn = f->motion.turn;
   double complex value, rise;
   bem_flux_at(&f->through, zeta, &value, &rise);
-  if (!f->motion.rolls) return (struct bem_part){.beta = value, .w = rise * slope};
+  if (f->motion.sides) return (struct bem_part){.beta = value, .w = rise * slope};
   return (struct bem_part){turn * value, turn * rise * slope, f->motion.turning * value, value};
 }
 
@@ -84,8 +84,8 @@ struct bem_part bem_flow_part(const struct bem_flow *f, const double *state, dou
 static enum status set_flux(struct bem_flow *f) {
   const struct bem_conformal *walls = f->surface.walls;
   struct bem_rigid body[BEM_MOST_BENDS + 1];
-  if (f->motion.sides) return bem_flux_set(&f->through, walls, f->moving.body, f->motion.top);
-  for (size_t i = 0; i <= walls->n; i++) body[i] = bem_motion_turn(&f->motion, 1);
+  for (size_t i = 0; i <= walls->n; i++)
+    body[i] = f->motion.sides ? bem_flow_body(f, i) : bem_motion_turn(&f->motion, 1);
   return bem_flux_set(&f->through, walls, body, f->motion.top);
 }
 
@@ -101,7 +101,8 @@ enum status bem_flow_move(struct bem_flow *f, double time) {
   }
   s->left = f->motion.side[TANK_LEFT][0];
   s->tank = f->motion.side[TANK_RIGHT][0];
-  s->length = s->tank - s->left;
+  if (s->right == BEM_END_BED) bem_motion_stop_short(&f->motion);
+  s->length = f->motion.side[TANK_RIGHT][0] - s->left;
   return OK;
 }
 
@@ -117,8 +118,11 @@ static enum status set_panels(struct bem_flow *f, const double *state, size_t *n
   }
   if (bem_surface_is_closed(s))
     bem_panels_set_round(&f->panels, --*n, x, y, &s->period);
-  else
+  else {
+    f->panels.held[0] = f->motion.sides;
+    f->panels.held[1] = f->motion.sides && s->right == BEM_END_WALL;
     bem_panels_set(&f->panels, *n, x, y, s->left, s->length);
+  }
   return OK;
 }
 

@@ -27,10 +27,11 @@ struct bem_flow {
   double *psi, *u, *v, *tx, *ty, *q; /* nodal values of the last evaluation, [n], owned */
   double *phi_own, *psi_own;         /* phi and psi less what is known, where a part is, in psi's */
   struct bem_part *known;            /* what is known at the nodes, [n], owned */
-  struct bem_flux through;           /* of these walls: of a tank that turns, at the rate of one */
-  double *damping;                   /* part of the last rates that removes noise, [3n], in psi's */
-  double complex *w;                 /* u - i v, [n], owned */
-  enum status status;                /* why an evaluation failed */
+  struct bem_flux through; /* of these walls: of a tank that turns and has no sides that move, at
+                              the rate of one */
+  double *damping;         /* part of the last rates that removes noise, [3n], in psi's */
+  double complex *w;       /* u - i v, [n], owned */
+  enum status status;      /* why an evaluation failed */
 };
 
 enum status bem_flow_reserve(struct bem_flow *f, size_t n);
@@ -43,6 +44,19 @@ enum status bem_flow_follow(struct bem_flow *view, const struct bem_flow *f);
 /* Whether walls drive the water, which then has a known part of beta with a rate of its own. */
 static inline bool bem_flow_is_driven(const struct bem_flow *f) {
   return f->motion.sides || f->motion.rolls;
+}
+
+/* What the velocity of the potential is on a side of walls of any shape, and its rate of change at
+ * a fixed place, of which the part along the wall is of no meaning. */
+static inline struct bem_rigid bem_flow_body(const struct bem_flow *f, size_t side) {
+  const struct bem_rigid own = f->moving.body[side],
+                         frame = bem_motion_turn(&f->motion, f->motion.turn);
+  return (struct bem_rigid){own.velocity + frame.velocity, own.turn + frame.turn};
+}
+static inline struct bem_rigid bem_flow_body_rate(const struct bem_flow *f, size_t side) {
+  const struct bem_rigid own = f->moving.rate[side],
+                         frame = bem_motion_turn(&f->motion, f->motion.turning);
+  return (struct bem_rigid){own.velocity + frame.velocity, own.turn + frame.turn};
 }
 
 /* Whether a part of beta is known, and what it is in this state at z, whose image is zeta with

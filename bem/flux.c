@@ -8,7 +8,8 @@
 
 static const double NEAR =
     2.2; /* half panels from the middle: beyond it Gauss's formula is exact */
-static const double APART = 1e-7; /* half panels: nearer to a point of it digits are lost */
+static const double APART = 1e-7;  /* half panels: nearer to a point of it digits are lost */
+static const double BESIDE = 1e-3; /* half panels: nearer, differences are taken exactly */
 enum { LEVELS = 8 };
 
 void bem_flux_destroy(struct bem_flux *f) {
@@ -75,7 +76,7 @@ enum status bem_flux_set(struct bem_flux *f, const struct bem_conformal *m,
                          const struct bem_rigid *body, double top) {
   bool driven[BEM_MOST_BENDS + 1];
   double before[BEM_MOST_BENDS + 1];
-  for (size_t i = 0; i <= m->n; i++) driven[i] = body[i].velocity != 0 || body[i].turn != 0;
+  for (size_t i = 0; i <= m->n; i++) driven[i] = bem_rigid_moves(body[i]);
   TRY(bem_flux_lay(f, m, driven, top));
   const struct bem_rule *r = &f->rule;
   for (size_t j = 0; j < BEM_RULE * r->panels; j++) {
@@ -97,6 +98,7 @@ static double complex log_ratio(double complex sigma) {
                atan2(2 * y, x * x + y * y - 1));
 }
 
+/* Gauss's formula. */
 static void add_far(const struct bem_flux *f, size_t p, double complex zeta, double complex *value,
                     double complex *slope) {
   const size_t at = BEM_RULE * p;
@@ -116,26 +118,115 @@ static void add_far(const struct bem_flux *f, size_t p, double complex zeta, dou
   *value += CMPLX(g_re, g_im);
 }
 
-/* Adds what Gauss's formula leaves out of the pole at sigma: that is exact for (q(s) -
- * q(sigma))/(s - sigma), q the polynomial through the points. */
+/* The polynomial P through values at the points. */
+static double complex polynomial(const struct bem_gauss *g, const double *value,
+                                 double complex at) {
+  double complex above = 0, below = 0;
+  for (int j = 0; j < BEM_RULE; j++) {
+    const double complex t = g->between[j] / (g->point[j] - at);
+    above += t * value[j];
+    below += t;
+  }
+  return above / below;
+}
+
+/* P' at a point. */
+static double derivative(const struct bem_gauss *g, const double *value, int at) {
+  double sum = 0;
+  for (int j = 0; j < BEM_RULE; j++)
+    if (j != at)
+      sum += g->between[j] / g->between[at] * (value[j] - value[at]) / (g->point[at] - g->point[j]);
+  return sum;
+}
+
+/* From the interval -1 to 1, by its ellipse: beyond it Gauss's formula is exact. */
+static bool is_far(double complex sigma) {
+  const double FAR = 3;
+  const double complex root = csqrt(sigma * sigma - 1);
+  return fmax(cabs(sigma + root), cabs(sigma - root)) > FAR;
+}
+
+/* Integral of P(s)/(s - sigma) from -1 to 1: Gauss's formula is exact for (P(s) - P(sigma))/(s -
+ * sigma), which is P' where sigma is on a point, but for rounding. */
+static double complex integrate(const struct bem_gauss *g, const double *value,
+                                double complex sigma) {
+  const bool far = is_far(sigma);
+  double complex sum = 0, here = 0;
+  int on = BEM_RULE;
+  for (int j = 0; j < BEM_RULE; j++)
+    if (cabs(g->point[j] - sigma) < APART) on = j;
+  if (on < BEM_RULE) {
+    const double slope = derivative(g, value, on);
+    here = value[on] + slope * (sigma - g->point[on]);
+    sum = g->weight[on] * slope;
+  } else if (!far) {
+    here = polynomial(g, value, sigma);
+  }
+  for (int j = 0; j < BEM_RULE; j++)
+    if (j != on) sum += g->weight[j] * (value[j] - here) / (g->point[j] - sigma);
+  return far ? sum : sum + here * log_ratio(sigma);
+}
+
+static double complex root_of(double complex sigma, int k, int power) {
+  return k ? (1 + sigma) * cexp(2 * M_PI * I * k / power) - 1 : sigma;
+}
+
+/* Rise of zeta by the variable, over `half`. */
+static double complex rise_of(int power, double complex sigma) {
+  return power > 1 ? power * cpow(0.5 * (1 + sigma), power - 1) : 1;
+}
+
+/* Adds what Gauss's formula leaves out of the pole at sigma, which is on no point. */
 static void add_pole(const struct bem_flux *f, size_t p, double complex sigma,
                      double complex *value, double complex *slope) {
   const struct bem_gauss *gauss = &f->rule.gauss;
   const struct bem_rule_panel *panel = f->rule.panel + p;
-  const double *q = f->q_weight + BEM_RULE * p, *g = f->g_weight + BEM_RULE * p;
+  const double *q = f->q_weight + BEM_RULE * p, *g = f->g + BEM_RULE * p;
   double complex below = 0, q_at = 0, g_at = 0, weights = 0;
   for (int j = 0; j < BEM_RULE; j++) {
     const double complex t = 1 / (gauss->point[j] - sigma);
     below += gauss->between[j] * t;
     q_at += gauss->between[j] * t * (q[j] / gauss->weight[j]);
-    g_at += gauss->between[j] * t * (g[j] / gauss->weight[j]);
+    g_at += gauss->between[j] * t * g[j];
     weights += gauss->weight[j] * t;
   }
-  const double complex size =
-      panel->power > 1 ? panel->power * cpow(0.5 * (1 + sigma), panel->power - 1) : 1;
-  const double complex rest = (log_ratio(sigma) - weights) / (below * size * panel->half);
-  *slope += q_at * rest;
-  *value += g_at * rest;
+  const double complex rest = (log_ratio(sigma) - weights) / below;
+  *slope += q_at * rest / (rise_of((int)panel->power, sigma) * panel->half);
+  *value += (panel->half > 0 ? 1 : -1) * g_at * rest;
+}
+
+/* The whole panel where the pole is so near a point that differences of the two in zeta and in the
+ * variable would differ by rounding: all in the latter. */
+static void add_at_point(const struct bem_flux *f, size_t p, double complex sigma,
+                         double complex *value, double complex *slope) {
+  const struct bem_gauss *gauss = &f->rule.gauss;
+  const struct bem_rule_panel *panel = f->rule.panel + p;
+  const int power = (int)panel->power;
+  double rising[BEM_RULE];
+  for (int j = 0; j < BEM_RULE; j++)
+    rising[j] = f->q_weight[BEM_RULE * p + (size_t)j] / gauss->weight[j];
+  for (int k = 0; k < power; k++) {
+    const double complex at = root_of(sigma, k, power);
+    *slope += integrate(gauss, rising, at) / (rise_of(power, at) * panel->half);
+    *value += (panel->half > 0 ? 1 : -1) * integrate(gauss, f->g + BEM_RULE * p, at);
+  }
+}
+
+/* In the variable of the panel, a power of which is zeta's at a bend: there the integrand has a
+ * pole at each of the roots. P is q times the rise of zeta, or g. */
+static void add_near(const struct bem_flux *f, size_t p, double complex zeta, double complex sigma,
+                     double complex *value, double complex *slope) {
+  const int power = (int)f->rule.panel[p].power;
+  for (int j = 0; j < BEM_RULE; j++)
+    if (cabs(f->rule.gauss.point[j] - sigma) < BESIDE) {
+      add_at_point(f, p, sigma, value, slope);
+      return;
+    }
+  add_far(f, p, zeta, value, slope);
+  for (int k = 0; k < power; k++) {
+    const double complex at = root_of(sigma, k, power);
+    if (k == 0 || !is_far(at)) add_pole(f, p, at, value, slope);
+  }
 }
 
 /* Where zeta is in the variable of a panel. */
@@ -173,14 +264,10 @@ static void add_panel(const struct bem_flux *f, size_t p, double complex zeta,
   const double x = creal(zeta) - (panel->start + panel->half), y = cimag(zeta);
   const bool at_bend = panel->power > 1 && zeta == panel->start; /* by rounding */
   const bool near = !at_bend && x * x + y * y < NEAR * NEAR * panel->half * panel->half;
-  double complex sigma = near ? find_pole(panel, zeta) : 0;
-  for (int j = 0; near && j < BEM_RULE; j++)
-    if (cabs(f->rule.gauss.point[j] - sigma) < APART) {
-      zeta += 4 * APART * fabs(panel->half);
-      sigma = find_pole(panel, zeta);
-    }
-  add_far(f, p, zeta, value, slope);
-  if (near) add_pole(f, p, sigma, value, slope);
+  if (near)
+    add_near(f, p, zeta, find_pole(panel, zeta), value, slope);
+  else
+    add_far(f, p, zeta, value, slope);
   if (at_bend && panel->half < 0) add_end(f, p, zeta, value);
 }
 

@@ -17,6 +17,10 @@ static inline double complex bem_rigid_at(struct bem_rigid r, double complex z) 
   return r.velocity + I * r.turn * z;
 }
 
+static inline bool bem_rigid_moves(struct bem_rigid r) {
+  return r.velocity != 0 || r.turn != 0;
+}
+
 /* A stream function of that, along any wall of which the water passes to the right of it. */
 static inline double bem_rigid_stream(struct bem_rigid r, double complex z) {
   return cimag(conj(r.velocity) * z) - 0.5 * r.turn * creal(z * conj(z));

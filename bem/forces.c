@@ -122,7 +122,7 @@ void bem_forces_of_known(const struct bem_flow *f, const struct bem_rule *wet, d
                          double momentum[2]) {
   *kinetic = momentum[0] = momentum[1] = 0;
   for (size_t j = 0; j < BEM_RULE * wet->panels; j++) {
-    const struct bem_rigid body = f->moving.body[wet->panel[j / BEM_RULE].side];
+    const struct bem_rigid body = bem_flow_body(f, wet->panel[j / BEM_RULE].side);
     const double complex dz = wet->weight[j] * wet->slope[j];
     double complex value, slope;
     bem_flux_at(&f->through, wet->xi[j], &value, &slope);

@@ -32,12 +32,24 @@ enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f) {
   return OK;
 }
 
-void bem_inside_start(struct bem_inside *b, const struct bem_flow *f, size_t node) {
-  if (f->surface.walls) b->chart = f->panels.chart[node];
+static void sweep_from(struct bem_inside *b, const struct bem_pressure *p, const struct bem_flow *f,
+                       size_t node) {
+  if (!bem_pressure_is_swept(f)) return;
+  b->tau = f->panels.zeta[node];
+  b->sweep = p->sweep.nodes[node];
 }
 
-bool bem_inside_start_on_wall(struct bem_inside *b, const struct bem_flow *f, double complex z) {
+void bem_inside_start(struct bem_inside *b, const struct bem_pressure *p, const struct bem_flow *f,
+                      size_t node) {
+  if (f->surface.walls) b->chart = f->panels.chart[node];
+  sweep_from(b, p, f, node);
+}
+
+/* The sweep comes from the middle of the surface, on a way that meets no bend. */
+bool bem_inside_start_on_wall(struct bem_inside *b, const struct bem_pressure *p,
+                              const struct bem_flow *f, double complex z) {
   const struct bem_conformal *m = f->surface.walls;
+  sweep_from(b, p, f, f->surface.n / 2);
   return bem_conformal_start(m, bem_conformal_side(m, z), z, &b->chart) == OK;
 }
 
@@ -57,6 +69,17 @@ static bool map(struct bem_inside *b, const struct bem_surface *s, double comple
   return bem_chart_walk(s->walls, &b->chart, z) == OK && bem_chart_find(&b->chart, z, tau, slope);
 }
 
+/* What the rate of change of phi has besides where the map of the walls changes. */
+static double swept(struct bem_inside *b, const struct bem_pressure *p, const struct bem_flow *f,
+                    double complex tau, double complex w) {
+  double complex value, slope;
+  if (!bem_pressure_is_swept(f)) return 0;
+  b->sweep = bem_sweep_on(&f->moving, &p->sweep.rate, &p->sweep.rule.gauss, b->tau, tau, b->sweep);
+  b->tau = tau;
+  bem_flux_at(&p->sweep.flux, tau, &value, &slope);
+  return creal(value - w * b->sweep);
+}
+
 bool bem_inside_at(struct bem_inside *b, const struct bem_pressure *p, const struct bem_flow *f,
                    const double *state, double complex z, struct bem_place *out) {
   const struct bem_surface *s = &f->surface;
@@ -69,7 +92,8 @@ bool bem_inside_at(struct bem_inside *b, const struct bem_pressure *p, const str
   bem_integrals_values(&f->panels, BEM_VALUES, real, imaginary, tau, value);
   out->w = value[0] * slope + part.w;
   out->phi = creal(value[1] + part.beta);
-  const double rest = bem_flow_is_driven(f) ? bem_pressure_swept(f, &part, z, out->w) : 0;
+  double rest = bem_flow_is_driven(f) ? bem_pressure_swept(f, &part, z, out->w) : 0;
+  rest += swept(b, p, f, tau, out->w);
   out->pressure = -creal(value[2]) - rest - 0.5 * creal(out->w * conj(out->w)) -
                   bem_flow_head(f, creal(z), cimag(z));
   if (f->motion.rolls) out->w -= conj(bem_motion_carries(&f->motion, z));

@@ -8,7 +8,8 @@ struct bem_inside {
   size_t room;
   double *re,
       *im; /* at the nodes: what gives the velocity, analytic and real on the walls; owned */
-  struct bem_chart chart; /* of the map where it was last asked for; not for rectangles */
+  struct bem_chart chart;    /* of the map where it was last asked for; not for rectangles */
+  double complex tau, sweep; /* a point of its plane, and the sweep there; of walls that move */
 };
 
 struct bem_place {
@@ -22,11 +23,13 @@ enum status bem_inside_begin(struct bem_inside *b, const struct bem_flow *f);
 void bem_inside_destroy(struct bem_inside *b);
 
 /* The next point is near this node of the surface. */
-void bem_inside_start(struct bem_inside *b, const struct bem_flow *f, size_t node);
+void bem_inside_start(struct bem_inside *b, const struct bem_pressure *p, const struct bem_flow *f,
+                      size_t node);
 
 /* The next point is near this one of the walls of a tank that is not rectangular. False: it is a
  * bend of them, or the map was not found there. */
-bool bem_inside_start_on_wall(struct bem_inside *b, const struct bem_flow *f, double complex z);
+bool bem_inside_start_on_wall(struct bem_inside *b, const struct bem_pressure *p,
+                              const struct bem_flow *f, double complex z);
 
 /* At a point of the water, to which a straight line inside it leads from the last one. False: the
  * map was not found there. */

@@ -91,9 +91,9 @@ struct look {
 static void start_span(struct bem_lattice *l, const struct look *at, double complex top) {
   const struct bem_surface *s = &at->f->surface;
   if (s->walls && bem_conformal_is_near(s->walls, top) &&
-      bem_inside_start_on_wall(&l->inside, at->f, top))
+      bem_inside_start_on_wall(&l->inside, at->p, at->f, top))
     return;
-  bem_inside_start(&l->inside, at->f, nearest_node(s, at->state, top));
+  bem_inside_start(&l->inside, at->p, at->f, nearest_node(s, at->state, top));
 }
 
 /* Down one span of a column. A point that the way is not found to is passed over. */
@@ -172,7 +172,7 @@ enum status bem_lattice_at(struct bem_lattice *l, const struct bem_pressure *p,
   if (!*found) return OK;
   if (!walls || !bem_conformal_is_near(walls, z))
     start_span(l, &at, top);
-  else if (!(*found = bem_inside_start_on_wall(&l->inside, f, z)))
+  else if (!(*found = bem_inside_start_on_wall(&l->inside, p, f, z)))
     return OK;
   *found = bem_inside_at(&l->inside, p, f, state, z, out) && isfinite(out->pressure) &&
            isfinite(cabs(out->w));

@@ -1,59 +1,11 @@
 #include "bem/motion.h"
 
 #include <math.h>
+#include <string.h>
 
-#include "bem/basin.h"
-#include "bem/moving.h"
-#include "bem/options.h"
-#include "common/flow/flow.h"
 #include "common/tank/tank.h"
 
 static const double TOP = 2; /* of the walls' height: far enough above water in them */
-
-static bool has(const struct case_file *c, enum tank_motion_kind kind) {
-  for (size_t i = 0; i < c->n_motions; i++)
-    if (c->motions[i].kind == kind) return true;
-  return false;
-}
-
-/* Points of the walls whose images cannot all be kept in their places. */
-static bool bends_as_it_goes(const struct case_file *c, int side) {
-  bool keep[BEM_MOST_BENDS + 2], hinge = false, piston = false;
-  for (size_t i = 0; i < c->n_motions; i++)
-    piston |= c->motions[i].kind == TANK_MOTION_piston && c->motions[i].side == side;
-  if (!piston || !isfinite(tank_hinge(c->motions, c->n_motions, side))) return false;
-  if (c->walls.points > BEM_MOST_BENDS + 2) return true;
-  bem_moving_keep(c, keep);
-  for (size_t i = 0; i < c->walls.points; i++) hinge |= keep[i];
-  return hinge;
-}
-
-void bem_motion_check(const struct case_file *c, const struct case_run *r,
-                      struct problems *problems) {
-  const struct bem_options *o = r->options;
-  const bool sides = has(c, TANK_MOTION_piston) || has(c, TANK_MOTION_flap);
-  const int line = case_run_line(r, "solver");
-  if (!sides) return;
-  if (!flow_is_wave(c->flow) || has(c, TANK_MOTION_roll))
-    problems_add(
-        problems, line,
-        "runs.%s.solver: found 'bem' with a side that moves %s; allowed: pistons and flaps "
-        "in a tank that does not roll, under a wave or still water; change tank.motions or "
-        "take another solver",
-        r->name, flow_is_wave(c->flow) ? "in a tank that rolls" : "beside other water");
-  if (bends_as_it_goes(c, TANK_LEFT) || bends_as_it_goes(c, TANK_RIGHT))
-    problems_add(problems, line,
-                 "runs.%s.solver: found 'bem' with a piston that carries a flap hinged above the "
-                 "bed; allowed: a hinge at the bed beside a piston; change tank.motions or take "
-                 "another solver",
-                 r->name);
-  if (o->lattice > 0 && bem_basin_is_mapped(c))
-    problems_add(
-        problems, case_run_line(r, "velocity_lattice"),
-        "runs.%s.velocity_lattice: found a lattice beside sides that move; allowed: one in "
-        "a rectangular tank with pistons, or without; remove velocity_lattice",
-        r->name);
-}
 
 struct bem_motion bem_motion_create(const struct case_file *c) {
   struct bem_motion m = {.c = c, .scale = sqrt(c->H / c->gravity)};
@@ -91,6 +43,11 @@ void bem_motion_at(struct bem_motion *m, double time) {
     m->side[side][1] = q[1] * m->scale / c->H;
     m->side[side][2] = q[2] / c->gravity;
   }
+}
+
+void bem_motion_stop_short(struct bem_motion *m) {
+  const double beyond[3] = {2 * m->rest};
+  memcpy(m->side[TANK_RIGHT], beyond, sizeof beyond);
 }
 
 void bem_motion_velocity(const struct bem_motion *m, double time, double velocity[2]) {

@@ -33,9 +33,6 @@ struct bem_part {
   double complex beta, w, rate, unit;
 };
 
-void bem_motion_check(const struct case_file *c, const struct case_run *r,
-                      struct problems *problems);
-
 struct bem_motion bem_motion_create(const struct case_file *c);
 
 /* Fills `side` and `push`. time: sqrt(H/g). */
@@ -48,6 +45,10 @@ static inline struct bem_rigid bem_motion_turn(const struct bem_motion *m, doubl
 static inline double complex bem_motion_carries(const struct bem_motion *m, double complex z) {
   return I * m->turn * (z + m->origin);
 }
+
+/* Water that ends on the bed knows nothing of the right side: the map's is another, at rest, as far
+ * beyond it as the tank is long at rest. */
+void bem_motion_stop_short(struct bem_motion *m);
 
 /* Velocity of the tank's origin along the tank's axes, sqrt(gH). */
 void bem_motion_velocity(const struct bem_motion *m, double time, double velocity[2]);

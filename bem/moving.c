@@ -142,8 +142,17 @@ static enum status map_after(const struct bem_moving *m, double time, struct bem
   return bem_conformal_move(*map, point);
 }
 
+/* Whether the image of a bend moves beside which there is a flux. */
+static bool drifts(const struct bem_moving *m, const struct bem_map_rate *rate, bool turns) {
+  for (size_t k = 0; k < m->map->n; k++)
+    if (rate->xi[k] != 0 &&
+        (turns || bem_rigid_moves(m->body[k]) || bem_rigid_moves(m->body[k + 1])))
+      return true;
+  return false;
+}
+
 /* Central differences of fourth order. */
-enum status bem_moving_rate(const struct bem_moving *m, struct bem_map_rate *rate) {
+enum status bem_moving_rate(const struct bem_moving *m, bool turns, struct bem_map_rate *rate) {
   static const double at[4] = {-2, -1, 1, 2}, weight[4] = {1. / 12, -2. / 3, 2. / 3, -1. / 12};
   double fastest = 0, shortest = INFINITY;
   *rate = (struct bem_map_rate){0};
@@ -165,5 +174,6 @@ enum status bem_moving_rate(const struct bem_moving *m, struct bem_map_rate *rat
     TRY(status);
   }
   rate->xi[0] = rate->xi[m->map->n - 1] = 0; /* they stay, but for rounding */
+  rate->drifts = drifts(m, rate, turns);
   return OK;
 }

@@ -34,9 +34,12 @@ enum status bem_moving_set(struct bem_moving *m, double time);
 /* Where a point of a wall that is named by its place at rest is. */
 double complex bem_moving_place(const struct bem_moving *m, double complex z);
 
-/* d/dt of the map's parameters. ERR_MEMORY, ERR_SOLVER. */
+/* d/dt of the map's parameters. */
 struct bem_map_rate {
   double xi[BEM_MOST_BENDS], power[BEM_MOST_BENDS];
   double complex factor; /* of its logarithm */
+  bool drifts;           /* what is followed goes along with the images of all bends, see sweep.h */
 };
-enum status bem_moving_rate(const struct bem_moving *m, struct bem_map_rate *rate);
+
+/* turns: all walls have a flux, as those of a tank that rolls. ERR_MEMORY, ERR_SOLVER. */
+enum status bem_moving_rate(const struct bem_moving *m, bool turns, struct bem_map_rate *rate);

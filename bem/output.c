@@ -225,8 +225,7 @@ static enum status point_of(void *solver, const struct case_point *point,
   for (int k = 0; k < CASE_POINT_FIELDS; k++) value[k] = NAN;
   value[CASE_POINT_cover] = wet;
   if (!wet) return OK;
-  if (!bem_pressure_is_swept(&o->view)) /* which asks for what the map of the tank does inside */
-    value[CASE_POINT_p] = c->density * c->gravity * c->H * place.pressure;
+  value[CASE_POINT_p] = c->density * c->gravity * c->H * place.pressure;
   value[CASE_POINT_rho] = c->density;
   value[CASE_POINT_u] = velocity * (o->mirrored ? -creal(place.w) : creal(place.w));
   value[CASE_POINT_v] = -velocity * cimag(place.w);
@@ -264,13 +263,6 @@ static enum status look(struct bem_output *o, const struct bem_flow *f, struct b
   return bem_flow_solve(&o->view, state, keep);
 }
 
-static enum status find_spin(struct bem_output *o, struct bem_spin *spin) {
-  struct bem_flow *f = &o->view;
-  TRY(bem_pressure_wet(&o->pressure, f));
-  bem_spin_find(f, f->surface.state, &o->pressure.wet, spin);
-  return OK;
-}
-
 static enum status add_known(struct bem_output *o, struct bem_totals *t, double momentum[2]) {
   double kinetic, known[2];
   TRY(bem_pressure_wet(&o->pressure, &o->view));
@@ -282,15 +274,30 @@ static enum status add_known(struct bem_output *o, struct bem_totals *t, double 
 
 /* Momentum and, where the tank turns, kinetic energy in its frame. */
 static enum status find_motion(struct bem_output *o, struct bem_totals *t, double momentum[2]) {
-  const struct bem_flow *f = &o->view;
+  struct bem_flow *f = &o->view;
   struct bem_spin spin;
-  if (!f->motion.rolls) {
-    bem_forces_momentum(f, f->surface.state, momentum);
-    return bem_pressure_is_swept(f) ? add_known(o, t, momentum) : OK;
-  }
-  TRY(find_spin(o, &spin));
+  bem_forces_momentum(f, f->surface.state, momentum);
+  if (bem_pressure_is_swept(f)) TRY(add_known(o, t, momentum));
+  if (!f->motion.rolls) return OK;
+  TRY(bem_spin_find(&o->pressure, f, f->surface.state, t->kinetic, &spin));
   memcpy(momentum, spin.momentum, sizeof spin.momentum);
   t->kinetic = spin.kinetic;
+  return OK;
+}
+
+/* Power of the force on the water in the frame of the tank. */
+static enum status find_frame_power(struct bem_output *o, double *power) {
+  struct bem_flow *f = &o->view;
+  struct bem_totals t = {0};
+  struct bem_spin spin;
+  double momentum[2];
+  if (f->motion.rolls) {
+    TRY(bem_spin_find(&o->pressure, f, f->surface.state, 0, &spin));
+    *power = -bem_spin_power(f, &spin);
+    return OK;
+  }
+  TRY(find_motion(o, &t, momentum));
+  *power = -(f->motion.push[0] * momentum[0] + f->motion.push[1] * momentum[1]);
   return OK;
 }
 
@@ -298,17 +305,8 @@ static enum status find_motion(struct bem_output *o, struct bem_totals *t, doubl
 static enum status find_powers(struct bem_output *o, double power[2]) {
   struct bem_flow *f = &o->view;
   const double *state = f->surface.state;
-  struct bem_totals t = {0};
-  double momentum[2], force[2];
-  if (f->motion.rolls) {
-    struct bem_spin spin;
-    TRY(find_spin(o, &spin));
-    power[0] = -bem_spin_power(f, &spin);
-    power[1] = 0;
-    return OK;
-  }
-  TRY(find_motion(o, &t, momentum));
-  power[0] = -(f->motion.push[0] * momentum[0] + f->motion.push[1] * momentum[1]);
+  double force[2];
+  TRY(find_frame_power(o, &power[0]));
   power[1] = 0;
   if (!f->motion.sides) return OK;
   TRY(bem_pressure_solve(&o->pressure, f, state));

@@ -169,6 +169,8 @@ void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const doubl
 #pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
   for (size_t k = 0; k < n; k++) {
     double complex z = CMPLX(x[k] - left, y[k]);
+    if (k == 0 && p->held[0]) z = CMPLX(0, y[k]);
+    if (k + 1 == n && p->held[1]) z = CMPLX(length, y[k]);
     p->zeta[k] = bem_map(length, z);
     p->dzeta[k] = bem_map_slope(length, z);
   }

@@ -35,6 +35,8 @@ struct bem_panels {
   double left, length; /* x of the left wall and L of the map, H */
   struct bem_period period; /* of a closed chain */
   int kinked[2]; /* surface and mirror image meet at an angle there, as on walls that accelerate */
+  int held[2];   /* edges on sides of a rectangle that move, which the integrator misses by its
+                    tolerance */
   int mirrored[2]; /* whether stencils at the left and the right edge reach into the mirror image */
   double complex *zeta;   /* nodes in the mapped plane, [n], owned; so are all arrays below */
   double complex *dzeta;  /* d zeta / d z at the nodes, 1/H, [n] */

@@ -13,6 +13,7 @@ enum { LEVELS = 4 };             /* of the panels on wet walls */
 void bem_pressure_destroy(struct bem_pressure *p) {
   free(p->phi_t);
   bem_rule_destroy(&p->wet);
+  bem_flux_destroy(&p->unit);
   bem_flux_destroy(&p->sweep.flux);
   bem_rule_destroy(&p->sweep.rule);
   free(p->sweep.nodes);
@@ -42,8 +43,7 @@ static enum status set_rate(struct bem_pressure *p, const struct bem_flow *f) {
   double before[BEM_MOST_BENDS + 1] = {0};
   bool driven[BEM_MOST_BENDS + 1];
   for (size_t i = 0; i <= m->map->n; i++)
-    driven[i] = m->body[i].velocity != 0 || m->body[i].turn != 0 || m->rate[i].velocity != 0 ||
-                m->rate[i].turn != 0;
+    driven[i] = bem_rigid_moves(bem_flow_body(f, i)) || bem_rigid_moves(bem_flow_body_rate(f, i));
   TRY(bem_flux_lay(flux, m->map, driven, f->motion.top));
   const struct bem_rule *r = &flux->rule;
   const size_t n = BEM_RULE * r->panels;
@@ -51,21 +51,22 @@ static enum status set_rate(struct bem_pressure *p, const struct bem_flow *f) {
   bem_sweep_rule(m, &p->sweep.rate, r, sweep, sweep + n);
   for (size_t j = 0; j < n; j++) {
     const size_t side = r->panel[j / BEM_RULE].side;
-    const struct bem_rigid body = m->body[side], rate = m->rate[side];
+    const struct bem_rigid body = bem_flow_body(f, side), rate = bem_flow_body_rate(f, side);
     const double complex v = conj(bem_rigid_at(body, r->z[j]));
     flux->g[j] = bem_rigid_stream(rate, r->z[j]) + cimag(v * sweep[j]);
     flux->q[j] = cimag(conj(bem_rigid_at(rate, r->z[j])) * r->slope[j] + v * sweep[n + j] -
                        I * body.turn * conj(r->slope[j]) * sweep[j]);
   }
   free(sweep);
-  for (size_t i = 0; i <= m->map->n; i += m->map->n) { /* from the bends, whose images stay */
+  for (size_t i = 0; i <= m->map->n; i++) { /* from the bends, where the sweep is their velocity */
     const size_t bend = i ? i : 1;
+    if (!driven[i]) continue;
     double gain = 0;
     for (size_t j = 0; i == 0 && j < n; j++)
       if (r->panel[j / BEM_RULE].side == i) gain += r->weight[j] * flux->q[j];
-    before[i] = bem_rigid_stream(m->rate[i], m->map->point[bend]) +
-                cimag(conj(bem_rigid_at(m->body[i], m->map->point[bend])) * m->velocity[bend]) -
-                gain;
+    const double complex at = m->map->point[bend];
+    before[i] = bem_rigid_stream(bem_flow_body_rate(f, i), at) +
+                cimag(conj(bem_rigid_at(bem_flow_body(f, i), at)) * m->velocity[bend]) - gain;
   }
   bem_flux_fill(flux, before);
   return OK;
@@ -76,7 +77,7 @@ static enum status sweep_nodes(struct bem_pressure *p, const struct bem_flow *f)
   const struct bem_surface *s = &f->surface;
   const double complex *zeta = f->panels.zeta;
   double complex *sweep = p->sweep.nodes;
-  TRY(bem_moving_rate(&f->moving, &p->sweep.rate));
+  TRY(bem_moving_rate(&f->moving, f->motion.rolls, &p->sweep.rate));
   TRY(set_rate(p, f));
   TRY(bem_sweep_wall(&f->moving, &p->sweep.rate, &p->sweep.rule, s->side[0], creal(zeta[0]),
                      1 / f->panels.dzeta[0], sweep));
@@ -160,14 +161,16 @@ enum status bem_pressure_at(struct bem_pressure *p, const struct bem_flow *f, co
 
 /* u - i v of a bend of the walls, as the potential has it. */
 static double complex bend_velocity(const struct bem_flow *f, const struct bem_seen *at) {
-  return conj(bem_pressure_is_swept(f) ? at->sweep : bem_motion_carries(&f->motion, at->z));
+  const double complex carried = bem_motion_carries(&f->motion, at->z);
+  return conj(bem_pressure_is_swept(f) ? at->sweep + carried : carried);
 }
 
 /* What the known part's and the own part's d beta/d zeta, the latter `own`, give phi where the
  * image of a bend moves: both of its sides stay then, and these are finite. */
 static double shifted(const struct bem_pressure *p, const struct bem_flow *f,
                       const struct bem_seen *at, double complex own) {
-  const double way = at->bend ? p->sweep.rate.xi[at->bend - 1] : 0;
+  const struct bem_map_rate *rate = &p->sweep.rate;
+  const double way = at->bend && !rate->drifts ? rate->xi[at->bend - 1] : 0;
   double complex value, slope;
   if (way == 0) return 0;
   bem_flux_at(&f->through, at->zeta, &value, &slope);

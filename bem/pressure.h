@@ -9,6 +9,7 @@ struct bem_pressure {
   size_t room;
   double *phi_t, *psi_t; /* rate of change of phi and psi at the nodes, g H, [n], owned */
   struct bem_rule wet;   /* the walls under water, owned */
+  struct bem_flux unit;  /* of a tank that turns at the rate of one; of use to spin.h */
   struct {               /* of walls of any shape whose sides move: */
     struct bem_map_rate rate;
     struct bem_flux flux;  /* the rate of change of the known part at a fixed zeta */

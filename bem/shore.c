@@ -267,8 +267,7 @@ static enum status replace_edge(struct bem_surface *w, bool right, const struct 
 
 enum status bem_shore_pass(struct bem_shore *s, struct bem_flow *f, bool right, int way) {
   struct bem_surface *w = &f->surface;
-  const struct bem_rigid *body = f->moving.map ? &f->moving.body[w->side[right]] : NULL;
-  CHECK(!body || (body->velocity == 0 && body->turn == 0), ERR_SOLVER,
+  CHECK(!f->moving.map || !bem_rigid_moves(f->moving.body[w->side[right]]), ERR_SOLVER,
         "the edge of the water leaves the side that moves");
   const struct next to = next_of(s, right, way);
   struct bem_curve curve = {0};

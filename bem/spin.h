@@ -10,9 +10,10 @@ struct bem_spin {
   double kinetic, momentum[2], spin, swing, inertia;
 };
 
-/* After bem_flow_solve. wet: see bem_pressure_wet. q, tx and ty of f are used as scratch. */
-void bem_spin_find(struct bem_flow *f, const double *state, const struct bem_rule *wet,
-                   struct bem_spin *out);
+/* After bem_flow_solve. kinetic: energy that does not go with the frame, where sides move. q, tx
+ * and ty of f are used as scratch. ERR_MEMORY, ERR_SOLVER. */
+enum status bem_spin_find(struct bem_pressure *p, struct bem_flow *f, const double *state,
+                          double kinetic, struct bem_spin *out);
 
 /* Power of the forces that the water feels in a tank that moves and turns, but for its weight down
  * the tank, rho g H^2 sqrt(gH). */

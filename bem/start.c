@@ -133,7 +133,6 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
                  "runs.%s.solver: found 'bem' without gravity; allowed: gravity, which its scales "
                  "are made of; set fluid.gravity or take another solver",
                  r->name);
-  bem_motion_check(c, r, problems);
   if (c->periodic[0] && !flow_is_wave(c->flow))
     problems_add(problems, case_run_line(r, "solver"),
                  "runs.%s.solver: found 'bem' with regions of water in a tank with periodic sides; "

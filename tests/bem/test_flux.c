@@ -110,9 +110,48 @@ static void test_the_slope_is_the_derivative(void) {
   bem_conformal_destroy(m);
 }
 
+/* Largest error of the velocity through the sides, so far from the bends at either end of them. */
+static double off_beside_bends(const struct bem_conformal *m, const struct bem_flux *f,
+                               struct bem_rigid body, double way) {
+  double worst = 0;
+  for (size_t k = 0; k < m->n; k++)
+    for (size_t side = k; side <= k + 1; side++) {
+      const double length = cabs(m->point[side + 1] - m->point[side]);
+      const double complex along = bem_conformal_along(m, side);
+      const double complex z = m->point[side] + (side == k ? length - way : way) * along;
+      double complex zeta, rise, value, slope;
+      EXPECT_OK(bem_conformal_on_wall(m, z, &zeta, &rise));
+      bem_flux_at(f, zeta, &value, &slope);
+      worst = fmax(worst, fabs(cimag((slope * rise - conj(bem_rigid_at(body, z))) * along)));
+    }
+  return worst;
+}
+
+/* However near, also where a point of the formula is: a fine scan meets many. In obtuse corners q
+ * is no polynomial of the variable, within 1e-6 down to 1e-4 H. */
+static void test_next_to_a_bend_the_velocity_is_that_of_the_side(void) {
+  for (int i = 0; i < TANKS; i++) {
+    const struct bem_rigid turning = {CMPLX(0.3, -0.7), 1};
+    struct bem_rigid body[8];
+    struct bem_conformal *m = NULL;
+    struct bem_flux f = {0};
+    double worst = 0;
+    EXPECT_OK(bem_conformal_create(tanks[i].n, tanks[i].wall, NULL, &m));
+    for (size_t k = 0; k <= m->n; k++) body[k] = turning;
+    EXPECT_OK(bem_flux_set(&f, m, body, TOP));
+    for (double way = 1e-4; way < 0.2; way *= 1.05)
+      worst = fmax(worst, off_beside_bends(m, &f, turning, way));
+    printf("  %-9s: off by %.1e\n", tanks[i].name, worst);
+    EXPECT(worst < 1e-6);
+    bem_flux_destroy(&f);
+    bem_conformal_destroy(m);
+  }
+}
+
 int main(void) {
   RUN(test_psi_of_a_tank_that_turns_is_that_of_its_walls);
   RUN(test_at_a_bend_it_is_the_limit_along_the_sides);
   RUN(test_the_slope_is_the_derivative);
+  RUN(test_next_to_a_bend_the_velocity_is_that_of_the_side);
   return TEST_RESULT;
 }

@@ -94,7 +94,7 @@ static void momentum_of(struct flow_case *w, double momentum[2]) {
     for (int axis = 0; axis < 2; axis++) momentum[axis] += known[axis];
     return;
   }
-  bem_spin_find(f, f->surface.state, &w->pressure.wet, &spin);
+  EXPECT_OK(bem_spin_find(&w->pressure, f, f->surface.state, 0, &spin));
   memcpy(momentum, spin.momentum, sizeof spin.momentum);
 }
 

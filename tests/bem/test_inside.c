@@ -102,7 +102,7 @@ static void measure(struct water *w, function *beta, double worst[DISTANCES][2])
       const double complex z = CMPLX(px, py - distance[i / PLACES]);
       double complex slope;
       struct bem_place is;
-      bem_inside_start(&w->inside, &w->f, k);
+      bem_inside_start(&w->inside, &w->p, &w->f, k);
       EXPECT(bem_inside_at(&w->inside, &w->p, &w->f, state, z, &is));
       const double phi = creal(beta(z, &slope));
       largest[0] = fmax(largest[0], cabs(slope));

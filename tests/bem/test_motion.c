@@ -222,6 +222,127 @@ static void test_forces_on_the_walls_change_the_momentum(void) {
   momentum("piston, side: right", 0.05, false, false);
 }
 
+/* ---- roll and sides together ---- */
+
+/* What a case says of its tank, and the area's centre at rest. */
+struct tank_case {
+  const char *name, *walls, *sides;
+  double middle[2];
+};
+
+static const double ROLL = 0.05, PERIOD = 3.3, PIVOT[2] = {1, 0.3};
+
+/* Integral of r dA, whose rate of change the momentum is, from one row to the next, by the cubic
+ * through four of them. */
+static void add_way(const double *p, size_t i, size_t n, double dt, double *way) {
+  const size_t first = i == 0 ? 0 : i + 2 < n ? i - 1 : n - 4;
+  static const double begin[4] = {9, 19, -5, 1}, middle[4] = {-1, 13, 13, -1};
+  const double *weight = i == 0 || first + 4 == i + 2 ? begin : middle;
+  for (size_t k = 0; k < 4; k++)
+    *way += dt / 24 * weight[first + 4 == i + 2 ? 3 - k : k] * p[first + k];
+}
+
+/* Largest difference between the momentum's rate of change and the forces: those of the walls, and
+ * weight, rotation and Coriolis's force in the frame of a tank that rolls. */
+static void off_balance(const struct result_file *f, const double middle[2], double worst[2]) {
+  const double *p[2] = {column(f, "momentum_x"), column(f, "momentum_y")},
+               *force[2] = {column(f, "force_x"), column(f, "force_y")}, *t = f->diagnostics[0].t;
+  const size_t n = f->diagnostics[0].n;
+  const double dt = t[1] - t[0], first = f->steps[0].volume;
+  double moment[2] = {first * middle[0], first * middle[1]};
+  worst[0] = worst[1] = 0;
+  for (size_t i = 0; i + 2 < n; i++) {
+    const double angle = motion(t[i], ROLL, PERIOD, 0), rate = motion(t[i], ROLL, PERIOD, 1),
+                 turning = motion(t[i], ROLL, PERIOD, 2), volume = f->steps[i].volume;
+    const double x = moment[0] - PIVOT[0] * volume, y = moment[1] - PIVOT[1] * volume;
+    const double felt[2] = {
+        -sin(angle) * volume + turning * y + rate * rate * x + 2 * rate * p[1][i],
+        -cos(angle) * volume - turning * x + rate * rate * y - 2 * rate * p[0][i]};
+    for (int axis = 0; axis < 2; axis++) {
+      const double *m = p[axis] + i;
+      if (i >= 2)
+        worst[axis] = fmax(worst[axis], fabs((m[-2] - 8 * m[-1] + 8 * m[1] - m[2]) / (12 * dt) +
+                                             force[axis][i] - felt[axis]));
+      add_way(p[axis], i, n, dt, &moment[axis]);
+    }
+  }
+}
+
+/* Largest change of the budget of energy. */
+static double off_budget(const struct result_file *f) {
+  double worst = 0;
+  for (size_t i = 0; i < f->n_energy; i++)
+    worst =
+        fmax(worst, fabs(result_energy_budget(&f->energy[i]) - result_energy_budget(f->energy)));
+  return worst;
+}
+
+/* In a tank that rolls, waves of a tenth of the depth. The bounds are a thousandth of the forces on
+ * the walls, which are 0.1 to 0.5, and of the energy that is given, 0.01. */
+static void test_forces_change_the_momentum_where_sides_move_in_a_tank_that_rolls(void) {
+  static const struct tank_case tanks[] = {
+      {"piston",
+       "[0, 2], [0, 0], [2, 0], [2, 2]",
+       ", {kind: piston, side: left, amplitude: 0.05, period: 3.3}",
+       {1, 0.4}},
+      {"both, before a step",
+       "[0, 2], [0, 0], [1, 0], [1.3, 0.3], [2, 0.3], [2, 2]",
+       ", {kind: piston, side: left, amplitude: 0.05, period: 3.3}"
+       ", {kind: flap, side: left, amplitude: 0.05, period: 3.3, hinge: 0.3}",
+       {0.8918215613382898, 0.4490706319702602}},
+  };
+  for (size_t i = 0; i < sizeof tanks / sizeof *tanks; i++) {
+    char with[1000];
+    double worst[2];
+    snprintf(with, sizeof with,
+             "title: roll\n"
+             "fluid: {density: 1, gravity: 1}\n"
+             "scales: {H: 1}\n"
+             "tank: {walls: [[%s]], motions: [{kind: roll, amplitude: %g, period: %g, about: [%g, "
+             "%g]}%s]}\n"
+             "water: {wave: {kind: still, depth: 0.8}}\n"
+             "time: {end: 2, every: 2, sample: 0.05}\n"
+             "runs: [{name: bem, solver: bem, resolution: 12, tolerance: 1e-8, forces: true}]\n",
+             tanks[i].walls, ROLL, PERIOD, PIVOT[0], PIVOT[1], tanks[i].sides);
+    struct result_file *f = run_bem(with);
+    if (!f) continue;
+    off_balance(f, tanks[i].middle, worst);
+    const double budget = off_budget(f);
+    printf("  %s: forces off by %.1e and %.1e, budget by %.1e\n", tanks[i].name, worst[0], worst[1],
+           budget);
+    EXPECT(worst[0] < 1e-4 && worst[1] < 1e-4 && budget < 1e-4);
+    result_file_destroy(f);
+  }
+}
+
+/* Both sides of a column's tank move like the tank of another: where the water comes to the other
+ * side is the same place of it, at the same time. */
+static double impact_of(const char *motions) {
+  char with[600];
+  snprintf(with, sizeof with,
+           "title: column\n"
+           "fluid: {density: 1, gravity: 1}\n"
+           "scales: {H: 1}\n"
+           "tank: {walls: [[[0, 3], [0, 0], [3, 0], [3, 3]]], motions: [%s]}\n"
+           "water: {regions: [[[0, 0], [1, 0], [1, 1], [0, 1]]], pressure: released}\n"
+           "time: {end: 1.68, every: 1.68, sample: 0.1}\n"
+           "runs: [{name: bem, solver: bem, resolution: 16}]\n",
+           motions);
+  struct result_file *f = run_bem(with);
+  if (!f) return NAN;
+  const double time = run_event(f, "wall_impact").time;
+  result_file_destroy(f);
+  return time;
+}
+
+static void test_a_column_beside_pistons_runs_as_in_a_tank_that_sways(void) {
+  const double sway = impact_of("{kind: sway, amplitude: 0.1, period: 4}"),
+               pistons = impact_of("{kind: piston, side: left, amplitude: 0.1, period: 4}, "
+                                   "{kind: piston, side: right, amplitude: 0.1, period: 4}");
+  printf("  impact at %.6f, %.6f\n", sway, pistons);
+  EXPECT_NEAR(pistons, sway, 1e-5); /* ten tolerances */
+}
+
 /* Kinetic energy just after water at rest in a tank is hit by a sway whose velocity is 0.5 at once,
  * which a roll has turned by `angle` by then. */
 static double kinetic_at_once(double angle) {
@@ -326,5 +447,7 @@ int main(void) {
   RUN(test_pressure_in_a_corner_that_moves_is_that_of_the_side_beside_it);
   RUN(test_a_piston_that_pulls_back_leaves_the_water_whole);
   RUN(test_forces_on_the_walls_change_the_momentum);
+  RUN(test_forces_change_the_momentum_where_sides_move_in_a_tank_that_rolls);
+  RUN(test_a_column_beside_pistons_runs_as_in_a_tank_that_sways);
   return TEST_RESULT;
 }
