@@ -412,7 +412,7 @@ static enum status write_forces(struct bem_output *o, double seconds, const doub
   TRY(bem_forces_find(&o->pressure, f, f->surface.state, momentum, &forces));
   if (o->mirrored) bem_forces_turn(&forces);
   bem_forces_in_si(o->c, &forces, value);
-  return result_diagnostics(o->file, seconds, value);
+  return result_diagnostics(o->file, seconds, BEM_FORCE_COUNT, bem_force_columns, value);
 }
 
 /* A row of every series. */

@@ -24,6 +24,18 @@ static void print_estimates(const struct case_file *c) {
   }
 }
 
+/* What to know before the runs, of each that has any. */
+static void print_warnings(const struct case_file *c) {
+  for (size_t i = 0; i < c->n_runs; i++) {
+    const struct case_run *r = &c->runs[i];
+    struct problems warnings = {0};
+    if (r->solver->warn) r->solver->warn(c, r, &warnings);
+    for (size_t k = 0; k < warnings.n; k++)
+      fprintf(stderr, "  %s: %s\n", r->name, warnings.text[k]);
+    problems_destroy(&warnings);
+  }
+}
+
 static int check(const char *path, const struct command_set *set) {
   int exit_code;
   struct case_file *c = command_load_case(path, set->n, set->item, &exit_code);
@@ -33,6 +45,7 @@ static int check(const char *path, const struct command_set *set) {
     text_show(stdout, c->path, "");
     printf(": fine (%zu run%s)\n", c->n_runs, c->n_runs == 1 ? "" : "s");
     print_estimates(c);
+    print_warnings(c);
   }
   case_destroy(c);
   return exit_code;
@@ -70,7 +83,7 @@ int command_check(int argc, char **argv) {
       .parser = parse,
       .args_doc = "CASE.yaml...",
       .doc = "Validates case files and prints every problem with file, line, key, the value found "
-             "and what is allowed.",
+             "and what is allowed; and what a run is warned of.",
   };
   int exit_code = EXIT_FINE;
   struct check_arguments a = {0};

@@ -49,8 +49,6 @@ struct solver {
   size_t options_size;             /* bytes of the struct that the table fills (zeroed first) */
   const struct solver_term *terms; /* of the budget of energy (result.h), [n_terms] */
   size_t n_terms;                  /* at most RESULT_TERMS */
-  const struct solver_diagnostic *diagnostics; /* that a run may write, [n_diagnostics] */
-  size_t n_diagnostics;                        /* at most RESULT_DIAGNOSTICS */
 
   /* Completes a run of a case that is valid as such: what its options leave to the solver, and the
    * resolution where the run has the key `accuracy` in place of it. May be NULL. */
@@ -59,6 +57,9 @@ struct solver {
   /* Adds to `problems` whatever this solver cannot do with a case that is valid as such
    * (tank not rectangular, resolution too coarse for the tank ...). May be NULL. */
   void (*check)(const struct case_file *c, const struct case_run *r, struct problems *problems);
+
+  /* Adds what to know before a run that `check` found fine, a sentence each. May be NULL. */
+  void (*warn)(const struct case_file *c, const struct case_run *r, struct problems *warnings);
 
   /* Estimates a run that `check` found fine, in next to no time. */
   void (*estimate)(const struct case_file *c, const struct case_run *r, struct solver_estimate *e);

@@ -114,6 +114,10 @@ const struct param sph_params[] = {
      "whether noise, shaking, compression and momenta are written as series; takes half an "
      "evaluation a sample",
      NULL},
+    {"forces", PARAM_BOOL, QTY_NUMBER, AT(forces), 0, 0, "false", NULL,
+     "whether the forces on the walls, their moment, and the water's momentum are written as "
+     "series",
+     NULL},
     {"damping_end", PARAM_REAL, QTY_TIME, AT(damping_end), 0, 1e9, "0", NULL,
      "until when it damps; 0: to the end", NULL},
 #define ROW(name, LIST, help)                                                                      \

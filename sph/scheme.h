@@ -24,13 +24,13 @@ struct sph_scheme {
   double c0; /* m/s */
   double dt; /* s; 0: what the factors of the bounds allow */
   double cfl_acoustic, cfl_diffusive, cfl_viscous, cfl_acceleration;
-  bool diagnostics;            /* written (observe/diagnose.h) */
+  bool diagnostics, forces;    /* written (observe/diagnose.h) */
   double damping, damping_end; /* 1/s, s: Gamma, until then; 0: to the end */
 };
 
 enum { SPH_PRECISION_single, SPH_PRECISION_double };
 
-enum { SPH_N_PARAMS = 26 + SPH_TREATMENT_PARAMS };
+enum { SPH_N_PARAMS = 27 + SPH_TREATMENT_PARAMS };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* The word that may stand for delta, which then is -1, and what it means. */

@@ -82,14 +82,24 @@ static double reachable_speed(const struct case_file *c) {
   return 2 * sqrt(c->gravity * (w.max[1] - c->tank.min[1])) + hypot(c->velocity[0], c->velocity[1]);
 }
 
-static void warn_of_slow_sound(const struct case_file *c, const struct sph_scheme *o,
-                               struct progress *progress) {
-  double mach = reachable_speed(c) / o->c0;
+static void warn(const struct case_file *c, const struct case_run *r, struct problems *warnings) {
+  const struct sph_scheme *o = r->options;
+  const double mach = reachable_speed(c) / o->c0;
+  const char *of_forms = sph_forms_warning(o, c->gravity);
   if (mach > 0.3)
-    progress_say(progress,
+    problems_add(warnings, case_run_line(r, "c0"),
                  "c0 = %.4g m/s: the water may reach a Mach number of %.2f, where about 0.1 is "
                  "wanted; %.4g m/s would do",
                  o->c0, mach, 10 * reachable_speed(c));
+  if (of_forms) problems_add(warnings, case_run_line(r, "solver"), "%s", of_forms);
+}
+
+static void say_warnings(const struct case_file *c, const struct case_run *r,
+                         struct progress *progress) {
+  struct problems warnings = {0};
+  warn(c, r, &warnings);
+  for (size_t k = 0; k < warnings.n; k++) progress_say(progress, "%s", warnings.text[k]);
+  problems_destroy(&warnings);
 }
 
 static enum status run(const struct case_file *c, const struct case_run *r, struct result *result,
@@ -97,9 +107,7 @@ static enum status run(const struct case_file *c, const struct case_run *r, stru
   struct sph *s = NULL;
   struct sph_output *output = NULL;
   enum status status;
-  warn_of_slow_sound(c, r->options, progress);
-  const char *warning = sph_forms_warning(r->options, c->gravity);
-  if (warning) progress_say(progress, "%s", warning);
+  say_warnings(c, r, progress);
   ATTEMPT(sph_create(c, r->resolution, r->options, &s));
   ATTEMPT(sph_output_create(c, s, result, &output));
   status = march(c, s, output, progress);
@@ -206,6 +214,23 @@ static void check_integrator(const struct case_run *r, struct problems *problems
         r->name, o->damping, name);
 }
 
+/* What walls do, as the pair loops know it. */
+static void check_forces(const struct case_run *r, struct problems *problems) {
+  const struct sph_scheme *o = r->options;
+  if (!o->forces) return;
+  if (derivative_is_fit((enum sph_derivative)o->derivative))
+    problems_add(
+        problems, case_run_line(r, "forces"),
+        "runs.%s.forces: found with derivative: %s, which does not tell what walls do from "
+        "what the water does; allowed: with derivative: kernel; leave the line out",
+        r->name, sph_scheme_name(o, "derivative"));
+  if (eos_drives_by_excess((enum sph_eos)o->eos))
+    problems_add(problems, case_run_line(r, "forces"),
+                 "runs.%s.forces: found with eos: %s, which presses on walls by what is above the "
+                 "hydrostatic pressure alone; allowed: with any other eos; leave the line out",
+                 r->name, sph_scheme_name(o, "eos"));
+}
+
 static void check_walls(const struct case_file *c, const struct case_run *r,
                         struct problems *problems) {
   static const char *const keys[] = {"walls", "slip"};
@@ -306,9 +331,9 @@ static void check_corners(const struct case_file *c, const struct case_run *r,
                           struct problems *problems) {
   struct sph_faces faces = {0};
   if (sph_faces_set(&faces, &c->walls, 0, NULL) != OK) problems->out_of_memory = true;
-  for (size_t k = 0; k < faces.n; k++) {
+  const uint32_t k = sph_faces_unfilled(&faces);
+  if (k != SPH_NO_FACE) {
     const struct sph_face *f = &faces.face[k];
-    if (f->end[1] == SPH_END_TOP || (f->turn >= 0 && f->turn < M_PI / 2 + 1e-6)) continue;
     problems_add(
         problems, case_run_line(r, "walls"),
         "runs.%s.walls: found '%s' beside a corner of %.3g degrees at (%.6g, %.6g) m, which "
@@ -316,7 +341,6 @@ static void check_corners(const struct case_file *c, const struct case_run *r,
         "ghost",
         r->name, sph_wall_names[((const struct sph_scheme *)r->options)->walls],
         180 - f->turn * 180 / M_PI, f->b[0], f->b[1]);
-    break;
   }
   sph_faces_destroy(&faces);
 }
@@ -366,6 +390,7 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
         "particles follows; allowed: with water.wave in a rectangular tank; write "
         "free_surface: natural",
         r->name);
+  check_forces(r, problems);
   check_walls(c, r, problems);
   check_gravity(c, r, problems);
   check_motions(c, r, problems);
@@ -390,10 +415,9 @@ const struct solver sph_solver = {
     .n_presets = SPH_N_PRESETS,
     .terms = sph_terms,
     .n_terms = SPH_TERM_COUNT,
-    .diagnostics = sph_diagnostics,
-    .n_diagnostics = SPH_DIAGNOSTIC_COUNT,
     .options_size = sizeof(struct sph_scheme),
     .check = check,
+    .warn = warn,
     .estimate = sph_estimate,
     .run = run,
 };

@@ -55,7 +55,7 @@ enum result_cells { RESULT_VERTICES, RESULT_LINE }; /* loose particles, or one p
  * there, all else until it is written. */
 struct result_about {
   const char *solver, *run, *title;
-  const char *version, *revision; /* of the program; "" as below */
+  const char *version, *revision;                          /* of the program; "" as below */
   const char *case_text, *fingerprint, *water_fingerprint; /* "": there is none */
   bool floats;                                             /* a body without gravity */
   double H, g, density;                                    /* m, m s^-2, kg m^-3 */
@@ -66,9 +66,8 @@ struct result_about {
   const struct case_probe *probes;
   const struct case_gauge *gauges;
   const struct case_point *points;
-  size_t n_terms, n_diagnostics; /* of the solver, see solver.h */
+  size_t n_terms; /* of the solver, see solver.h */
   const struct solver_term *terms;
-  const struct solver_diagnostic *diagnostics;
   size_t n_params;
   const struct param *params; /* the table behind `options` */
   const void *options;
@@ -100,8 +99,10 @@ enum status result_gauge(struct result *w, size_t gauge, double time, double ele
  * of CASE_POINT. */
 enum status result_point(struct result *w, size_t point, double time,
                          const double value[CASE_POINT_FIELDS]);
-/* A row of the solver's diagnostics (solver.h), which the file has from the first one on. */
-enum status result_diagnostics(struct result *w, double time, const double *values);
+/* A row of what a run tells of itself, [n] values, n at most RESULT_DIAGNOSTICS; the same columns
+ * in every row. The file has them from the first one on. */
+enum status result_diagnostics(struct result *w, double time, size_t n,
+                               const struct solver_diagnostic *columns, const double *values);
 enum status result_event(struct result *w, const char *name, double time, double x, double y);
 enum status result_statistic(struct result *w, const char *name, double value, const char *units,
                              const char *help);

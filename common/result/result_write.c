@@ -231,9 +231,7 @@ enum status result_create(const char *path, const struct case_file *c, const str
       .gauges = c->gauges,
       .points = c->points,
       .n_terms = solver->n_terms,
-      .n_diagnostics = solver->n_diagnostics,
       .terms = solver->terms,
-      .diagnostics = solver->diagnostics,
       .n_params = solver->n_params,
       .params = solver->params,
       .options = r->options,
@@ -373,32 +371,32 @@ enum status result_point(struct result *w, size_t point, double time,
 }
 
 /* Their datasets, when the first row comes. */
-static enum status create_diagnostics(struct result *w) {
-  const struct result_about *about = &w->about;
+static enum status create_diagnostics(struct result *w, size_t n,
+                                      const struct solver_diagnostic *of) {
   struct result_column columns[1 + RESULT_DIAGNOSTICS] = {{"time", "s", "physical time"}};
   hid_t group = -1;
-  assert(about->n_diagnostics <= RESULT_DIAGNOSTICS);
-  for (size_t k = 0; k < about->n_diagnostics; k++)
-    columns[1 + k] = (struct result_column){about->diagnostics[k].name, about->diagnostics[k].units,
-                                            about->diagnostics[k].help};
+  assert(n <= RESULT_DIAGNOSTICS);
+  for (size_t k = 0; k < n; k++)
+    columns[1 + k] = (struct result_column){of[k].name, of[k].units, of[k].help};
   enum status status = hdf_open_group(w->file, "series", &group);
   if (status == OK)
-    status = result_table_create(w->columns, group, "diagnostics", 1 + about->n_diagnostics,
-                                 columns, &w->diagnostics);
+    status = result_table_create(w->columns, group, "diagnostics", 1 + n, columns, &w->diagnostics);
   if (group >= 0) H5Gclose(group);
   return status;
 }
 
-static enum status add_diagnostics(struct result *w, double time, const double *values) {
+static enum status add_diagnostics(struct result *w, double time, size_t n,
+                                   const struct solver_diagnostic *columns, const double *values) {
   double row[1 + RESULT_DIAGNOSTICS] = {time};
-  if (!w->diagnostics.n_columns) TRY(create_diagnostics(w));
-  memcpy(row + 1, values, w->about.n_diagnostics * sizeof *values);
+  if (!w->diagnostics.n_columns) TRY(create_diagnostics(w, n, columns));
+  memcpy(row + 1, values, n * sizeof *values);
   return result_table_add(&w->diagnostics, row);
 }
 
-enum status result_diagnostics(struct result *w, double time, const double *values) {
+enum status result_diagnostics(struct result *w, double time, size_t n,
+                               const struct solver_diagnostic *columns, const double *values) {
   if (w->twin) return OK;
-  return guard(w, add_diagnostics(w, time, values));
+  return guard(w, add_diagnostics(w, time, n, columns, values));
 }
 
 static enum status add_event(struct result *w, const char *name, double time, double x, double y) {

@@ -148,6 +148,11 @@ static void dynamic_advance(struct sph *s, const double *weights, int stages, do
   }
 }
 
+static uint32_t dynamic_motion(const struct sph *s, size_t k) {
+  const struct dynamic *d = s->w.data;
+  return d->layers.motion[k];
+}
+
 static void dynamic_destroy(struct sph *s) {
   struct dynamic *d = s->w.data;
   if (!d) return;
@@ -167,6 +172,7 @@ const struct sph_wall sph_wall_dynamic = {
     .rates = dynamic_rates,
     .begin = dynamic_begin,
     .advance = dynamic_advance,
+    .motion = dynamic_motion,
     .destroy = dynamic_destroy,
     .layer = 2,
     .undiffused = true,

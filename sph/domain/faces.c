@@ -17,6 +17,14 @@ void sph_faces_destroy(struct sph_faces *f) {
   *f = (struct sph_faces){0};
 }
 
+uint32_t sph_faces_unfilled(const struct sph_faces *f) {
+  for (uint32_t k = 0; k < f->n; k++) {
+    const double turn = f->face[k].turn;
+    if (f->face[k].end[1] != SPH_END_TOP && !(turn >= 0 && turn < M_PI / 2 + 1e-6)) return k;
+  }
+  return SPH_NO_FACE;
+}
+
 static double turn_from(const double t[2], const double to[2]) {
   return atan2(t[0] * to[1] - t[1] * to[0], t[0] * to[0] + t[1] * to[1]);
 }

@@ -11,6 +11,7 @@
  * to 0.7 % around a step of 90 degrees (H/dx = 20, 20 sqrt(H/g)), to 3 and 4 % around a wedge of 44
  * and 30 degrees that it covers; one of 44 degrees that holds it on one side only, to 2 %. */
 #pragma once
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -55,6 +56,11 @@ enum status sph_faces_set(struct sph_faces *f, const struct geo_lines *walls, do
 void sph_faces_move(struct sph_faces *f, const double (*p)[2]);
 void sph_faces_destroy(struct sph_faces *f);
 
+/* The first face at whose end mirror images of the water do not fill the solid once: at corners of
+ * the water that are sharper than a right angle they overlap, at those of the solid they jump from
+ * face to face. Or SPH_NO_FACE. */
+uint32_t sph_faces_unfilled(const struct sph_faces *f);
+
 /* How far a point is to the left of the line of a face, where the water is, m. */
 static inline double sph_face_distance(const struct sph_face *f, double x, double y) {
   return f->t[0] * (y - f->a[1]) - f->t[1] * (x - f->a[0]);
@@ -63,6 +69,13 @@ static inline double sph_face_distance(const struct sph_face *f, double x, doubl
 /* How far along a face a point's foot is, m. */
 static inline double sph_face_along(const struct sph_face *f, double x, double y) {
   return f->t[0] * (x - f->a[0]) + f->t[1] * (y - f->a[1]);
+}
+
+/* How far a point is from a face, m. */
+static inline double sph_face_way(const struct sph_face *f, double x, double y) {
+  const double s = sph_face_along(f, x, y), off = sph_face_distance(f, x, y);
+  const double past = s < 0 ? -s : s > f->length ? s - f->length : 0;
+  return past > 0 ? hypot(off, past) : off;
 }
 
 /* Whether the straight way from p to q goes through a face from the water into the solid; *part is

@@ -137,6 +137,11 @@ static void ghosts_fill(struct sph *s) {
   for (size_t c = 0; c < g->lists.n_clusters; c++) fill_cluster(s, c);
 }
 
+static uint32_t ghosts_motion(const struct sph *s, size_t k) {
+  const struct ghosts *g = s->w.data;
+  return g->layers.motion[k];
+}
+
 static void ghosts_destroy(struct sph *s) {
   struct ghosts *g = s->w.data;
   if (!g) return;
@@ -152,5 +157,6 @@ const struct sph_wall sph_wall_ghost = {
     .move = ghosts_move,
     .fill = ghosts_fill,
     .layer = 2,
+    .motion = ghosts_motion,
     .destroy = ghosts_destroy,
 };

@@ -180,6 +180,11 @@ SPECIALISE void fill_gradients(struct sph *s, enum continuation c) {
   }
 }
 
+static uint32_t mirror_motion(const struct sph *s, size_t k) {
+  const struct mirror *m = s->w.data;
+  return m->copies.copy[k].motion;
+}
+
 static void mirror_destroy(struct sph *s) {
   if (!s->w.data) return;
   struct mirror *m = s->w.data;
@@ -202,6 +207,7 @@ static void mirror_destroy(struct sph *s) {
       .move = mirror_move,                                                                         \
       .fill = variant##_fill,                                                                      \
       .fill_gradients = variant##_fill_gradients,                                                  \
+      .motion = mirror_motion,                                                                     \
       .destroy = mirror_destroy,                                                                   \
       .moving = true,                                                                              \
   };

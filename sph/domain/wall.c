@@ -77,8 +77,9 @@ static void fill_parts(struct sph *s) {
   for (int k = 0; k < 4; k++) {
     struct sph_pack *part = s->w.part[k / 2][k % 2];
     for (size_t i = 0; part && i < s->w.n; i++) {
-      part[i] = from[k / 2][i];
-      part[i].V *= k % 2 ? s->w.V[i].y : s->w.V[i].x;
+      const double V = k % 2 ? s->w.V[i].y : s->w.V[i].x;
+      if (V != 0) part[i] = from[k / 2][i];
+      part[i].V *= V;
     }
   }
 }

@@ -24,6 +24,8 @@ struct sph_wall {
   void (*begin)(struct sph *s);
   void (*rates)(struct sph *s, int stage);
   void (*advance)(struct sph *s, const double *weights, int stages, double dt);
+  uint32_t (*motion)(const struct sph *s,
+                     size_t k); /* (images.h) that wall particle k is made by */
   void (*destroy)(struct sph *s);
   double layer;    /* width of the meniscus beside it, particle spacings; see gauge.h */
   bool moving;     /* the wall particles, no faster than the water */

@@ -2,7 +2,9 @@
 
 #include <math.h>
 
+#include "common/case/case.h"
 #include "sph/fluid/clusters.h"
+#include "sph/observe/forces.h"
 #include "sph/pair/kernel.h"
 #include "sph/pair/rates.h"
 #include "sph/pair/sums.h"
@@ -67,22 +69,27 @@ static void put_accelerations(struct sph *s) {
   sph_period_fill(s);
 }
 
-static void sum_over_particles(const struct sph *s, double *value) {
-  const struct sph_state *w = &s->f.w, *k = &s->f.k[0];
+static void sum_momenta(const struct sph *s, double *value) {
+  const struct sph_state *w = &s->f.w;
   for (size_t i = 0; i < s->f.n; i++) {
     const double m = s->f.m[i];
-    value[SPH_DIAGNOSTIC_shaking] += k->u[i] * k->u[i] + k->v[i] * k->v[i];
-    const double rho = eos_density(&s->eos, w->rho[i], w->y[i]);
-    value[SPH_DIAGNOSTIC_compressed] += fabs(rho / s->rho0 - 1) > 0.01;
     value[SPH_DIAGNOSTIC_momentum_x] += m * w->u[i];
     value[SPH_DIAGNOSTIC_momentum_y] += m * w->v[i];
     value[SPH_DIAGNOSTIC_angular_momentum] += m * (w->x[i] * w->v[i] - w->y[i] * w->u[i]);
   }
+}
+
+static void sum_over_particles(const struct sph *s, double *value) {
+  const struct sph_state *w = &s->f.w, *k = &s->f.k[0];
+  for (size_t i = 0; i < s->f.n; i++) {
+    value[SPH_DIAGNOSTIC_shaking] += k->u[i] * k->u[i] + k->v[i] * k->v[i];
+    const double rho = eos_density(&s->eos, w->rho[i], w->y[i]);
+    value[SPH_DIAGNOSTIC_compressed] += fabs(rho / s->rho0 - 1) > 0.01;
+  }
   value[SPH_DIAGNOSTIC_compressed] /= (double)s->f.n;
 }
 
-void sph_diagnose(struct sph *s, double H, double g, double value[SPH_DIAGNOSTIC_COUNT]) {
-  for (int k = 0; k < SPH_DIAGNOSTIC_COUNT; k++) value[k] = 0;
+static void find_noise(struct sph *s, double H, double g, double *value) {
   sum_over_particles(s, value);
   sph_pack_water(s);
   const struct noise state = noise_of(s);
@@ -97,4 +104,29 @@ void sph_diagnose(struct sph *s, double H, double g, double value[SPH_DIAGNOSTIC
   value[SPH_DIAGNOSTIC_noise_p] = rms(state.p, state.n, pressure);
   value[SPH_DIAGNOSTIC_noise_ax] = rms(rates.u, rates.n, g);
   value[SPH_DIAGNOSTIC_noise_ay] = rms(rates.v, rates.n, g);
+}
+
+enum status sph_diagnose(struct sph *s, double H, double g, double value[SPH_DIAGNOSTIC_COUNT]) {
+  for (int k = 0; k < SPH_DIAGNOSTIC_COUNT; k++) value[k] = 0;
+  sum_momenta(s, value);
+  if (s->scheme.diagnostics) find_noise(s, H, g, value);
+  if (!s->scheme.forces) return OK;
+  struct sph_forces f;
+  TRY(sph_forces_find(s, &f));
+  value[SPH_DIAGNOSTIC_force_x] = f.x;
+  value[SPH_DIAGNOSTIC_force_y] = f.y;
+  value[SPH_DIAGNOSTIC_moment] = f.moment;
+  value[SPH_DIAGNOSTIC_force_left] = f.left;
+  value[SPH_DIAGNOSTIC_force_right] = f.right;
+  return OK;
+}
+
+enum status sph_diagnose_write(struct sph *s, const struct case_file *c, struct result *result) {
+  const struct sph_scheme *o = &s->scheme;
+  const size_t first = o->diagnostics ? 0 : SPH_DIAGNOSTIC_momentum_x;
+  const size_t end = o->forces ? SPH_DIAGNOSTIC_COUNT : SPH_DIAGNOSTIC_force_x;
+  double value[SPH_DIAGNOSTIC_COUNT];
+  if (!o->diagnostics && !o->forces) return OK;
+  TRY(sph_diagnose(s, c->H, c->g, value));
+  return result_diagnostics(result, s->t, end - first, sph_diagnostics + first, value + first);
 }

@@ -33,19 +33,12 @@ struct sph_output {
   uint32_t *place;                         /* [room] */
 };
 
-/* How far a particle is from a face, m. */
-static double way_to(const struct sph_face *f, double x, double y) {
-  const double s = sph_face_along(f, x, y), off = sph_face_distance(f, x, y);
-  const double past = s < 0 ? -s : s > f->length ? s - f->length : 0;
-  return past > 0 ? hypot(off, past) : off;
-}
-
 /* The particle that is nearest to the water's side of a face, and how far. */
 static size_t foremost(const struct sph *s, const struct sph_face *f, double *way) {
   size_t at = 0;
   *way = INFINITY;
   for (size_t i = 0; i < s->f.n; i++) {
-    const double d = way_to(f, s->f.w.x[i], s->f.w.y[i]);
+    const double d = sph_face_way(f, s->f.w.x[i], s->f.w.y[i]);
     if (d >= *way || d < -s->dx) continue;
     *way = d;
     at = i;
@@ -68,8 +61,8 @@ static bool any_touches(const struct sph_output *o, const struct sph *s) {
     size_t n;
     const uint32_t *near = sph_sight_faces(&s->sight, s->f.w.x[i], s->f.w.y[i], &n);
     for (size_t k = 0; k < n; k++)
-      any |=
-          o->dry[near[k]] && way_to(&s->faces.face[near[k]], s->f.w.x[i], s->f.w.y[i]) <= s->dx / 2;
+      any |= o->dry[near[k]] &&
+             sph_face_way(&s->faces.face[near[k]], s->f.w.x[i], s->f.w.y[i]) <= s->dx / 2;
   }
   return any;
 }
@@ -279,12 +272,10 @@ static enum status write_points(const struct sph_output *o, const struct sph *s)
 }
 
 enum status sph_output_rates(struct sph_output *o, struct sph *s) {
-  double value[SPH_DIAGNOSTIC_COUNT];
   TRY(write_points(o, s));
-  if (!o->diagnose || !s->scheme.diagnostics) return OK;
+  if (!o->diagnose) return OK;
   o->diagnose = false;
-  sph_diagnose(s, o->c->H, o->c->g, value);
-  return result_diagnostics(o->result, s->t, value);
+  return sph_diagnose_write(s, o->c, o->result);
 }
 
 double sph_output_next(const struct sph_output *o) {

@@ -16,12 +16,21 @@
         ? "take forms of momentum and continuity that are adjoint, or treat the water more "       \
           "often"                                                                                  \
         : "write derivative: kernel, or treat the water more often")                               \
-  X(walls, sph_walls[o->walls] == &sph_wall_ghost ? "write walls: mirror, or raise c0 or alpha" : NULL)        \
+  X(walls, sph_walls[o->walls] == &sph_wall_ghost ? remedy_of_ghosts(s) : NULL)                    \
   X(diffusion, o->diffusion == SPH_DIFFUSION_antuono ? "lower delta"                               \
                                                      : "write diffusion: antuono, or lower delta") \
   X(smoothing, "smooth less often")
 
 enum { CAUSE = SPH_ADVICE + 100 };
+
+/* Mirrors can stand in for ghosts where images fill what is behind the walls. */
+static const char *remedy_of_ghosts(const struct sph *s) {
+  bool folds = false;
+  for (size_t k = 0; k < s->force.n; k++) folds |= s->force.motion[k].kind == TANK_MOTION_flap;
+  return folds || sph_faces_unfilled(&s->faces) != SPH_NO_FACE
+             ? "raise c0 or alpha"
+             : "write walls: mirror, or raise c0 or alpha";
+}
 
 /* What follows "at t = 1 s": the term of the budget that has given most, and at least half, of the
  * motion before it broke off, if one has (what moves by gravity has it from none), and what to do.

@@ -252,35 +252,48 @@ static bool any_part(const struct sph_near *walls, const struct sph_pack *part) 
   return false;
 }
 
-/* Of sums with volumes times V along an axis: the pressure force, and viscosity of the same walls
- * or of those that hold the water. */
-static void push_along(struct sph *s, int axis, const struct sph_targets *i,
-                       const struct sph_near *walls, struct effects *e) {
+void sph_rates_push(const struct sph *s, const struct sph_targets *i, const struct sph_near *walls,
+                    const struct sph_pack *pressing, const struct sph_pack *holding,
+                    struct sph_push *p) {
   const struct sph_scheme *o = &s->scheme;
   const double per_time = kernel_slope_scale((enum sph_kernel)o->kernel) * s->c0 / s->h;
   const double force = per_time * s->c0 * s->rho0, drag = o->alpha * force;
   const struct sph_rates_how how = {SPH_DIFFUSION_none, false, s->wall->moving ? 1e-4 : 1e-24};
-  struct sph_near part = *walls;
+  struct sph_near near = *walls;
   struct sph_rates_sums a, b;
-  part.pack = s->w.part[0][axis];
-  if (!any_part(walls, part.pack)) return;
-  sph_loops_for(s, i)->rates(s, &how, i, &part, &a);
+  near.pack = pressing;
+  sph_loops_for(s, i)->rates(s, &how, i, &near, &a);
   b = a;
-  if (s->w.drag) {
-    part.pack = s->w.part[1][axis];
-    sph_loops_for(s, i)->rates(s, &how, i, &part, &b);
+  if (holding != pressing) {
+    near.pack = holding;
+    sph_loops_for(s, i)->rates(s, &how, i, &near, &b);
   }
   for (int l = 0; l < SPH_LANES; l++) {
-    e->pushed[l] -= force * (axis ? a.py : a.px)[l] / i->rho[l];
-    e->dragged[l] += drag * (axis ? b.vy : b.vx)[l] / i->rho[l];
+    p->x[l] = -force * a.px[l] / i->rho[l];
+    p->y[l] = -force * a.py[l] / i->rho[l];
+    p->drag_x[l] = drag * b.vx[l] / i->rho[l];
+    p->drag_y[l] = drag * b.vy[l] / i->rho[l];
   }
 }
 
-/* A fit does not tell walls from water; the solver refuses it where sides move. */
-static void push_sides(struct sph *s, const struct sph_targets *i, const struct sph_near *walls,
-                       struct effects *e) {
+/* Of sums with volumes times V along an axis. */
+static void push_along(const struct sph *s, int axis, const struct sph_targets *i,
+                       const struct sph_near *walls, struct effects *e) {
+  const struct sph_pack *pressing = s->w.part[0][axis];
+  struct sph_push p;
+  if (!any_part(walls, pressing)) return;
+  sph_rates_push(s, i, walls, pressing, s->w.drag ? s->w.part[1][axis] : pressing, &p);
+  for (int l = 0; l < SPH_LANES; l++) {
+    e->pushed[l] += (axis ? p.y : p.x)[l];
+    e->dragged[l] += (axis ? p.drag_y : p.drag_x)[l];
+  }
+}
+
+/* The solver refuses fits, which do not tell walls from water, where sides move. */
+static void push_sides(const struct sph *s, const struct sph_targets *i,
+                       const struct sph_near *walls, struct effects *e) {
   for (int l = 0; l < SPH_LANES; l++) e->pushed[l] = e->dragged[l] = 0;
-  if (!s->w.V || !walls->n || derivative_is_fit((enum sph_derivative)s->scheme.derivative)) return;
+  if (!s->w.V || !walls->n) return;
   for (int axis = 0; axis < 2; axis++) push_along(s, axis, i, walls, e);
 }
 

@@ -49,6 +49,13 @@ if [ $? != 2 ] || ! grep -q "^--set time.end=-1" "$scratch/err"; then
   failed=1
 fi
 
+# what a run warns of is said before it
+"$plunge" check "$source/cases/hydrostatic.yaml" --set runs.antuono-fine.c0='5 sqrt(gH)' >"$scratch/out" 2>"$scratch/err" || failed=1
+if ! grep -q '^  antuono-fine: c0 = .* Mach number of 0.40' "$scratch/err" || [ "$(wc -l <"$scratch/err")" != 1 ]; then
+  echo "FAIL check does not warn of slow sound: $(cat "$scratch/err")"
+  failed=1
+fi
+
 for odd in /nowhere/case.yaml /dev/null "$source"; do
   "$plunge" check "$odd" >/dev/null 2>&1
   code=$?

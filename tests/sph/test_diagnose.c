@@ -9,7 +9,8 @@
 /* Water that falls freely and turns as a solid: its accelerations are g, its momenta known, and the
  * means of linear velocities on a lattice are they themselves, to rounding. */
 static void test_falling_water_is_quiet(void) {
-  struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, precision: double");
+  struct case_file *c =
+      pool_case(POOL_DROP, "resolution: 20, alpha: 0, precision: double, diagnostics: true");
   struct sph *s = pool_create(c);
   double value[SPH_DIAGNOSTIC_COUNT], mass = 0;
   for (size_t i = 0; i < s->f.n; i++) {
@@ -20,7 +21,7 @@ static void test_falling_water_is_quiet(void) {
   }
   sph_particles_pad(&s->f);
   EXPECT_OK(sph_rates(s, 0, true, true));
-  sph_diagnose(s, c->H, c->g, value);
+  EXPECT_OK(sph_diagnose(s, c->H, c->g, value));
   EXPECT_NEAR(value[SPH_DIAGNOSTIC_shaking], 1, 1e-12);
   EXPECT_NEAR(value[SPH_DIAGNOSTIC_noise_ax], 0, 1e-12);
   EXPECT_NEAR(value[SPH_DIAGNOSTIC_noise_ay], 0, 1e-12);
@@ -59,7 +60,8 @@ static double noise_by_hand(const struct sph *s, const double *f) {
 /* A velocity that changes its sign from one row to the next has next to no mean: nearly all of it
  * is noise. */
 static void test_noise_is_what_the_mean_leaves(void) {
-  struct case_file *c = pool_case(POOL_DROP, "resolution: 20, alpha: 0, precision: double");
+  struct case_file *c =
+      pool_case(POOL_DROP, "resolution: 20, alpha: 0, precision: double, diagnostics: true");
   struct sph *s = pool_create(c);
   double value[SPH_DIAGNOSTIC_COUNT];
   const double speed = 0.1 * sqrt(s->g * c->H);
@@ -70,7 +72,7 @@ static void test_noise_is_what_the_mean_leaves(void) {
   }
   sph_particles_pad(&s->f);
   EXPECT_OK(sph_rates(s, 0, true, true));
-  sph_diagnose(s, c->H, c->g, value);
+  EXPECT_OK(sph_diagnose(s, c->H, c->g, value));
   EXPECT_NEAR(value[SPH_DIAGNOSTIC_noise_u] * sqrt(c->g * c->H), noise_by_hand(s, s->f.w.u), 1e-12);
   const double noise_p = noise_by_hand(s, s->f.p) / (s->rho0 * c->g * c->H);
   const double noise_ax = noise_by_hand(s, s->f.k[0].u) / c->g;
@@ -87,7 +89,7 @@ static void test_noise_is_what_the_mean_leaves(void) {
 
 /* Nothing of the run changes, and the numbers have the same bits for any number of threads. */
 static void test_diagnosing_changes_nothing(void) {
-  struct case_file *c = pool_case(POOL_DAM, "resolution: 16");
+  struct case_file *c = pool_case(POOL_DAM, "resolution: 16, diagnostics: true, forces: true");
   double value[3][SPH_DIAGNOSTIC_COUNT], speed[2] = {0};
   const int most = omp_get_max_threads();
   for (int k = 0; k < 3; k++) {
@@ -95,7 +97,7 @@ static void test_diagnosing_changes_nothing(void) {
     omp_set_num_threads(k + 1);
     for (int n = 0; n < 10; n++) {
       EXPECT_OK(sph_rates(s, 0, true, true));
-      if (k) sph_diagnose(s, c->H, c->g, value[k]);
+      if (k) EXPECT_OK(sph_diagnose(s, c->H, c->g, value[k]));
       EXPECT_OK(sph_step(s, sph_timestep(s, 1)));
     }
     if (k < 2)
@@ -116,11 +118,12 @@ static void test_compression_is_of_the_density(void) {
   for (size_t k = 0; k < sizeof laws / sizeof *laws; k++) {
     char run[200];
     double value[SPH_DIAGNOSTIC_COUNT];
-    snprintf(run, sizeof run, "resolution: 20, c0: 5 sqrt(gH), eos: %s", laws[k]);
+    snprintf(run, sizeof run, "resolution: 20, c0: 5 sqrt(gH), diagnostics: true, eos: %s",
+             laws[k]);
     struct case_file *c = pool_case(POOL_STILL, run);
     struct sph *s = pool_create(c);
     EXPECT_OK(sph_rates(s, 0, true, true));
-    sph_diagnose(s, c->H, c->g, value);
+    EXPECT_OK(sph_diagnose(s, c->H, c->g, value));
     EXPECT_NEAR(value[SPH_DIAGNOSTIC_compressed], 0.75, 1e-12);
     sph_destroy(s);
     case_destroy(c);
