@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "common/base/array.h"
-#include "common/base/gauge.h"
 #include "common/result/health.h"
+#include "compare/bed.h"
 #include "compare/text.h"
 
 enum status cmp_scales_set(const struct result_file *reference, struct cmp_scales *s) {
@@ -217,29 +217,6 @@ static enum status lines_scaled(const struct geo_lines *from, double H, struct g
   return OK;
 }
 
-/* The mirror image, its pieces walked backwards: the water stays on the right. */
-static enum status mirror(const struct geo_lines *from, struct geo_lines *to) {
-  for (size_t k = 0; k < from->pieces; k++) {
-    TRY(geo_lines_begin(to, from->closed[k]));
-    for (size_t i = from->first[k + 1]; i-- > from->first[k];)
-      TRY(geo_lines_add(to, -from->p[i][0], from->p[i][1]));
-  }
-  return OK;
-}
-
-static enum status front_find(const struct geo_lines *surface, enum cmp_side side, double bed,
-                              double depth, double *front) {
-  struct geo_lines mirrored = {0};
-  if (side == CMP_RIGHT) {
-    *front = gauge_front(surface, bed, depth);
-    return OK;
-  }
-  enum status status = mirror(surface, &mirrored);
-  *front = status == OK ? -gauge_front(&mirrored, bed, depth) : NAN;
-  geo_lines_destroy(&mirrored);
-  return status;
-}
-
 static struct cmp_jet_place jet_place(const struct cmp_data *d, double depth,
                                       const struct geo_box *window) {
   return (struct cmp_jet_place){&d->walls, *window, 1, CMP_JET_LEAST * depth, depth};
@@ -263,7 +240,7 @@ static enum status surfaces(const struct result_file *f, const struct cmp_scales
     if (!d->floats) cmp_jet_find(surface, &place, &d->jet[d->n - 1]);
     for (int side = 0; side < 2; side++) {
       double front;
-      TRY(front_find(surface, side, d->bed, depth, &front));
+      TRY(cmp_bed_front(&d->walls, surface, side, depth, &front));
       if (isfinite(front)) series_add(&d->fronts[side], t, front, NAN);
     }
   }
@@ -328,7 +305,6 @@ enum status cmp_data_create(const struct result_file *f, const struct geo_lines 
         f->spacing);
   cmp_text_fit(f->run, d->label, sizeof d->label);
   TRY(lines_scaled(walls, s->H, &d->walls));
-  d->bed = geo_lines_box(&d->walls).min[1];
   TRY(surfaces(f, s, depth, window, d));
   TRY(energies(f, s, d));
   TRY(terms(f, s, d));
@@ -377,11 +353,10 @@ void cmp_data_destroy(struct cmp_data *d) {
  * not dry at first. */
 static double run_length(const struct cmp_data *d, enum cmp_side side, double depth) {
   const struct cmp_series *front = &d->fronts[side];
-  struct geo_box box = geo_lines_box(&d->walls);
-  double wall = side == CMP_RIGHT ? box.max[0] : box.min[0], furthest = 0;
-  if (!front->n || !d->n || front->t[0] > d->t[0] || fabs(wall - front->value[0]) <= depth)
+  const double sign = side == CMP_RIGHT ? 1 : -1, foot = cmp_bed_foot(&d->walls, side);
+  double furthest = 0;
+  if (!front->n || !d->n || front->t[0] > d->t[0] || sign * (foot - front->value[0]) <= depth)
     return -1;
-  double sign = side == CMP_RIGHT ? 1 : -1;
   for (size_t i = 0; i < front->n; i++)
     furthest = fmax(furthest, sign * (front->value[i] - front->value[0]));
   return furthest;
@@ -395,8 +370,7 @@ enum cmp_side cmp_data_side(const struct cmp_data *d, double depth) {
 
 void cmp_data_face(struct cmp_data *d, const struct cmp_scales *s, enum cmp_side side) {
   struct geo_box box = geo_lines_box(&d->walls);
-  double wall = side == CMP_RIGHT ? box.max[0] : box.min[0],
-         near = 1e-6 * (box.max[0] - box.min[0]);
+  double near = 1e-6 * (box.max[0] - box.min[0]);
   d->impact = (struct cmp_instant){
       cmp_unknown("the file has no event wall_impact"), NAN, false, {NAN, NAN}};
   if (side == CMP_NO_SIDE) {
@@ -406,7 +380,8 @@ void cmp_data_face(struct cmp_data *d, const struct cmp_scales *s, enum cmp_side
   d->front = d->fronts[side];
   for (size_t k = 0; k < d->file->n_events; k++) {
     const struct result_event_read *e = &d->file->events[k];
-    if (strcmp(e->name, "wall_impact") || fabs(e->x / s->H - wall) > near) continue;
+    const double at[2] = {e->x / s->H, e->y / s->H};
+    if (strcmp(e->name, "wall_impact") || !cmp_bed_is_at_wall(&d->walls, side, at, near)) continue;
     d->impact = event_instant(e, s);
     return;
   }

@@ -53,7 +53,6 @@ struct cmp_data {
   double *t;                 /* [n] */
   struct geo_lines *surface; /* [n] */
   struct geo_lines walls;
-  double bed; /* y of the lowest wall point */
 
   /* Each on the energy series' own times. mechanical = kinetic + potential + removed, relative to
    * rest; closure = sum of the budget minus its first value; removed: with water that was taken
