@@ -92,7 +92,7 @@ static enum status parse(const char *name, const char *text, size_t n, size_t n_
   if (text_is_fit(problems, text, n) && case_doc_load(&d.doc, text, n, problems)) {
     for (size_t k = 0; k < n_set; k++) case_doc_set(&d.doc, k, set[k]);
     /* a path that led nowhere changed nothing, so the rest can be judged all the same */
-    status = build(&d, name, text, n_set);
+    if (case_sweep_expand(&d.doc)) status = build(&d, name, text, n_set);
   }
   case_doc_destroy(&d.doc);
   if (status == OK && !problems->n && !problems->out_of_memory)

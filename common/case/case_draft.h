@@ -54,6 +54,10 @@ bool case_read_section(struct case_draft *d, int node, const char *path, const s
                        size_t n, void *into);
 void case_release_form(struct case_file *c);
 
+/* case_sweep.c: puts runs with one value each in the place of runs that have `sweep`. False with
+ * problems: what else is wrong with runs cannot be told then. */
+bool case_sweep_expand(struct case_doc *d);
+
 /* case_runs.c: runs, then compare, which names them. */
 enum status case_read_runs(struct case_draft *d);
 enum status case_read_compare(struct case_draft *d);

@@ -8,7 +8,7 @@
 
 struct run_section {
   char *name;
-  int solver;
+  int solver, sweep;
   double resolution;
 };
 static const struct param run_rows[] = {
@@ -16,6 +16,9 @@ static const struct param run_rows[] = {
     NODE(struct run_section, solver, NULL, "the name of a solver"),
     REAL(struct run_section, resolution, QTY_NUMBER, PARAM_ABOVE_0, 1e5, NULL,
          "particles (SPH) or surface nodes (BEM) per H; bem may have accuracy instead"),
+    NODE(struct run_section, sweep, "", /* nothing is left of it when runs are read */
+         "several runs in one: a mapping of keys with a list of values each, for all their "
+         "combinations, or a list of mappings, for a run each"),
 };
 
 static const struct solver *find_solver(struct case_draft *d, int run, const char *path) {

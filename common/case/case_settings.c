@@ -177,6 +177,7 @@ static enum status read_text(const char *text, size_t n, bool own, const struct 
   d->c = calloc(1, sizeof *d->c);
   CHECK(d->c, ERR_MEMORY, "no memory for settings");
   if (!case_doc_load(&d->doc, text, n, problems)) return OK;
+  if (own && !case_sweep_expand(&d->doc)) return OK;
   TRY(take_frame(d, frame));
   return own ? read_own(d) : read_settings(d, frame);
 }

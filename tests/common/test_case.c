@@ -54,6 +54,29 @@ static void test_a_series_of_a_long_name_is_found(void) {
 #undef LONG
 }
 
+/* Of several keys all combinations, the last key's values in a row; of a list its items. */
+static void test_a_sweep_is_several_runs(void) {
+  static const char *const names[] = {
+      "a", "sph-25-none", "sph-25-antuono", "sph-50-none", "sph-50-antuono", "c1-7", "c2-8", "sph"};
+  struct case_file *c = parse(
+      TANK WATER TIME
+      "runs:\n  - {name: a, solver: sph, resolution: 5}\n"
+      "  - {solver: sph, alpha: 0.5, sweep: {resolution: [25, 50], diffusion: [none, antuono]}}\n"
+      "  - {name: 'c{order}-{resolution}', solver: sph, sweep: [{order: 1, resolution: 7}, "
+      "{resolution: 8, "
+      "order: 2, c0: 3 m/s}]}\n"
+      "  - {solver: sph, resolution: 9}\n"
+      "compare: {reference: sph-50-none, tolerances: [{measure: front, max: 1, runs: [c2-8]}]}\n");
+  if (!c) return;
+  EXPECT(c->n_runs == 8 && c->compare.reference == 3 && c->compare.tolerances[0].runs[0] == 6);
+  for (size_t i = 0; i < 8 && i < c->n_runs; i++) EXPECT_STR(c->runs[i].name, names[i]);
+  const struct fake_sph *o = c->runs[4].options, *last = c->runs[6].options;
+  EXPECT(o->alpha == 0.5 && o->diffusion == 3 && c->runs[4].resolution == 50);
+  EXPECT(c->runs[2].resolution == 25 && c->runs[5].resolution == 7);
+  EXPECT(last->order == 2 && last->c0 == 3 && last->alpha == 0.01 && c->runs[6].line == 7);
+  case_destroy(c);
+}
+
 static void test_units_convert_with_the_scales(void) {
   struct case_file *c = parse("fluid: {gravity: 2.5}\nscales: {H: 40 cm}\n" TANK
                               "water: {regions: [[[0, 0], [2 H, 0], ['2H', H], [0, 1.0 H]]], "
@@ -226,6 +249,7 @@ static void test_water_fingerprint_tells_what_can_be_compared(void) {
 int main(void) {
   RUN(test_minimal_case_has_the_documented_defaults);
   RUN(test_a_series_of_a_long_name_is_found);
+  RUN(test_a_sweep_is_several_runs);
   RUN(test_units_convert_with_the_scales);
   RUN(test_probes_may_be_averaged);
   RUN(test_clockwise_water_is_turned_round);

@@ -119,7 +119,7 @@ static void test_bad_overrides_get_exact_messages(void) {
                           "fine.2, [2]; correct the path\n"},
       {"runs.fine.alhpa=1",
        "--set runs.fine.alhpa=1: runs.fine.alhpa: found an unknown key; allowed: "
-       "name, solver, resolution, diffusion, order, delta, alpha, c0, smooth, "
+       "name, solver, resolution, sweep, diffusion, order, delta, alpha, c0, smooth, "
        "note; did you mean 'alpha'?\n"},
       {"runs.fine.alpha=2",
        "--set runs.fine.alpha=2: runs.fine.alpha: found '2'; allowed: a number "
