@@ -85,16 +85,17 @@ static enum status write_points(const struct comparison *c, struct cmp_figures *
   return cmp_figure_data_end(fig, data);
 }
 
-/* The point nearest to the middle of each square of a lattice, of those in it. */
+/* The point nearest to the middle of each cell of a lattice, which are squares on the page, of
+ * those in it. */
 static enum status choose(const struct comparison *c, const struct result_cloud *p,
-                          const struct geo_box *view, double cell, size_t columns, size_t rows,
-                          size_t *chosen) {
+                          const struct geo_box *view, const double cell[2], size_t columns,
+                          size_t rows, size_t *chosen) {
   double *least = NULL;
   TRY(array_create(&least, columns * rows, "arrows"));
   for (size_t k = 0; k < columns * rows; k++) chosen[k] = SIZE_MAX, least[k] = INFINITY;
   for (size_t i = 0; i < p->n; i++) {
-    const double x = (p->p[i][0] / c->scales.H - view->min[0]) / cell,
-                 y = (p->p[i][1] / c->scales.H - view->min[1]) / cell;
+    const double x = (p->p[i][0] / c->scales.H - view->min[0]) / cell[0],
+                 y = (p->p[i][1] / c->scales.H - view->min[1]) / cell[1];
     if (!(x >= 0 && y >= 0 && x < (double)columns && y < (double)rows)) continue;
     const size_t k = (size_t)y * columns + (size_t)x;
     const double off = hypot(x - floor(x) - 0.5, y - floor(y) - 0.5);
@@ -106,9 +107,9 @@ static enum status choose(const struct comparison *c, const struct result_cloud 
 
 static enum status write_arrows(const struct comparison *c, struct cmp_figures *f,
                                 const struct cmp_figure *fig, const struct current *k,
-                                const struct geo_box *view, double cell) {
-  const size_t columns = (size_t)ceil((view->max[0] - view->min[0]) / cell),
-               rows = (size_t)ceil((view->max[1] - view->min[1]) / cell);
+                                const struct geo_box *view, const double cell[2]) {
+  const size_t columns = (size_t)ceil((view->max[0] - view->min[0]) / cell[0]),
+               rows = (size_t)ceil((view->max[1] - view->min[1]) / cell[1]);
   FILE *data;
   char suffix[48];
   size_t *chosen = NULL;
@@ -129,12 +130,13 @@ done:
 /* ---- drawing ---- */
 
 /* Points into transparent pictures, as for the overlays. */
-static void layer_draw(const struct cmp_figure *fig, const struct current *k) {
+static void layer_draw(const struct cmp_figure *fig, const struct cmp_layout *l,
+                       const struct current *k) {
   const size_t id = number_of(k);
-  fprintf(fig->script,
-          "set output '%s.layer%zu.png'\nplot '%s-points-%zu.csv' skip 1 using 1:2:(%.6g):5 with "
-          "circles linecolor palette\n",
-          fig->name, id, fig->name, id, WIDE * k->spacing);
+  char table[192];
+  snprintf(table, sizeof table, "%s-points-%zu.csv", fig->name, id);
+  fprintf(fig->script, "set output '%s.layer%zu.png'\n", fig->name, id);
+  cmp_pane_discs(fig, l, table, WIDE * k->spacing, 5);
 }
 
 static void layers_draw(const struct cmp_figure *fig, const struct cmp_layout *l,
@@ -147,7 +149,7 @@ static void layers_draw(const struct cmp_figure *fig, const struct cmp_layout *l
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n",
           speeds, top, (int)lround(2 * l->width), (int)lround(2 * l->height), view->min[0],
           view->max[0], view->min[1], view->max[1]);
-  for (size_t k = 0; k < n; k++) layer_draw(fig, &all[k]);
+  for (size_t k = 0; k < n; k++) layer_draw(fig, l, &all[k]);
   fputs("unset output\nreset\nset datafile separator ','\n", fig->script);
 }
 
@@ -173,7 +175,7 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
   fprintf(s,
           ", \\\n  '%s-arrows-%zu.csv' skip 1 using 1:2:(%.6g*$3):(%.6g*$4) with vectors head "
           "size screen 0.004,25,60 filled linewidth 0.8 linecolor '#000000' notitle",
-          fig->name, id, scale, scale);
+          fig->name, id, scale, scale / l->stretch);
   cmp_panes_plot(fig, c->n_runs + 1, "linewidth 1.6 linecolor '#666666'");
   cmp_panes_plot(fig, now->run == SIZE_MAX ? c->n_runs : now->run,
                  "linewidth 1 linecolor '#d55e00'");
@@ -188,17 +190,20 @@ static enum status figure_draw(const struct comparison *c, struct cmp_figures *f
                                size_t n, const struct current *all) {
   const struct geo_box view = cmp_panes_view(c, time);
   const struct cmp_layout l = cmp_panes_layout(&view, n);
-  const double cell = (view.max[0] - view.min[0]) / ARROWS * (double)l.columns;
+  const double wide = (view.max[0] - view.min[0]) / ARROWS * (double)l.columns;
+  const double cell[] = {wide, wide / l.stretch};
+  char stretched[64];
   struct cmp_figure *fig;
   double top = 0;
   for (size_t k = 0; k < n; k++) top = fmax(top, k ? fmin(all[k].top, 1.5 * top) : all[k].top);
-  const double colours = rounded_up(top), scale = LONGEST * cell / colours;
+  const double colours = rounded_up(top), scale = LONGEST * wide / colours;
   TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, CMP_PANES_WIDTH, l.total, &fig,
                        "velocity-t%.4g", c->times[time]));
+  cmp_layout_say(&l, stretched, sizeof stretched);
   snprintf(fig->caption, sizeof fig->caption,
            "t* = %.4g. Velocity of the water: points coloured by its speed (the same colours for "
-           "all), arrows as long as it is large; at rest there is none. The surface in orange.",
-           c->times[time]);
+           "all), arrows as long as it is large; at rest there is none. The surface in orange.%s",
+           c->times[time], stretched);
   TRY(cmp_panes_surfaces(c, f, fig, time, CMP_PANELS));
   for (size_t k = 0; k < n; k++) {
     TRY(write_points(c, f, fig, &all[k]));

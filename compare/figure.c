@@ -15,6 +15,7 @@
 #include "compare/output.h"
 
 #define TEMPORARY ".drawing-"
+#define WRITTEN   ".written" /* the names of a report's figures, a line each */
 
 /* ---- folders ---- */
 
@@ -216,6 +217,22 @@ static void earlier_remove(const struct cmp_figures *f, const struct cmp_figure 
   }
 }
 
+/* What an earlier report has put there, of figures that this one has not: by its own list, so that
+ * nobody else's file goes. */
+static void stale_remove(const struct cmp_figures *f) {
+  char list[PATH_MAX], path[PATH_MAX], fresh[PATH_MAX], name[256];
+  if (cmp_path_join(f->dir, WRITTEN, list) != OK) return;
+  FILE *in = fopen(list, "r");
+  while (in && fgets(name, sizeof name, in)) {
+    name[strcspn(name, "\n")] = 0;
+    if (!is_kept(name) || strchr(name, '/') || cmp_path_join(f->dir, name, path) != OK ||
+        cmp_path_join(f->temporary, name, fresh) != OK)
+      continue;
+    if (access(fresh, F_OK) != 0) unlink(path);
+  }
+  if (in) fclose(in);
+}
+
 static enum status target_publish(const struct cmp_figures *f) {
   const struct cmp_figure *fig = &f->figure[0];
   char name[128], from[PATH_MAX];
@@ -226,13 +243,23 @@ static enum status target_publish(const struct cmp_figures *f) {
   return OK;
 }
 
+static enum status list_publish(const struct cmp_figures *f) {
+  char from[PATH_MAX], to[PATH_MAX];
+  TRY(cmp_path_join(f->temporary, WRITTEN, from));
+  TRY(cmp_path_join(f->dir, WRITTEN, to));
+  CHECK(rename(from, to) == 0, ERR_IO, "cannot write %s: %s", to, strerror(errno));
+  return OK;
+}
+
 enum status cmp_figures_publish(struct cmp_figures *f) {
   if (*f->target) return target_publish(f);
   for (size_t i = 0; i < f->n; i++)
     if (*f->figure[i].missing) earlier_remove(f, &f->figure[i]);
+  stale_remove(f);
   DIR *dir = opendir(f->temporary);
   CHECK(dir, ERR_IO, "cannot read %s: %s", f->temporary, strerror(errno));
-  enum status status = OK;
+  FILE *list = NULL;
+  enum status status = stream_open(f, WRITTEN, "", &list);
   for (struct dirent *e; status == OK && (e = readdir(dir));) {
     char from[PATH_MAX], to[PATH_MAX];
     if (!is_kept(e->d_name)) continue;
@@ -240,8 +267,14 @@ enum status cmp_figures_publish(struct cmp_figures *f) {
     ATTEMPT(cmp_path_join(f->dir, e->d_name, to));
     if (rename(from, to) != 0)
       status = status_raise(ERR_IO, "cannot write %s: %s", to, strerror(errno));
+    else
+      fprintf(list, "%s\n", e->d_name);
   }
 done:
   closedir(dir);
-  return status;
+  if (list) {
+    const enum status closed = cmp_stream_close(list, WRITTEN);
+    if (status == OK) status = closed;
+  }
+  return status == OK ? list_publish(f) : status;
 }

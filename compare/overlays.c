@@ -40,12 +40,13 @@ static void layers_draw(const struct cmp_figure *fig, const struct cmp_layout *l
           "unset border\nunset tics\nunset colorbox\nunset key\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n",
           cmp_panes_palette, top, w, h, view->min[0], view->max[0], view->min[1], view->max[1]);
-  for (size_t r = 0; r < c->n_runs; r++)
-    if (cloud[r].n)
-      fprintf(fig->script,
-              "set output '%s.layer%zu.png'\nplot '%s-particles-%zu.csv' skip 1 using 1:2:(%.6g):3 "
-              "with circles linecolor palette\n",
-              fig->name, r, fig->name, r + 1, cloud[r].spacing / 2);
+  for (size_t r = 0; r < c->n_runs; r++) {
+    char table[192];
+    if (!cloud[r].n) continue;
+    snprintf(table, sizeof table, "%s-particles-%zu.csv", fig->name, r + 1);
+    fprintf(fig->script, "set output '%s.layer%zu.png'\n", fig->name, r);
+    cmp_pane_discs(fig, l, table, cloud[r].spacing / 2, 3);
+  }
   fputs("unset output\nreset\nset datafile separator ','\n", fig->script);
 }
 
@@ -155,16 +156,23 @@ static void profiles_say(const struct comparison *c, size_t time, struct cmp_fig
   }
 }
 
+/* Points of a lattice are none. */
+static const char *points_of(const struct comparison *c) {
+  for (size_t r = 0; r < c->n_runs; r++)
+    if (!strcmp(c->run[r].data.file->solver, "sph")) return "Particles";
+  return "Points in the water";
+}
+
 static void overlay_caption(const struct comparison *c, size_t time, bool particles,
-                            struct cmp_figure *fig) {
+                            const struct cmp_layout *l, struct cmp_figure *fig) {
+  char stretched[64], coloured[128];
+  snprintf(coloured, sizeof coloured,
+           "%s coloured by pressure (the same colours for every run), the run's own", points_of(c));
+  cmp_layout_say(l, stretched, sizeof stretched);
   snprintf(fig->caption, sizeof fig->caption,
            "t* = %.4g. %s free surface in thin orange, that of %.60s in black. Mean: distance "
-           "between the two; area: between them.",
-           c->times[time],
-           particles
-               ? "Particles coloured by pressure (the same colours for every run), the run's own"
-               : "The run's",
-           c->ref.data.label);
+           "between the two; area: between them.%s",
+           c->times[time], particles ? coloured : "The run's", c->ref.data.label, stretched);
   profiles_say(c, time, fig);
   size_t used = strlen(fig->caption);
   cmp_picked_say(c, CMP_PANELS, "have no panel", fig->caption + used, sizeof fig->caption - used);
@@ -176,7 +184,7 @@ static enum status overlay_draw(const struct comparison *c, struct cmp_figures *
   const struct geo_box *view = &o->view;
   double top = colour_top(c, cloud);
   bool particles = any_particles(c, cloud);
-  overlay_caption(c, time, particles, fig);
+  overlay_caption(c, time, particles, &o->layout, fig);
   layers_draw(fig, &o->layout, view, c, cloud, top);
   cmp_figure_formats(fig);
   fprintf(fig->script,

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "common/tank/motion.h"
 #include "compare/outline.h"
 #include "compare/pick.h"
 #include "compare/polyline.h"
@@ -14,6 +15,8 @@
 const char cmp_panes_palette[] =
     "set palette defined (0 '#440154', 1 '#472c7a', 2 '#3b518b', 3 '#2c718e', 4 '#21908d', "
     "5 '#27ad81', 6 '#5cc863', 7 '#aadc32', 8 '#fde725')\n";
+
+static const double LOW = 90; /* px: lower panels are stretched */
 
 /* ---- data files ---- */
 
@@ -48,6 +51,26 @@ bool cmp_panes_profiled(const struct comparison *c, size_t time) {
   return k < c->ref.data.file->n_profiles;
 }
 
+/* The walls where they are then, in H: the sides of a tank may move in it. */
+static enum status walls_then(const struct comparison *c, size_t time, struct geo_lines *walls) {
+  const struct case_file *s = c->settings;
+  TRY(geo_lines_copy(walls, &c->ref.data.walls));
+  if (!s->n_motions || s->walls.points != walls->points) return OK;
+  tank_vertices_at(&s->walls, s->motions, s->n_motions, c->times[time] * c->scales.T, walls->p,
+                   NULL, NULL);
+  for (size_t i = 0; i < walls->points; i++)
+    for (int axis = 0; axis < 2; axis++) walls->p[i][axis] /= c->scales.H;
+  return OK;
+}
+
+static enum status tank_write(const struct comparison *c, FILE *data, size_t time) {
+  struct geo_lines walls = {0};
+  const enum status status = walls_then(c, time, &walls);
+  if (status == OK) lines_write(data, c->n_runs + 1, "tank", &walls);
+  geo_lines_destroy(&walls);
+  return status;
+}
+
 /* Of the runs picked when there is room for `most`. Walls are series n_runs + 1, the reference
  * n_runs, run r is r. */
 enum status cmp_panes_surfaces(const struct comparison *c, struct cmp_figures *f,
@@ -55,7 +78,7 @@ enum status cmp_panes_surfaces(const struct comparison *c, struct cmp_figures *f
   FILE *data;
   TRY(cmp_figure_data(f, fig, "-surfaces.csv", &data));
   fputs("series,name,piece,x [H],y [H]\n", data);
-  lines_write(data, c->n_runs + 1, "tank", &c->ref.data.walls);
+  const enum status status = tank_write(c, data, time);
   profiles_write(c, data, time);
   bool reference = false;
   for (size_t r = 0; r < c->n_runs; r++) {
@@ -66,7 +89,8 @@ enum status cmp_panes_surfaces(const struct comparison *c, struct cmp_figures *f
     lines_write(data, c->n_runs, c->ref.data.label, &c->ref.data.surface[at->ref_output]);
     reference = true;
   }
-  return cmp_figure_data_end(fig, data);
+  TRY(cmp_figure_data_end(fig, data));
+  return status;
 }
 
 void cmp_panes_plot(const struct cmp_figure *fig, size_t id, const char *style) {
@@ -107,13 +131,39 @@ struct geo_box cmp_panes_view(const struct comparison *c, size_t time) {
   return view;
 }
 
+/* Of a panel that would be so many pixels high: a round number that makes it readable. */
+static double stretch_of(double height) {
+  static const double round[] = {1, 2, 5, 10, 20, 50, 100};
+  size_t k = 0;
+  while (k + 1 < sizeof round / sizeof *round && round[k] * height < LOW) k++;
+  return round[k];
+}
+
+void cmp_layout_say(const struct cmp_layout *l, char *out, size_t room) {
+  out[0] = 0;
+  if (l->stretch > 1) snprintf(out, room, " Heights are drawn %g times as large.", l->stretch);
+}
+
+void cmp_pane_discs(const struct cmp_figure *fig, const struct cmp_layout *l, const char *table,
+                    double radius, int colour) {
+  if (l->stretch > 1)
+    fprintf(fig->script,
+            "plot '%s' skip 1 using 1:2:(%.6g):(%.6g):(0):%d with ellipses units xy linecolor "
+            "palette\n",
+            table, 2 * radius, 2 * radius, colour);
+  else
+    fprintf(fig->script, "plot '%s' skip 1 using 1:2:(%.6g):%d with circles linecolor palette\n",
+            table, radius, colour);
+}
+
 struct cmp_layout cmp_panes_layout(const struct geo_box *view, size_t panels) {
   double aspect = (view->max[0] - view->min[0]) / (view->max[1] - view->min[1]);
   struct cmp_layout l = {.columns = aspect > 1.9 || panels < 2 ? 1 : 2};
   l.rows = (panels + l.columns - 1) / l.columns;
   l.width = (CMP_PANES_WIDTH - CMP_PANES_LEFT - CMP_PANES_RIGHT - 30.0 * (double)(l.columns - 1)) /
             (double)l.columns;
-  l.height = l.width / aspect;
+  l.stretch = stretch_of(l.width / aspect);
+  l.height = l.stretch * l.width / aspect;
   l.total =
       (int)ceil(CMP_PANES_TOP + CMP_PANES_BOTTOM + (double)l.rows * (l.height + CMP_PANES_TITLE) +
                 CMP_PANES_GAP * (double)(l.rows - 1));

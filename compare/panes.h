@@ -17,6 +17,7 @@ enum { /* px */
 struct cmp_layout {
   size_t columns, rows;
   double width, height; /* of a panel, px */
+  double stretch;       /* so much larger are heights drawn than lengths */
   int total;            /* height of the figure, px */
 };
 
@@ -25,6 +26,11 @@ extern const char cmp_panes_palette[]; /* gnuplot's commands */
 /* The tank's width, up to a little above the main surfaces; spray may fly out of the picture. */
 struct geo_box cmp_panes_view(const struct comparison *c, size_t time);
 struct cmp_layout cmp_panes_layout(const struct geo_box *view, size_t panels);
+/* "" or how the panels are stretched, for a caption. */
+void cmp_layout_say(const struct cmp_layout *l, char *out, size_t room);
+/* Points of a table as discs of a radius in H, coloured by one of its columns. */
+void cmp_pane_discs(const struct cmp_figure *fig, const struct cmp_layout *l, const char *table,
+                    double radius, int colour);
 void cmp_pane_place(const struct cmp_figure *fig, const struct cmp_layout *l, size_t k);
 
 /* Labels of the axes of panel k of n, at the edges of the figure only. */
