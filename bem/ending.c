@@ -41,6 +41,25 @@ static bool narrowest(const struct bem_run *r, enum bem_between between, struct 
   return found;
 }
 
+/* An edge of the water that has come to a bend towards it and cannot get round: where water shoots
+ * over a brink its pressure would have to fall below that of the air, which gets behind it. */
+static bool leaves_wall(const struct bem_surface *s, double *x, double *y) {
+  const size_t last = s->n - 1;
+  for (int right = 0; s->walls && right < 2; right++) {
+    const size_t edge = right ? last : 0, inner = right ? last - 1 : 1;
+    const double complex z = CMPLX(s->state[edge], s->state[s->n + edge]);
+    const double panel = cabs(CMPLX(s->state[inner], s->state[s->n + inner]) - z);
+    for (size_t k = 0; k < s->walls->n; k++) {
+      const double complex bend = s->walls->point[k + 1];
+      if (!(s->walls->power[k] > 0) || cabs(z - bend) > PANELS * panel) continue;
+      *x = creal(bend);
+      *y = cimag(bend);
+      return true;
+    }
+  }
+  return false;
+}
+
 /* H at the place, m or mm as it suits. */
 static void describe(const struct bem_run *r, char what[200], double *x, double *y) {
   const struct bem_surface *s = &r->flow.surface;
@@ -48,6 +67,12 @@ static void describe(const struct bem_run *r, char what[200], double *x, double 
   char wall[20] = "";
   struct bem_near near;
   double panels = PANELS;
+  if (leaves_wall(s, x, y)) {
+    snprintf(what, 200,
+             "the water leaves the wall at a bend, with air behind it, and can no longer "
+             "be followed");
+    return;
+  }
   bem_sides_set(&r->sides, s, s->state);
   bool water = narrowest(r, BEM_WATER, &near, &panels), air = narrowest(r, BEM_AIR, &near, &panels);
   if (!water && !air) {

@@ -41,6 +41,19 @@ static void test_a_film_on_a_slope_is_cut_where_the_run_does_not_get_on(void) {
   expect_alive(run_slope(20, 17, 1.6), 1e-3);
 }
 
+/* The jet up the face of a step passes its top: no film thinner than the panels is to blame. */
+static void test_water_that_leaves_the_wall_is_said_to(void) {
+  const struct slope s = slope_at(3);
+  EXPECT(s.kind == SLOPE_STEP);
+  struct result_file *f = run_slope(3, 16, 1);
+  if (!f) return;
+  EXPECT(strstr(f->ended,
+                "the water leaves the wall at a bend, with air behind it, and can no longer "
+                "be followed at t = 0.7"));
+  EXPECT(run_statistic(f, "last_good_time") > 0.6);
+  result_file_destroy(f);
+}
+
 /* Parabolas through places before and after an edge was moved led to heights of 80 to 2000 H. */
 static void test_a_run_up_is_where_the_water_was(void) {
   struct result_file *f = run_slope(2, 15, 3.15);
@@ -57,6 +70,7 @@ int main(void) {
   RUN(test_a_front_leans_over_a_bed_that_rises);
   RUN(test_a_tongue_on_the_bed_is_taken_away);
   RUN(test_a_film_on_a_slope_is_cut_where_the_run_does_not_get_on);
+  RUN(test_water_that_leaves_the_wall_is_said_to);
   RUN(test_a_run_up_is_where_the_water_was);
   return TEST_RESULT;
 }
