@@ -111,6 +111,7 @@ static enum status set_panels(struct bem_flow *f, const double *state, size_t *n
   const struct bem_surface *s = &f->surface;
   const double *x = state, *y = x + s->n;
   *n = s->n;
+  f->panels.smooth = s->smooth;
   if (s->walls) {
     for (int end = 0; end < 2; end++)
       f->panels.kinked[end] = f->motion.frame || f->motion.sides || s->blunt[end];

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "bem/smooth.h"
+
 /* log((sigma - 1) / (sigma + 1)), without what clog does to be exact to the last bit. */
 static double complex log_ratio(double complex sigma) {
   const double x = creal(sigma), y = cimag(sigma);
@@ -207,11 +209,25 @@ static void add_edges(const struct bem_panels *p, size_t k, struct equation *e) 
   }
 }
 
+/* At node k itself (beta - beta_k) / (zeta - zeta_k) dzeta/di is d beta/di, whose real part is that
+ * of phi, in mirror images as well. */
+static void add_slope(const struct bem_panels *p, size_t k, double *b) {
+  for (ptrdiff_t j = 1, at = (ptrdiff_t)k; j <= BEM_SMOOTH; j++) {
+    int image;
+    b[bem_stencil_node(p, at + j, &image)] += bem_smooth_weight[j];
+    b[bem_stencil_node(p, at - j, &image)] -= bem_smooth_weight[j];
+  }
+}
+
 void bem_integrals_row(const struct bem_panels *p, size_t k, double *a, double *b) {
   struct equation e = {a, b, 0, 0};
   (bem_panels_closed(p) ? sum_round : sum_nodes)(p, k, &e);
-  if (!bem_panels_closed(p)) add_edges(p, k, &e);
-  correct_panels(p, k, &e);
+  if (p->smooth) {
+    add_slope(p, k, b);
+  } else {
+    if (!bem_panels_closed(p)) add_edges(p, k, &e);
+    correct_panels(p, k, &e);
+  }
   a[k] -= e.diagonal_a;
   b[k] -= e.diagonal_b;
   if (bem_panels_closed(p)) close_chain(p, k, a, b);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "bem/cyclic.h"
+#include "bem/smooth.h"
 #include "common/base/array.h"
 
 /* The wanted number of nodes per H, divided by the resolution, is the root of the sum of squares of
@@ -42,8 +43,13 @@ void bem_mesh_destroy(struct bem_mesh *m) {
 static void measure_bend(struct bem_mesh *m, const struct bem_surface *s, const double *x,
                          const double *y) {
   const double *dx = m->work.dx, *dy = m->work.dy, *ddx = m->work.ddx, *ddy = m->work.ddy;
-  bem_surface_differences(s, x, m->work.dx, m->work.ddx);
-  bem_surface_differences(s, y, m->work.dy, m->work.ddy);
+  if (s->smooth) {
+    bem_smooth_differences(s, x, BEM_ODD, m->work.dx, m->work.ddx);
+    bem_smooth_differences(s, y, BEM_EVEN, m->work.dy, m->work.ddy);
+  } else {
+    bem_surface_differences(s, x, m->work.dx, m->work.ddx);
+    bem_surface_differences(s, y, m->work.dy, m->work.ddy);
+  }
   for (size_t k = 0; k < s->n; k++) {
     double speed = hypot(dx[k], dy[k]);
     double c = (dx[k] * ddy[k] - dy[k] * ddx[k]) / (speed * speed * speed);
@@ -206,9 +212,38 @@ static void place_nodes(struct bem_curve *c, const double *rho, size_t panels,
   }
 }
 
+/* The number of nodes up to each place is as smooth as the surface, and so are the places where it
+ * is what it should be. */
+static void place_smooth(struct bem_mesh *m, const struct bem_surface *s, size_t panels,
+                         struct bem_surface *fresh) {
+  double *count = m->work.growth;
+  count[0] = 0;
+  for (size_t j = 0; j + 1 < s->n; j++) count[j + 1] = count[j] + m->work.share[j];
+  for (size_t k = 0, j = 0; k <= panels; k++) {
+    const double wanted = count[s->n - 1] * (double)k / (double)panels;
+    while (j + 2 < s->n && count[j + 1] < wanted) j++;
+    const double at = k < panels ? bem_smooth_find(s, count, j, wanted) : (double)(s->n - 1);
+    for (size_t field = 0; field < BEM_FIELDS; field++)
+      fresh->state[field * fresh->n + k] =
+          bem_smooth_value(s, s->state + field * s->n, field == 0 ? BEM_ODD : BEM_EVEN, at);
+  }
+}
+
+static enum status regrid_smooth(struct bem_mesh *m, struct bem_surface *s) {
+  size_t panels = 0;
+  struct bem_surface fresh = {0};
+  measure_density(m, s, s->state);
+  TRY(count_panels(m, 0, s->n - 1, &panels));
+  TRY(bem_surface_follow(&fresh, s, panels + 1));
+  place_smooth(m, s, panels, &fresh);
+  bem_surface_replace(s, &fresh);
+  return bem_mesh_reserve(m, s->n);
+}
+
 enum status bem_mesh_regrid(struct bem_mesh *m, struct bem_surface *s) {
   if (s->corner && kink(s) < OPEN) s->corner = 0;
   TRY(bem_mesh_reserve(m, s->n));
+  if (s->smooth) return regrid_smooth(m, s);
   measure_density(m, s, s->state);
   size_t panels[2] = {0}, pieces = 0; /* two at most: there is one kink */
   for (size_t a = 0; a + 1 < s->n; a = piece_end(s, a))

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bem/smooth.h"
 #include "common/base/array.h"
 
 enum status bem_panels_reserve(struct bem_panels *p, size_t n) {
@@ -136,6 +137,29 @@ static void measure_way(struct bem_panels *p) {
   }
 }
 
+/* d/di, by the symmetric difference of a smooth surface, of what is f + i h at the nodes. */
+static double complex smooth_slope(const struct bem_panels *p, size_t k, const double *f,
+                                   const double *h) {
+  double complex sum = 0;
+  for (ptrdiff_t j = BEM_SMOOTH, at = (ptrdiff_t)k; j > 0; j--)
+    sum += bem_smooth_weight[j] *
+           (bem_stencil_value(p, at + j, f, h) - bem_stencil_value(p, at - j, f, h));
+  return sum;
+}
+
+/* A node on a wall is its own mirror image: each has half of its weight. */
+static double share(const struct bem_panels *p, size_t k) {
+  return !bem_panels_closed(p) && (k == 0 || k + 1 == p->n) ? 0.5 : 1;
+}
+
+static void weigh_smooth(struct bem_panels *p) {
+  for (size_t k = 0; k < p->n; k++) {
+    const double complex weight = share(p, k) * smooth_slope(p, k, p->re, p->im);
+    p->weight_re[k] = creal(weight);
+    p->weight_im[k] = cimag(weight);
+  }
+}
+
 /* What follows from the nodes in the mapped plane. */
 static void interpolate(struct bem_panels *p) {
   const size_t n = p->n, panels = bem_panels_count(p);
@@ -147,6 +171,10 @@ static void interpolate(struct bem_panels *p) {
     if (j < panels) set_panel(p, j);
   }
   measure_way(p);
+  if (p->smooth) {
+    weigh_smooth(p);
+    return;
+  }
   for (size_t k = 0; k < n; k++) p->weight_re[k] = p->weight_im[k] = 0;
   for (size_t j = 0; j < panels; j++) {
     if (bem_panel_is_mirrored(p, j)) continue; /* always integrated exactly */
@@ -165,7 +193,7 @@ void bem_panels_set(struct bem_panels *p, size_t n, const double *x, const doubl
   p->period = (struct bem_period){0};
   p->left = left;
   p->length = length;
-  p->mirrored[0] = p->mirrored[1] = 0;
+  p->mirrored[0] = p->mirrored[1] = p->smooth;
 #pragma omp parallel for schedule(static) if (n >= BEM_PARALLEL)
   for (size_t k = 0; k < n; k++) {
     double complex z = CMPLX(x[k] - left, y[k]);
@@ -250,8 +278,19 @@ enum status bem_panels_set_walls(struct bem_panels *p, size_t n, const double *x
   return OK;
 }
 
+static void smooth_velocity(const struct bem_panels *p, const double *phi, const double *psi,
+                            double complex *w) {
+  for (size_t k = 0; k < p->n; k++)
+    w[k] = smooth_slope(p, k, phi, psi) * share(p, k) / CMPLX(p->weight_re[k], p->weight_im[k]) *
+           p->dzeta[k];
+}
+
 void bem_panels_velocity(const struct bem_panels *p, const double *phi, const double *psi,
                          double complex *w) {
+  if (p->smooth) {
+    smooth_velocity(p, phi, psi, w);
+    return;
+  }
   for (size_t k = 0; k < p->n; k++) {
     const ptrdiff_t first = bem_stencil_first(p, k, BEM_DERIVATIVE);
     double complex sum = 0;

@@ -13,7 +13,9 @@
  * the stencils in tanks that are not rectangular, so that these stay centred and know the wall;
  * but not on a side that leans over the water, under a front that does, or where walls accelerate:
  * where the angle between them and the surface is more than a right one velocities have no bound,
- * and polynomials across the edge only spread that. */
+ * and polynomials across the edge only spread that.
+ *
+ * A smooth surface needs no panels (smooth.h), but for what is seen from inside the water. */
 #pragma once
 #include <complex.h>
 #include <stddef.h>
@@ -34,6 +36,7 @@ struct bem_panels {
                           chain, which has each node once */
   double left, length; /* x of the left wall and L of the map, H */
   struct bem_period period; /* of a closed chain */
+  int smooth;               /* all is integrated by the trapezoidal rule, see smooth.h */
   int kinked[2]; /* surface and mirror image meet at an angle there, as on walls that accelerate */
   int held[2];   /* edges on sides of a rectangle that move, which the integrator misses by its
                     tolerance */
@@ -48,7 +51,8 @@ struct bem_panels {
                   it, [n] */
   double complex (*basis)[BEM_STENCIL][BEM_STENCIL]; /* [n - 1][node][power of s] */
   double complex (*weight)[BEM_STENCIL];   /* integral of the node's basis function dt, [n - 1] */
-  double *weight_re, *weight_im;           /* the same summed at each node, [n] */
+  double *weight_re, *weight_im;           /* the same summed at each node, [n]; of a smooth surface
+                                              the trapezoidal rule's, half of it on walls */
   double complex (*slope)[BEM_DERIVATIVE]; /* d/dzeta at a node from its stencil, [n] */
   struct bem_chart *chart; /* of the map near every node, [charts], owned; not for rectangles */
   size_t charts;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "bem/smooth.h"
 #include "bem/surface.h"
 
 static double wavenumber(const struct bem_period *p) {
@@ -39,13 +40,21 @@ struct passage {
   double out, in, y;
 };
 
+/* Height at this x between nodes k and k + 1. */
+static double height_at(const struct bem_surface *s, const double *state, size_t k, double x) {
+  const double *at = state + k, *y = at + s->n;
+  if (s->smooth)
+    return bem_smooth_value(s, state + s->n, BEM_EVEN, bem_smooth_find(s, state, k, x));
+  return y[0] + (x - at[0]) / (at[1] - at[0]) * (y[1] - y[0]);
+}
+
 static bool passes(const struct bem_surface *s, const double *state, size_t k, struct passage *p) {
-  const double length = s->period.length, *x = state + k, *y = x + s->n;
+  const double length = s->period.length;
   const double from = cell(s, state, k), to = cell(s, state, k + 1), side = length * fmax(from, to);
   if (from == to) return false;
   p->out = side - length * from;
   p->in = side - length * to;
-  p->y = y[0] + (side - x[0]) / (x[1] - x[0]) * (y[1] - y[0]);
+  p->y = height_at(s, state, k, side);
   return true;
 }
 

@@ -89,6 +89,7 @@ enum status bem_run_cut(struct bem_run *r, const struct bem_cut *cut) {
   struct bem_totals before;
   double volume;
   TRY(measure_before(&r->flow, cut, &before));
+  r->flow.surface.smooth = false;
   TRY(change_shape(r, cut));
   TRY(book(r, &before, &volume));
   if (cut->kind == BEM_CUT_TOP) r->output.spilled_volume += volume;

@@ -14,6 +14,7 @@
 #include "bem/mirror.h"
 #include "bem/options.h"
 #include "bem/run.h"
+#include "bem/smooth.h"
 #include "bem/start.h"
 #include "common/flow/flow.h"
 #include "common/tank/tank.h"
@@ -86,7 +87,8 @@ static const struct param params[] = {
      .max = 100,
      .value = "30",
      .help = "rate, in 1/sqrt(H/g), of the sixth-difference filter against the sawtooth of two "
-             "spacings, which every flow has; of waves a thirtieth of it, in units of their own "
+             "spacings (of sixteenth differences where the surface is smooth), which every flow "
+             "has; of waves a thirtieth of it, in units of their own "
              "angular frequency by linear theory"},
     {.key = "velocity_lattice",
      .type = PARAM_REAL,
@@ -121,12 +123,19 @@ static const double GENTLE = 1. / 30;
 static const double SHOWN = 1e-6;   /* residual that is enough for outputs */
 static const double UPRIGHT = 1e-6; /* cosine of a wall's slope: less is rounding */
 
+/* For the rest of the run: what has broken is not smooth again. */
+static enum status leave_smooth(struct bem_run *r) {
+  r->flow.surface.smooth = false;
+  return bem_run_restart(r);
+}
+
 /* After a step: events, then what is too thin, then the spacing of the nodes. */
 static enum status act(struct bem_run *r, const int *found) {
   TRY(bem_events_act(r, found));
   if (r->ended) return OK;
   TRY(bem_run_trim(r));
   TRY(bem_run_pass_bends(r));
+  if (r->flow.surface.smooth && !bem_smooth_is(&r->flow.surface)) return leave_smooth(r);
   if (!bem_mesh_is_poor(&r->flow.mesh, &r->flow.surface)) return OK;
   TRY(bem_mesh_regrid(&r->flow.mesh, &r->flow.surface));
   return bem_run_restart(r);
@@ -254,6 +263,8 @@ static enum status begin(struct bem_run *r, const struct case_run *cr) {
   if (bem_basin_is_mapped(c)) TRY(bem_basin_shore(c, &r->shore));
   TRY(bem_start_surface(c, cr, r->shore, &r->flow));
   r->flow.surface.depth = r->flow.level;
+  r->flow.surface.smooth =
+      !r->flow.motion.frame && !r->flow.motion.sides && bem_smooth_is(&r->flow.surface);
   const struct bem_surface *s = &r->flow.surface;
   r->start[0] = s->state[s->n];
   r->start[1] = s->state[2 * s->n - 1];

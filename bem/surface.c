@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "bem/smooth.h"
 #include "common/base/array.h"
 
 enum { FIVE = 5, FOUR = 4 };
@@ -142,7 +143,21 @@ static void add_walls(const struct bem_surface *s, struct bem_totals *t) {
   }
 }
 
+/* Kinetic energy by parts: psi and d phi go round a closed chain as they were. */
+static struct bem_totals smooth_totals(const struct bem_surface *s, const double *psi) {
+  const double *x = s->state, *y = x + s->n, *phi = y + s->n;
+  struct bem_totals t = {0};
+  for (size_t k = 0; k < s->n; k++) {
+    const double share = bem_smooth_share(s, k), dx = share * bem_smooth_slope(s, x, BEM_ODD, k);
+    t.volume += y[k] * dx;
+    t.potential += 0.5 * y[k] * y[k] * dx;
+    t.kinetic += 0.5 * share * psi[k] * bem_smooth_slope(s, phi, BEM_EVEN, k);
+  }
+  return t;
+}
+
 struct bem_totals bem_surface_totals(const struct bem_surface *s, const double *psi) {
+  if (s->smooth) return smooth_totals(s, psi);
   const double *x = s->state, *y = x + s->n, *phi = y + s->n;
   double value[3][FOUR][FOUR], slope[3][FOUR][FOUR];
   for (size_t at = 0; at < 3; at++)
@@ -187,12 +202,28 @@ double bem_surface_integral(const struct bem_surface *s, const double *f, const 
   return sum;
 }
 
+static double smooth_power(const struct bem_surface *s, double level, const double *psi,
+                           const double *u, const double *v, const double *rate) {
+  const size_t n = s->n;
+  const double *x = s->state, *y = x + n, *rx = rate, *ry = rate + n, *rphi = rate + 2 * n;
+  double power = 0;
+  for (size_t k = 0; k < n; k++) {
+    const double own = rphi[k] - u[k] * rx[k] - v[k] * ry[k];
+    const double head = 0.5 * (u[k] * u[k] + v[k] * v[k]) + y[k] - level;
+    const double across =
+        ry[k] * bem_smooth_slope(s, x, BEM_ODD, k) - rx[k] * bem_smooth_slope(s, y, BEM_EVEN, k);
+    power += bem_smooth_share(s, k) * (head * across - own * bem_smooth_slope(s, psi, BEM_ODD, k));
+  }
+  return power;
+}
+
 /* At the surface phi_n (dphi - u dx - v dy) + (q^2/2 + y - level) times the normal displacement,
  * with phi_n ds = -dpsi and the outward normal times ds = (-dy, dx); phi_n, psi and q of the motion
  * in the frame. */
 double bem_surface_power(const struct bem_surface *s, double level, const double *psi,
                          const double *u, const double *v, struct bem_spinning frame,
                          const double *rate) {
+  if (s->smooth) return smooth_power(s, level, psi, u, v, rate);
   const size_t n = s->n;
   const double *x = s->state, *y = x + n, *rx = rate, *ry = rate + n, *rphi = rate + 2 * n;
   double value[3][FOUR][FOUR], slope[3][FOUR][FOUR], power = 0;

@@ -13,6 +13,7 @@ enum bem_end { BEM_END_WALL, BEM_END_BED }; /* what the last node slides along *
 struct bem_surface {
   size_t n, room;
   double *state; /* x[n], y[n], phi[n]: H, H, H sqrt(gH); owned */
+  bool smooth;   /* its nodes are those of a smooth periodic curve, see smooth.h */
   size_t corner; /* node where the outline has a kink; 0: none */
   enum bem_end right;
   double tip;  /* the last node is the thin tip of a sheet: spacing there over that of the smooth

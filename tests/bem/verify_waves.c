@@ -13,7 +13,7 @@ static const char steady[] =
     "tank: {walls: [[[0, 3], [0, 0], [%.15g, 0], [%.15g, 3]]], sides: periodic}\n"
     "water: {wave: {kind: stream, height: %.15g, wavelength: %.15g, depth: 1}}\n"
     "time: {end: %.15g, every: %.15g, sample: %.15g}\n"
-    "runs: [{name: bem, solver: bem, resolution: %.15g, tolerance: 1e-5, gmres: 1e-10}]\n";
+    "runs: [{name: bem, solver: bem, resolution: %.15g, tolerance: 1e-6, gmres: 1e-11}]\n";
 
 struct course {
   double phase;  /* rad, after the last period */
@@ -87,16 +87,23 @@ static struct course follow(const struct crest *w, int nodes, int rounds) {
   return out;
 }
 
+/* What is asked of steady waves over twenty periods. */
+static void expect_exact(const struct course *c) {
+  EXPECT(fabs(c->phase) < 1e-7 && c->shape < 1e-7 && c->drift < 1e-7);
+}
+
+/* Of twelfth order where it is resolved: from 64 to 128 nodes the crest of Fenton's wave, 85 % of
+ * the limit, only becomes so. */
 static void test_steady_waves_keep_their_pace_shape_and_energy(void) {
   struct crest fenton, steep;
   EXPECT_OK(wave_crest_create_periodic(0.2, 1.6526, &fenton));
   EXPECT_OK(wave_crest_create_periodic(0.9 * wave_crest_limit(6.2), 6.2, &steep));
   const struct course coarse = follow(&fenton, 64, 20), fine = follow(&fenton, 128, 20);
   const struct course highest = follow(&steep, 192, 20);
-  EXPECT(log2(coarse.phase / fine.phase) > 3.7 && log2(coarse.drift / fine.drift) > 3.7);
-  EXPECT(log2(coarse.shape / fine.shape) > 2.5); /* what it has lost is of the shape, too */
-  EXPECT(fabs(fine.phase) < 2e-4 && fine.shape < 3e-5 && fine.drift < 5e-5);
-  EXPECT(fabs(highest.phase) < 5e-4 && highest.shape < 2e-5 && highest.drift < 3e-6);
+  EXPECT(log2(coarse.phase / fine.phase) > 5 && log2(coarse.drift / fine.drift) > 5);
+  EXPECT(log2(coarse.shape / fine.shape) > 5);
+  expect_exact(&fine);
+  expect_exact(&highest);
   wave_crest_destroy(&fenton);
   wave_crest_destroy(&steep);
 }
