@@ -45,12 +45,8 @@ struct sph_sources sph_sources_of_water(const struct sph *s) {
 }
 
 static enum status list_walls(struct sph *s, double least) {
-  struct sph_particles *f = &s->f;
-#pragma omp parallel for simd schedule(static)
-  for (size_t i = 0; i < f->n; i++) {
-    f->x_walls[i] = f->w.x[i];
-    f->y_walls[i] = f->w.y[i];
-  }
+  const struct sph_particles *f = &s->f;
+  sph_drift_list_walls(s);
   s->wall_skin = fmin(fmax(usual_wall_skin * s->dx, least), widest_skin * s->dx);
   sph_sides_list(s);
   s->drift.walls = way_at_walls(s, s->drift.ahead);
@@ -174,8 +170,7 @@ enum status sph_remove_outside(struct sph *s) {
 
 /* Of the surface, m: a wave's mean, or the top of the regions. */
 static double level_at_rest(const struct case_file *c) {
-  return flow_is_wave(c->flow) ? c->tank.min[1] + c->flow->scale(c).depth
-                               : geo_lines_box(&c->water).max[1];
+  return flow_is_wave(c->flow) ? flow_level(c) : geo_lines_box(&c->water).max[1];
 }
 
 enum status sph_create(const struct case_file *c, double resolution, const struct sph_scheme *o,

@@ -68,6 +68,10 @@ void flow_close(struct flow_water *w) {
   if (w->c && w->c->flow->destroy) w->c->flow->destroy(w);
 }
 
+double flow_level(const struct case_file *c) {
+  return (c->flow->bed ? c->flow->bed(c) : c->tank.min[1]) + c->flow->scale(c).depth;
+}
+
 double flow_elevation(const struct flow_water *w, double x, double t) {
   return w->c->flow->elevation(w, x, t);
 }

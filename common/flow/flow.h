@@ -91,6 +91,7 @@ struct flow {
    * the case's. */
   struct flow_scale (*scale)(const struct case_file *c);
   double (*elevation)(const struct flow_water *w, double x, double t); /* y, m */
+  double (*bed)(const struct case_file *c); /* y below the depth, m; NULL: the walls' lowest */
   /* Of waves whose surface may hang over: as a line, or NULL where there is none (line.h); the
    * elevation is its highest point then, and the flow below it is known where `use` has a spacing.
    */
@@ -199,6 +200,9 @@ void flow_close(struct flow_water *w);
 
 /* The surface of a wave that may hang over, or NULL. */
 const struct flow_line *flow_line_of(const struct case_file *c);
+
+/* y of the surface of a wave's water at rest, m. */
+double flow_level(const struct case_file *c);
 
 /* The flow's functions, or what stands for those that it has not. */
 double flow_elevation(const struct flow_water *w, double x, double t);

@@ -54,6 +54,13 @@ static double mean_depth(const struct case_file *c) {
   return f->depth + mass * f->depth * f->depth / (c->tank.max[0] - c->tank.min[0]);
 }
 
+/* y of the bed below the crest. */
+static double bed(const struct case_file *c) {
+  const struct form *f = c->form;
+  struct flow_flat flat;
+  return flow_find_flat(c, f->x, &flat) ? flat.bed : c->tank.min[1];
+}
+
 static struct flow_scale scale(const struct case_file *c) {
   const struct form *f = c->form;
   return (struct flow_scale){f->depth, mean_depth(c), f->amplitude,
@@ -114,11 +121,10 @@ struct wave {
 
 static enum status create(struct flow_water *w) {
   const struct form *f = w->c->form;
-  struct flow_flat flat;
   struct wave *wave = w->own = calloc(1, sizeof *wave);
   CHECK(wave, ERR_MEMORY, "no memory for a solitary wave");
   TRY(wave_crest_create(steepness_of_known(f), &wave->crest));
-  wave->bed = flow_find_flat(w->c, f->x, &flat) ? flat.bed : w->c->tank.min[1];
+  wave->bed = bed(w->c);
   wave->speed = wave->crest.speed * sqrt(w->c->gravity * f->depth);
   return OK;
 }
@@ -230,6 +236,7 @@ const struct flow flow_solitary = {
     .destroy = destroy,
     .scale = scale,
     .elevation = elevation,
+    .bed = bed,
     .potential = potential,
     .velocity = velocity,
     .head = head,

@@ -120,11 +120,32 @@ double sph_drift_left(const struct sph *s) {
   return fmin(touching, fmin(near, most));
 }
 
+static double distance_from(const struct sph_face *f, const double p[2], double nearest) {
+  double foot[2];
+  if (p[0] < smaller(f->a[0], f->b[0]) - nearest || p[0] > larger(f->a[0], f->b[0]) + nearest ||
+      p[1] < smaller(f->a[1], f->b[1]) - nearest || p[1] > larger(f->a[1], f->b[1]) + nearest)
+    return nearest;
+  geo_segment_foot(f->a, f->b, p, foot);
+  return smaller(nearest, hypot(p[0] - foot[0], p[1] - foot[1]));
+}
+
+void sph_drift_list_walls(struct sph *s) {
+  const struct sph_particles *f = &s->f;
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < f->n; i++) {
+    const double p[2] = {f->w.x[i], f->w.y[i]};
+    double nearest = INFINITY;
+    for (size_t k = 0; k < s->faces.n; k++) nearest = distance_from(&s->faces.face[k], p, nearest);
+    f->x_walls[i] = p[0];
+    f->y_walls[i] = p[1];
+    f->off_walls[i] = nearest;
+  }
+}
+
 /* A list of a wall concerns what is within the support of a wall particle, or of the node inside
  * from which a ghost takes its state: within two supports of the wall. */
 double sph_drift_at_walls(const struct sph *s, double ahead) {
   const struct sph_particles *f = &s->f;
-  const struct geo_box t = tank_walled(&s->tank);
   const double far = 2 * s->support + s->wall_skin;
   double longest = 0;
 #pragma omp parallel for simd schedule(static) reduction(max : longest)
@@ -132,9 +153,7 @@ double sph_drift_at_walls(const struct sph *s, double ahead) {
     const double x = f->w.x[i] - f->x_walls[i], y = f->w.y[i] - f->y_walls[i];
     const double X = x + ahead * f->w.u[i], Y = y + ahead * f->w.v[i];
     const double way = sqrt(larger(x * x + y * y, X * X + Y * Y));
-    const double inside = smaller(smaller(f->x_walls[i] - t.min[0], t.max[0] - f->x_walls[i]),
-                                  f->y_walls[i] - t.min[1]);
-    longest = larger(way > inside - far ? way : 0, longest);
+    longest = larger(way > f->off_walls[i] - far ? way : 0, longest);
   }
   return longest;
 }

@@ -41,6 +41,9 @@ void sph_drift_measure(struct sph *s, double ahead);
  * with s->skin, miss a pair; negative when they may already. */
 double sph_drift_left(const struct sph *s);
 
+/* Remembers where the water is as the walls are listed, and how far from them. */
+void sph_drift_list_walls(struct sph *s);
+
 /* The longest way, m, since the walls were listed, or up to `ahead` later, of water that the walls'
  * lists may concern. */
 double sph_drift_at_walls(const struct sph *s, double ahead);

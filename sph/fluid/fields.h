@@ -25,4 +25,5 @@
   X(y_listed, "m", "where the particle was when they were sorted")                                 \
   X(x_walls, "m", "where the particle was when the walls were listed")                             \
   X(y_walls, "m", "where the particle was when the walls were listed")                             \
+  X(off_walls, "m", "how far from the nearest wall that was")                                      \
   X(scratch, "", "of the sort")

@@ -170,16 +170,16 @@ static size_t collect(const struct lattice *l, struct sph_cell *cells) {
   return n;
 }
 
-enum status sph_cells_create(const struct geo_lines *region, double dx, size_t *n,
+enum status sph_cells_create(const struct geo_lines *region, double dx, double level, size_t *n,
                              struct sph_cell **cells) {
   enum status status = OK;
   struct lattice l = {.box = geo_lines_box(region)};
   double w = l.box.max[0] - l.box.min[0], h = l.box.max[1] - l.box.min[1];
   *cells = NULL;
   l.nx = geo_intervals(w, dx);
-  l.ny = geo_intervals(h, dx);
   l.dx = w / (double)l.nx;
-  l.dy = h / (double)l.ny;
+  l.dy = level > 0 ? level / (double)geo_intervals(level, dx) : h / (double)geo_intervals(h, dx);
+  l.ny = (size_t)ceil(h / l.dy * (1 - rounding));
   ATTEMPT(sph_allocate(l.nx * l.ny, sizeof *l.part, &l.part));
   ATTEMPT(clip_lattice(&l, region));
   join_slivers(&l);

@@ -23,6 +23,8 @@ struct sph_cell {
   double area; /* m^2 */
 };
 
-/* The cells of the only piece of `region`; *cells is the caller's to free. ERR_MEMORY. */
-enum status sph_cells_create(const struct geo_lines *region, double dx, size_t *n,
+/* The cells of the only piece of `region`; *cells is the caller's to free. `level` (m) above its
+ * lowest point is an edge between rows, which then need not divide its height; 0: none. ERR_MEMORY.
+ */
+enum status sph_cells_create(const struct geo_lines *region, double dx, double level, size_t *n,
                              struct sph_cell **cells);

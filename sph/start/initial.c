@@ -61,7 +61,8 @@ static enum status place_cells(struct filling *w, const struct cells *cells) {
 }
 
 /* Cells lie level as gravity has it: the water of a case that is turned as a whole is the same
- * water, turned. */
+ * water, turned. The level of a wave's water at rest is an edge between rows of them, so that its
+ * first row stands half a row below it, as that of water in a rectangular tank does. */
 static enum status fill_regions(struct filling *w) {
   struct sph *s = w->s;
   const size_t regions = w->c->water.pieces;
@@ -73,7 +74,9 @@ static enum status fill_regions(struct filling *w) {
   ATTEMPT(sph_allocate(regions, sizeof *cells, &cells));
   for (size_t r = 0; r < regions; r++) {
     ATTEMPT(region_of(&level, r, &region));
-    ATTEMPT(sph_cells_create(&region, s->dx, &cells[r].n, &cells[r].cell));
+    const double rows =
+        flow_is_wave(w->c->flow) ? flow_level(w->c) - geo_lines_box(&region).min[1] : 0;
+    ATTEMPT(sph_cells_create(&region, s->dx, rows, &cells[r].n, &cells[r].cell));
     room += cells[r].n;
   }
   ATTEMPT(sph_particles_create(&s->f, room));

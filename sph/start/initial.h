@@ -7,9 +7,10 @@
  *
  * What the water is, is the flow's to say (common/flow/flow.h): its velocity and pressure
  * are taken at each particle. Each region is divided into cells (cells.h): its area is kept exactly
- * whatever its shape, and a rectangle gets an even lattice, half a spacing inside. A wave is filled
- * column by column, each stretched to the elevation, so that the surface is followed to a fraction
- * of dx.
+ * whatever its shape, and a rectangle gets an even lattice, half a spacing inside. A wave in a
+ * rectangular tank is filled column by column, each stretched to the elevation, so that the surface
+ * is followed to a fraction of dx; in any other it is one region whose rows end at its level at
+ * rest.
  *
  * A small wave of linear theory moves the particles of a lattice instead, each with the velocity
  * and the pressure of its own; their masses are those at rest, so that in still water the sums over
