@@ -185,6 +185,60 @@ static void test_floating_water_stays_while_the_tank_moves(void) {
   EXPECT(fine < coarse / 8); /* ramps have a third derivative that jumps */
 }
 
+/* q = a t^2/2, which the cubic splines are exactly. */
+static void accelerate(struct tank_motion *m, double a) {
+  enum { ROWS = 6 };
+  m->file.n = ROWS;
+  EXPECT((m->file.t = calloc(ROWS, sizeof(double))) && (m->file.q = calloc(ROWS, sizeof(double))));
+  for (int i = 0; i < ROWS; i++) {
+    m->file.t[i] = 0.3 * i;
+    m->file.q[i] = a * m->file.t[i] * m->file.t[i] / 2;
+  }
+  EXPECT_OK(tank_record_finish(&m->file));
+}
+
+/* A column in a tank with a beach, in its frame; m, [2 n], by identity. */
+static double *column_in_tank(const char *motions, const double a[2], size_t *n) {
+  char head[600];
+  snprintf(head, sizeof head,
+           "title: column\nscales: {H: 1}\n"
+           "tank: {walls: [[[0, 2], [0, 0], [2, 0], [4, 1]]]%s}\n"
+           "water: {regions: [[[0, 0], [1, 0], [1, 1], [0, 1]]]}\n" POOL_TIMES,
+           motions);
+  struct case_file *c = pool_case(head, "resolution: 14, precision: double, alpha: 0.05, dt: 1e-3");
+  for (size_t k = 0; k < c->n_motions; k++) accelerate(&c->motions[k], a[k]);
+  struct sph *s = pool_create(c);
+  for (int d = 0; d < 2 && !c->n_motions; d++) s->force.g[d] -= a[d];
+  sph_force_set(s, 0);
+  double *r = calloc(2 * s->f.n, sizeof *r);
+  EXPECT_OK(pool_march(s, 0.4));
+  *n = s->f.n;
+  for (size_t i = 0; i < s->f.n; i++) {
+    r[2 * s->f.id[i]] = s->f.w.x[i];
+    r[2 * s->f.id[i] + 1] = s->f.w.y[i];
+  }
+  sph_destroy(s);
+  case_destroy(c);
+  return r;
+}
+
+/* One that sways and heaves at constant accelerations, and one at rest whose gravity is less by
+ * them: nothing but rounding. (Of a roll see the drop above, which no wall touches.) */
+static void test_a_tank_that_moves_is_a_force_that_moves(void) {
+  static const double a[2] = {2.1, -1.7};
+  size_t n, m;
+  double *in_motion = column_in_tank(", motions: [{kind: sway, amplitude: 0.1, period: 1}, {kind: "
+                                     "heave, amplitude: 0.1, period: 1}]",
+                                     a, &n);
+  double *at_rest = column_in_tank("", a, &m), worst = 0;
+  EXPECT(n == m && n > 150);
+  for (size_t i = 0; i < 2 * n && n == m; i++) worst = fmax(worst, fabs(in_motion[i] - at_rest[i]));
+  printf("     a tank that moves: off a force by %.1e m\n", worst);
+  EXPECT(worst < 1e-10);
+  free(in_motion);
+  free(at_rest);
+}
+
 /* Moment of the elevation about the middle, over length and depth, by linear theory: x - L/2 = sum
  * c_n cos k_n x, eta_n'' + w_n^2 eta_n = -k_n tanh(k_n h) c_n X'', each by small steps. */
 static double linear_shift(const struct case_file *c, double L, double h, double end) {
@@ -249,6 +303,7 @@ static void test_sloshing_grows_as_linear_theory_has_it(void) {
 int main(void) {
   RUN(test_force_is_the_frames);
   RUN(test_floating_water_stays_while_the_tank_moves);
+  RUN(test_a_tank_that_moves_is_a_force_that_moves);
   RUN(test_sloshing_grows_as_linear_theory_has_it);
   RUN(test_water_rests_under_gravity_that_is_turned);
   RUN(test_mirrored_gravity_has_mirrored_water);
