@@ -136,6 +136,35 @@ static void hold_edge(const struct bem_flow *f, double *damping, bool right) {
   *phi -= creal(d) * (f->u[k] * f->tx[k] + f->v[k] * f->ty[k]);
 }
 
+/* Rate at which nodes that move so change the volume, H^2 sqrt(g/H): the exact derivative of its
+ * quadrature, since edges stay on their walls. */
+static double volume_rate(const struct bem_surface *s, const double *state, const double *x,
+                          const double *y) {
+  return bem_surface_integral(s, y, state) - bem_surface_integral(s, x, state + s->n);
+}
+
+/* Gives back the volume that the damping takes, where it works: along the normal, by so much of
+ * what it moves nodes by there. Water that is moved off keeps its flow. */
+static void keep_volume(struct bem_flow *f, const double *state) {
+  const struct bem_surface *s = &f->surface;
+  const size_t n = s->n, ends = bem_surface_is_closed(s) ? 0 : 1;
+  double *x = f->damping, *y = x + n, *phi = y + n, *back = f->back;
+  memset(back, 0, 2 * n * sizeof *back);
+  for (size_t k = ends; k + ends < n; k++) {
+    const double d = f->tx[k] * y[k] - f->ty[k] * x[k], off = d * d;
+    back[k] = -off * f->ty[k];
+    back[n + k] = off * f->tx[k];
+  }
+  const double room = volume_rate(s, state, back, back + n);
+  if (!(room > 0)) return;
+  const double part = volume_rate(s, state, x, y) / room;
+  for (size_t k = 0; k < n; k++) {
+    x[k] -= part * back[k];
+    y[k] -= part * back[n + k];
+    phi[k] -= part * (f->u[k] * back[k] + f->v[k] * back[n + k]);
+  }
+}
+
 void bem_damping_add(struct bem_flow *f, const double *state, double *rate) {
   const struct bem_surface *s = &f->surface;
   const size_t n = s->n;
@@ -148,5 +177,6 @@ void bem_damping_add(struct bem_flow *f, const double *state, double *rate) {
   if (s->tip > 0) smooth(f, state, damping);
   for (int right = 0; s->walls && right < 2; right++) hold_edge(f, damping, right);
   bem_surface_hold_ends(s, damping, damping + n);
+  keep_volume(f, state);
   for (size_t k = 0; k < 3 * n; k++) rate[k] += damping[k];
 }

@@ -19,13 +19,14 @@ enum status bem_flow_reserve(struct bem_flow *f, size_t n) {
     f->w = NULL;
     f->known = NULL;
     f->room = 0;
-    TRY(array_create(&f->psi, 11 * n, "numbers of a flow"));
+    TRY(array_create(&f->psi, 13 * n, "numbers of a flow"));
     TRY(array_create(&f->w, n, "velocities of a flow"));
     TRY(array_create(&f->known, n, "velocities of a flow"));
     f->u = f->psi + n, f->v = f->u + n, f->tx = f->v + n, f->ty = f->tx + n, f->q = f->ty + n;
     f->damping = f->q + n;
     f->phi_own = f->damping + 3 * n;
     f->psi_own = f->phi_own + n;
+    f->back = f->psi_own + n;
     f->room = n;
   }
   memset(f->psi, 0, n * sizeof *f->psi); /* the guess of another mesh is worth nothing */

@@ -30,6 +30,7 @@ struct bem_flow {
   struct bem_flux through; /* of these walls: of a tank that turns and has no sides that move, at
                               the rate of one */
   double *damping;         /* part of the last rates that removes noise, [3n], in psi's */
+  double *back;            /* scratch of that, [2n], in psi's */
   double complex *w;       /* u - i v, [n], owned */
   enum status status;      /* why an evaluation failed */
 };

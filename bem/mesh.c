@@ -14,12 +14,13 @@
  * in tanks that are not rectangular, of one that grows as the depth falls below H): a function of
  * the shape alone, so refining the resolution refines everything alike. */
 static const double BEND = 4, SHARPEST = 60; /* 1/H; curvature beyond SHARPEST asks for no more */
-static const double GROWTH = 6;              /* 1/H */
-static const double SHALLOWEST = 0.03;       /* H: water below it asks for no more nodes */
-static const double SPREAD = 3;              /* implicit smoothing, over about sqrt(3) panels */
-static const double RELAX = 0.1;             /* sqrt(H/g), in which misplaced nodes drift home */
-static const double OPEN = 0.15;             /* rad: a kink that turns less is not one any more */
-static const size_t FEWEST = 7;              /* nodes of a piece */
+static const double FAINT = 0.7;       /* what curvature still counts where it is unimportant */
+static const double GROWTH = 6;        /* 1/H */
+static const double SHALLOWEST = 0.03; /* H: water below it asks for no more nodes */
+static const double SPREAD = 3;        /* implicit smoothing, over about sqrt(3) panels */
+static const double RELAX = 0.06;      /* sqrt(H/g), in which misplaced nodes drift home */
+static const double OPEN = 0.15;       /* rad: a kink that turns less is not one any more */
+static const size_t FEWEST = 7;        /* nodes of a piece */
 
 enum status bem_mesh_reserve(struct bem_mesh *m, size_t n) {
   double **array[] = {&m->work.rho,      &m->work.share,  &m->work.growth, &m->work.dx,
@@ -53,7 +54,7 @@ static void measure_bend(struct bem_mesh *m, const struct bem_surface *s, const 
   for (size_t k = 0; k < s->n; k++) {
     double speed = hypot(dx[k], dy[k]);
     double c = (dx[k] * ddy[k] - dy[k] * ddx[k]) / (speed * speed * speed);
-    c *= bem_surface_importance(s, x[k], y[k]);
+    c *= fmax(FAINT, bem_surface_importance(s, x[k], y[k]));
     m->work.bend[k] = c * c / (1 + c * c / (SHARPEST * SHARPEST));
   }
 }

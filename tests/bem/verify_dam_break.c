@@ -53,10 +53,10 @@ static struct instants dam_break(int resolution, int member) {
 
 /* Error bars of docs/accuracy.md: four standard deviations of 23 members at 40 nodes per H, built
  * in four ways, so that none of the five here leaves them by chance more often than once in a few
- * thousand runs. */
+ * thousand runs; of the tangent, of nine. */
 static void expect_within_error_bars(const struct instants *i) {
   EXPECT_NEAR(i->impact, 2.3520, 3e-4);
-  EXPECT_NEAR(i->overturn[0], 3.4315, 0.016);
+  EXPECT_NEAR(i->overturn[0], 3.4305, 0.005);
   EXPECT_NEAR(i->overturn[1], 5.2615, 0.0008);
   EXPECT_NEAR(i->overturn[2], 0.425, 0.012);
   EXPECT_NEAR(i->touchdown[0], 6.1095, 0.002);
@@ -67,8 +67,8 @@ static void expect_within_error_bars(const struct instants *i) {
 static void test_dam_break_converges_to_touchdown_from_every_perturbed_start(void) {
   static const struct {
     int resolution, members;
-    double volume, energy; /* largest errors: the study's mean and at least four deviations */
-  } all[] = {{40, 3, 8e-5, 5e-4}, {60, 2, 5e-5, 1.6e-4}};
+    double volume, energy; /* largest errors: half as much again as any of the study */
+  } all[] = {{40, 3, 8e-5, 3e-4}, {60, 2, 1.5e-5, 4e-5}};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     for (int member = 0; member < all[i].members; member++) {
       struct instants now = dam_break(all[i].resolution, member);
