@@ -3,8 +3,8 @@
 #include <math.h>
 
 #include "bem/accuracy.h"
-#include "bem/mesh.h"
 #include "bem/options.h"
+#include "bem/shape/mesh.h"
 #include "common/flow/flow.h"
 
 /* Measured: one matrix of 8 n^2 bytes; nodes 1.14 times those of even spacing on a column of

@@ -13,8 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bem/integrals.h"
-#include "bem/solve.h"
+#include "bem/kernel/integrals.h"
+#include "bem/kernel/solve.h"
 #include "bench/bench.h"
 #include "common/base/array.h"
 

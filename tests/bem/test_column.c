@@ -1,9 +1,9 @@
 /* The released column, L/H = 2, at t = 0+: p/(rho g) = H - y - sum a_n cos(k_n y) cosh(k_n
  * x)/cosh(k_n L), k_n = (2n+1) pi/(2H), a_n = 8H/((2n+1)^2 pi^2). */
-#include "bem/integrals.h"
-#include "bem/pressure.h"
-#include "bem/start.h"
-#include "bem/surface.h"
+#include "bem/kernel/integrals.h"
+#include "bem/shape/surface.h"
+#include "bem/start/start.h"
+#include "bem/water/pressure.h"
 #include "tests/bem/run.h"
 
 static const char text[] =

@@ -1,9 +1,9 @@
 /* The map of tanks of any walls, against its own integral, and a harmonic function in them. */
 #include <stdlib.h>
 
-#include "bem/conformal.h"
-#include "bem/integrals.h"
-#include "bem/solve.h"
+#include "bem/kernel/integrals.h"
+#include "bem/kernel/solve.h"
+#include "bem/map/conformal.h"
 #include "tests/test.h"
 
 enum { MOST = 12 };

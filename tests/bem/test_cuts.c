@@ -1,7 +1,7 @@
 /* What is cut from a jet, and what is left of it. Water is on the right of the way along the nodes.
  */
-#include "bem/contact.h"
-#include "bem/cuts.h"
+#include "bem/breaking/contact.h"
+#include "bem/breaking/cuts.h"
 #include "tests/test.h"
 
 enum { N = 241 };

@@ -1,5 +1,5 @@
 /* What filter and smoothing do to the water. */
-#include "bem/damping.h"
+#include "bem/water/damping.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* The function with the flux of walls that move. */
-#include "bem/flux.h"
+#include "bem/motion/flux.h"
 #include "tests/test.h"
 
 struct tank_case {

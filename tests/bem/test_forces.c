@@ -1,8 +1,8 @@
 /* Forces on the walls of any tank, which may move: water at rest, and the law of momentum. */
-#include "bem/basin.h"
-#include "bem/forces.h"
-#include "bem/spin.h"
-#include "bem/start.h"
+#include "bem/start/basin.h"
+#include "bem/start/start.h"
+#include "bem/water/forces.h"
+#include "bem/water/spin.h"
 #include "tests/bem/run.h"
 
 /* ---- at rest ---- */

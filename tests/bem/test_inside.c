@@ -1,10 +1,10 @@
 /* What is written of points inside the water: against harmonic functions, down to its surface, and
  * against what a released column is under. */
-#include "bem/basin.h"
-#include "bem/inside.h"
-#include "bem/lattice.h"
-#include "bem/shore.h"
-#include "bem/start.h"
+#include "bem/start/basin.h"
+#include "bem/start/start.h"
+#include "bem/water/inside.h"
+#include "bem/water/lattice.h"
+#include "bem/water/shore.h"
 #include "common/base/geometry.h"
 #include "common/flow/flow.h"
 #include "common/flow/release.h"

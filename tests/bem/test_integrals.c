@@ -1,8 +1,8 @@
 /* A harmonic function in a box: Dirichlet data on a curved surface, impermeable walls and bed. */
 #include <stdlib.h>
 
-#include "bem/integrals.h"
-#include "bem/solve.h"
+#include "bem/kernel/integrals.h"
+#include "bem/kernel/solve.h"
 #include "tests/test.h"
 
 static const double L = 2.385;

@@ -1,9 +1,9 @@
 /* Splines, and the nodes that regridding puts on them. */
-#include "bem/mesh.h"
+#include "bem/shape/mesh.h"
 
 #include <math.h>
 
-#include "bem/spline.h"
+#include "bem/shape/spline.h"
 #include "tests/test.h"
 
 /* Not-a-knot splines reproduce every cubic, whatever the spacing. */

@@ -1,8 +1,8 @@
 /* Water that is no column: wet beds and sloping faces, from their outline. */
-#include "bem/mirror.h"
-#include "bem/outline.h"
-#include "bem/pressure.h"
-#include "bem/start.h"
+#include "bem/start/mirror.h"
+#include "bem/start/outline.h"
+#include "bem/start/start.h"
+#include "bem/water/pressure.h"
 #include "common/base/gauge.h"
 #include "common/flow/release.h"
 #include "common/tank/tank.h"

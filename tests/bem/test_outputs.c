@@ -1,7 +1,7 @@
 /* What is written does not touch the run: the same bits of every event and of every count of work,
  * whatever is asked for, and rows at exactly the times that were asked for. */
-#include "bem/output.h"
-#include "bem/start.h"
+#include "bem/run/output.h"
+#include "bem/start/start.h"
 #include "tests/bem/run.h"
 
 static const char text[] =

@@ -1,5 +1,5 @@
 /* A run whose surface winds up is noticed by its energy, which then changes by itself. */
-#include "bem/pace.h"
+#include "bem/run/pace.h"
 
 #include "tests/test.h"
 

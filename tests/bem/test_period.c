@@ -2,9 +2,9 @@
  * is felt; systems that go round; where the surface is cut; a wave of permanent form. */
 #include <stdlib.h>
 
-#include "bem/cyclic.h"
-#include "bem/flow.h"
-#include "bem/integrals.h"
+#include "bem/kernel/integrals.h"
+#include "bem/shape/cyclic.h"
+#include "bem/water/flow.h"
 #include "tests/bem/run.h"
 
 static const double L = 2.385, CURRENT = 0.37;

@@ -1,6 +1,6 @@
 /* How high water runs up a beach: the highest of parabolas through three steps; a solitary wave
  * that does not break, against Synolakis' law. */
-#include "bem/runup.h"
+#include "bem/breaking/runup.h"
 #include "tests/bem/run.h"
 
 static double height(double t) {

@@ -3,7 +3,7 @@
 #include <complex.h>
 #include <stdlib.h>
 
-#include "bem/breaker.h"
+#include "bem/breaking/breaker.h"
 #include "tests/test.h"
 
 enum { N = 801, ROOM = 3 * N };

@@ -2,7 +2,7 @@
  * thread each, and the libraries underneath are kept to one. */
 #include <omp.h>
 
-#include "bem/solve.h"
+#include "bem/kernel/solve.h"
 #include "tests/bem/run.h"
 
 extern void openblas_set_num_threads(int n) __attribute__((weak));
