@@ -95,10 +95,10 @@ static void test_a_narrow_tank_comes_to_touchdown_through_many_cuts(void) {
   result_file_destroy(f);
 }
 
-/* Ten nodes for each H are too few for a gap of 0.44 H: what is known until then is there. */
+/* Eight nodes for each H are too few for a gap of 0.44 H: what is known until then is there. */
 static void test_a_run_that_is_lost_says_where_and_until_when_it_is_good(void) {
   char with[600];
-  write_case(with, &(struct setting){4, 1.48, 4, 1.04, 3, 0.005, "pressure: released", 10});
+  write_case(with, &(struct setting){4, 1.48, 4, 1.04, 3, 0.005, "pressure: released", 8});
   struct result_file *f = run_bem(with);
   if (!f) return;
   const double good = run_statistic(f, "last_good_time");

@@ -32,7 +32,7 @@ check_folder() {
     failed=1
   fi
 }
-check_folder "$source/tests/common/bad" 'runs\.a|solver-refuses|tolerance'
+check_folder "$source/tests/common/bad" 'runs\.a|solver-refuses|tolerance|sweep-unknown'
 check_folder "$source/tests/cli/refused" 'one of mean_distance' # that list grows with the comparator
 
 # --set is checked like what stands in the case, and estimated

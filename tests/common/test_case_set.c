@@ -129,7 +129,7 @@ static void test_bad_overrides_get_exact_messages(void) {
        "from 0 to 1\n"},
       {"runs.fine=x",
        "--set runs.fine=x: runs[0]: found 'x'; allowed: a mapping with the keys name, "
-       "solver, resolution\n"},
+       "solver, resolution, sweep\n"},
       {"time.end.x=1",
        "--set time.end.x=1: found '2'; allowed: a path to a key of a section or of a "
        "run; the path goes on behind a value: correct it\n"},
