@@ -1,8 +1,9 @@
 #include "common/base/geometry_check.h"
 
-#include <geos_c.h>
 #include <math.h>
 #include <stdlib.h>
+
+#include "common/base/geos.h"
 
 double geo_lines_distance(const struct geo_lines *l, double x, double y, double nearest[2],
                           size_t *piece) {
@@ -37,45 +38,20 @@ void geo_piece_reverse(struct geo_lines *l, size_t piece) {
   }
 }
 
-/* GEOS as one object: what fails in it, fails for want of memory or for a geometry that the caller
- * should have refused, and its own messages say nothing to a user. */
-struct geos {
-  GEOSContextHandle_t h;
-  bool failed;
-};
-
-static void quiet(const char *message, void *unused) {
-  (void)message;
-  (void)unused;
+static enum status end(struct geo_geos *g) {
+  return geo_geos_end(g, "work out how walls and water lie");
 }
 
-static struct geos geos_begin(void) {
-  struct geos g = {GEOS_init_r(), false};
-  if (!g.h) {
-    g.failed = true;
-    return g;
-  }
-  GEOSContext_setErrorMessageHandler_r(g.h, quiet, NULL);
-  GEOSContext_setNoticeMessageHandler_r(g.h, quiet, NULL);
-  return g;
-}
-
-static enum status geos_end(struct geos *g) {
-  if (g->h) GEOS_finish_r(g->h);
-  CHECK(!g->failed, ERR_MEMORY, "GEOS could not work out how walls and water lie");
-  return OK;
-}
-
-static void drop(struct geos *g, GEOSGeometry *geometry) {
+static void drop(struct geo_geos *g, GEOSGeometry *geometry) {
   if (geometry) GEOSGeom_destroy_r(g->h, geometry);
 }
 
-static GEOSGeometry *keep(struct geos *g, GEOSGeometry *geometry) {
+static GEOSGeometry *keep(struct geo_geos *g, GEOSGeometry *geometry) {
   if (!geometry) g->failed = true;
   return geometry;
 }
 
-static GEOSCoordSequence *coordinates(struct geos *g, const struct geo_lines *l, size_t piece,
+static GEOSCoordSequence *coordinates(struct geo_geos *g, const struct geo_lines *l, size_t piece,
                                       bool closed) {
   size_t a = l->first[piece], n = l->first[piece + 1] - a;
   if (g->failed || n < 2) return NULL;
@@ -85,12 +61,13 @@ static GEOSCoordSequence *coordinates(struct geos *g, const struct geo_lines *l,
   return s;
 }
 
-static GEOSGeometry *line_of(struct geos *g, const struct geo_lines *l, size_t piece, bool closed) {
+static GEOSGeometry *line_of(struct geo_geos *g, const struct geo_lines *l, size_t piece,
+                             bool closed) {
   GEOSCoordSequence *s = coordinates(g, l, piece, closed);
   return keep(g, s ? GEOSGeom_createLineString_r(g->h, s) : NULL);
 }
 
-static GEOSGeometry *polygon_of(struct geos *g, const struct geo_lines *l, size_t piece) {
+static GEOSGeometry *polygon_of(struct geo_geos *g, const struct geo_lines *l, size_t piece) {
   GEOSCoordSequence *s = coordinates(g, l, piece, true);
   GEOSGeometry *ring = s ? GEOSGeom_createLinearRing_r(g->h, s) : NULL;
   return keep(g, ring ? GEOSGeom_createPolygon_r(g->h, ring, NULL, 0) : NULL);
@@ -110,7 +87,7 @@ size_t geo_lines_vessel(const struct geo_lines *l) {
 }
 
 /* Empty when the walls enclose nothing. */
-static GEOSGeometry *tank_room(struct geos *g, const struct geo_lines *tank) {
+static GEOSGeometry *tank_room(struct geo_geos *g, const struct geo_lines *tank) {
   GEOSGeometry *all = keep(g, g->failed ? NULL : GEOSGeom_createEmptyPolygon_r(g->h));
   size_t vessel = geo_lines_vessel(tank);
   for (int islands = 0; islands < 2; islands++)
@@ -128,7 +105,7 @@ static GEOSGeometry *tank_room(struct geos *g, const struct geo_lines *tank) {
   return all;
 }
 
-static void point_inside(struct geos *g, const GEOSGeometry *geometry, double at[2]) {
+static void point_inside(struct geo_geos *g, const GEOSGeometry *geometry, double at[2]) {
   GEOSGeometry *point = keep(g, GEOSPointOnSurface_r(g->h, geometry));
   if (point && !GEOSisEmpty_r(g->h, point)) {
     GEOSGeomGetX_r(g->h, point, &at[0]);
@@ -138,7 +115,7 @@ static void point_inside(struct geos *g, const GEOSGeometry *geometry, double at
 }
 
 /* The first place where two segments that are not neighbours meet. */
-static void find_meeting(struct geos *g, const struct geo_lines *l, size_t piece, bool closed,
+static void find_meeting(struct geo_geos *g, const struct geo_lines *l, size_t piece, bool closed,
                          double at[2]) {
   size_t a = l->first[piece], n = l->first[piece + 1] - a;
   size_t segments = closed ? n : n - 1;
@@ -163,7 +140,8 @@ static void find_meeting(struct geos *g, const struct geo_lines *l, size_t piece
 
 enum status geo_piece_simple(const struct geo_lines *l, size_t piece, bool closed, bool *simple,
                              double at[2]) {
-  struct geos g = geos_begin();
+  struct geo_geos g;
+  geo_geos_begin(&g);
   GEOSGeometry *line = line_of(&g, l, piece, closed);
   *simple = true;
   if (line) {
@@ -173,11 +151,12 @@ enum status geo_piece_simple(const struct geo_lines *l, size_t piece, bool close
     if (!*simple) find_meeting(&g, l, piece, closed, at);
   }
   drop(&g, line);
-  return geos_end(&g);
+  return end(&g);
 }
 
 enum status geo_pieces_cross(const struct geo_lines *l, size_t a, size_t b, bool *cross) {
-  struct geos g = geos_begin();
+  struct geo_geos g;
+  geo_geos_begin(&g);
   GEOSGeometry *p = line_of(&g, l, a, l->closed[a]), *q = line_of(&g, l, b, l->closed[b]);
   *cross = false;
   if (!g.failed)
@@ -185,11 +164,12 @@ enum status geo_pieces_cross(const struct geo_lines *l, size_t a, size_t b, bool
              GEOSCovers_r(g.h, p, q) == 1 || GEOSCovers_r(g.h, q, p) == 1;
   drop(&g, p);
   drop(&g, q);
-  return geos_end(&g);
+  return end(&g);
 }
 
 enum status geo_pieces_overlap(const struct geo_lines *l, size_t a, size_t b, double *area) {
-  struct geos g = geos_begin();
+  struct geo_geos g;
+  geo_geos_begin(&g);
   GEOSGeometry *p = polygon_of(&g, l, a), *q = polygon_of(&g, l, b);
   GEOSGeometry *both = keep(&g, g.failed ? NULL : GEOSIntersection_r(g.h, p, q));
   *area = 0;
@@ -197,12 +177,13 @@ enum status geo_pieces_overlap(const struct geo_lines *l, size_t a, size_t b, do
   drop(&g, p);
   drop(&g, q);
   drop(&g, both);
-  return geos_end(&g);
+  return end(&g);
 }
 
 enum status geo_piece_outside(const struct geo_lines *l, size_t piece, const struct geo_lines *tank,
                               double *area, double at[2]) {
-  struct geos g = geos_begin();
+  struct geo_geos g;
+  geo_geos_begin(&g);
   GEOSGeometry *p = polygon_of(&g, l, piece), *room = tank_room(&g, tank);
   GEOSGeometry *outside = keep(&g, g.failed ? NULL : GEOSDifference_r(g.h, p, room));
   *area = 0;
@@ -215,10 +196,10 @@ enum status geo_piece_outside(const struct geo_lines *l, size_t piece, const str
   drop(&g, p);
   drop(&g, room);
   drop(&g, outside);
-  return geos_end(&g);
+  return end(&g);
 }
 
-static GEOSGeometry *grown(struct geos *g, const GEOSGeometry *from, double by) {
+static GEOSGeometry *grown(struct geo_geos *g, const GEOSGeometry *from, double by) {
   enum { UNUSED = 8 };      /* segments of round corners */
   const double mitre = 100; /* corners down to an angle of 2/100 stay pointed */
   if (g->failed) return NULL;
@@ -229,7 +210,8 @@ static GEOSGeometry *grown(struct geos *g, const GEOSGeometry *from, double by) 
 enum status geo_piece_crossed(const struct geo_lines *l, size_t piece,
                               const struct geo_lines *walls, double near, double *length,
                               double at[2]) {
-  struct geos g = geos_begin();
+  struct geo_geos g;
+  geo_geos_begin(&g);
   GEOSGeometry *p = polygon_of(&g, l, piece);
   GEOSGeometry *inside = grown(&g, p, -near);
   GEOSGeometry *rim = keep(&g, g.failed ? NULL : GEOSBoundary_r(g.h, p));
@@ -253,12 +235,13 @@ enum status geo_piece_crossed(const struct geo_lines *l, size_t piece,
   drop(&g, p);
   drop(&g, inside);
   drop(&g, rim);
-  return geos_end(&g);
+  return end(&g);
 }
 
 enum status geo_area_below(const struct geo_lines *tank, double level, double *area,
                            double centroid[2]) {
-  struct geos g = geos_begin();
+  struct geo_geos g;
+  geo_geos_begin(&g);
   struct geo_box box = geo_lines_box(tank);
   GEOSGeometry *room = tank_room(&g, tank);
   /* a half plane would do; GEOS has rectangles */
@@ -278,10 +261,10 @@ enum status geo_area_below(const struct geo_lines *tank, double level, double *a
   }
   drop(&g, room);
   drop(&g, below);
-  return geos_end(&g);
+  return end(&g);
 }
 
-static GEOSGeometry *union_of(struct geos *g, const struct geo_lines *l) {
+static GEOSGeometry *union_of(struct geo_geos *g, const struct geo_lines *l) {
   GEOSGeometry *all = keep(g, g->failed ? NULL : GEOSGeom_createEmptyPolygon_r(g->h));
   for (size_t k = 0; k < l->pieces && !g->failed; k++) {
     if (!l->closed[k]) continue;
@@ -295,7 +278,7 @@ static GEOSGeometry *union_of(struct geos *g, const struct geo_lines *l) {
 }
 
 /* Shrunk and grown again: without what is thinner than `width`. NULL when it fails. */
-static GEOSGeometry *opened(struct geos *g, const GEOSGeometry *body, double width) {
+static GEOSGeometry *opened(struct geo_geos *g, const GEOSGeometry *body, double width) {
   GEOSGeometry *shrunk = grown(g, body, -width / 2);
   GEOSGeometry *back = grown(g, shrunk, width / 2);
   drop(g, shrunk);
@@ -304,7 +287,7 @@ static GEOSGeometry *opened(struct geos *g, const GEOSGeometry *body, double wid
 
 /* What an opening takes away from one body, without the slivers that rounding leaves along the rest
  * of its rim; NULL when it fails. */
-static GEOSGeometry *lost_by_opening(struct geos *g, const GEOSGeometry *body, double width) {
+static GEOSGeometry *lost_by_opening(struct geo_geos *g, const GEOSGeometry *body, double width) {
   GEOSGeometry *rest = opened(g, body, width);
   GEOSGeometry *lost = keep(g, rest ? GEOSDifference_r(g->h, body, rest) : NULL);
   GEOSGeometry *clean = opened(g, lost, 1e-6 * width);
@@ -320,7 +303,7 @@ static double rectangle_thickness(double area, double rim) {
 }
 
 /* Keeps the largest part of what one body loses. */
-static void measure_lost(struct geos *g, const GEOSGeometry *body, const GEOSGeometry *lost,
+static void measure_lost(struct geo_geos *g, const GEOSGeometry *body, const GEOSGeometry *lost,
                          double least, double *area, double *thickness, double at[2]) {
   double whole = 0, all = 0;
   GEOSArea_r(g->h, body, &whole);
@@ -339,7 +322,8 @@ static void measure_lost(struct geos *g, const GEOSGeometry *body, const GEOSGeo
 
 enum status geo_lines_thin(const struct geo_lines *l, double width, double least, double *area,
                            double *thickness, double at[2]) {
-  struct geos g = geos_begin();
+  struct geo_geos g;
+  geo_geos_begin(&g);
   GEOSGeometry *all = union_of(&g, l);
   *area = *thickness = 0;
   for (int k = 0; !g.failed && k < GEOSGetNumGeometries_r(g.h, all); k++) {
@@ -349,7 +333,7 @@ enum status geo_lines_thin(const struct geo_lines *l, double width, double least
     drop(&g, lost);
   }
   drop(&g, all);
-  return geos_end(&g);
+  return end(&g);
 }
 
 /* ---- the outline of a union ---- */
@@ -369,7 +353,7 @@ static bool is_last_point(const struct geo_lines *l, double near, const double p
          hypot(l->p[last][0] - p[0], l->p[last][1] - p[1]) <= near;
 }
 
-static enum status add_ring(struct geos *g, const GEOSGeometry *ring, const struct geo_lines *l,
+static enum status add_ring(struct geo_geos *g, const GEOSGeometry *ring, const struct geo_lines *l,
                             double near, bool hole, struct geo_lines *out) {
   const GEOSCoordSequence *s = GEOSGeom_getCoordSeq_r(g->h, ring);
   unsigned n = 0;
@@ -385,7 +369,7 @@ static enum status add_ring(struct geos *g, const GEOSGeometry *ring, const stru
   return OK;
 }
 
-static enum status add_rings(struct geos *g, const GEOSGeometry *all, const struct geo_lines *l,
+static enum status add_rings(struct geo_geos *g, const GEOSGeometry *all, const struct geo_lines *l,
                              double near, struct geo_lines *out) {
   for (int k = 0; k < GEOSGetNumGeometries_r(g->h, all); k++) {
     const GEOSGeometry *body = GEOSGetGeometryN_r(g->h, all, k);
@@ -398,7 +382,8 @@ static enum status add_rings(struct geos *g, const GEOSGeometry *all, const stru
 }
 
 enum status geo_lines_outline(const struct geo_lines *l, double near, struct geo_lines *outline) {
-  struct geos g = geos_begin();
+  struct geo_geos g;
+  geo_geos_begin(&g);
   GEOSGeometry *all = keep(&g, g.failed ? NULL : GEOSGeom_createEmptyPolygon_r(g.h));
   for (size_t k = 0; k < l->pieces && !g.failed; k++) {
     GEOSGeometry *part = polygon_of(&g, l, k);
@@ -410,6 +395,6 @@ enum status geo_lines_outline(const struct geo_lines *l, double near, struct geo
   geo_lines_clear(outline);
   enum status status = all ? add_rings(&g, all, l, near, outline) : OK;
   drop(&g, all);
-  const enum status ended = geos_end(&g);
+  const enum status ended = end(&g);
   return status != OK ? status : ended;
 }

@@ -8,7 +8,7 @@ double geo_lines_distance(const struct geo_lines *l, double x, double y, double 
                           size_t *piece);
 
 /* Whether a piece, as it is or closed by the straight line between its ends, neither crosses nor
- * touches itself; `at` says where it does. ERR_MEMORY. */
+ * touches itself; `at` says where it does. ERR_MEMORY, ERR_SOLVER. */
 enum status geo_piece_simple(const struct geo_lines *l, size_t piece, bool closed, bool *simple,
                              double at[2]);
 
@@ -41,12 +41,12 @@ enum status geo_area_below(const struct geo_lines *tank, double level, double *a
 /* Where the union of the closed pieces is thinner than `width` (m): what an opening, shrinking by
  * half the width and growing again with mitred corners, takes away. Pointed corners are no thin
  * parts. The largest connected part, if it has more than `least` m^2 or is most of its body: its
- * area (m^2; 0: there is none), mean thickness (m) and a point of it. ERR_MEMORY. */
+ * area (m^2; 0: there is none), mean thickness (m) and a point of it. ERR_MEMORY, ERR_SOLVER. */
 enum status geo_lines_thin(const struct geo_lines *l, double width, double least, double *area,
                            double *thickness, double at[2]);
 
 /* The outline of the union of the closed pieces of `l`, those within `near` (m) of each other being
- * one body: closed counter-clockwise pieces, with clockwise ones around air in them. ERR_MEMORY. */
+ * one body: closed counter-clockwise pieces, with clockwise ones around air in them. ERR_MEMORY, ERR_SOLVER. */
 enum status geo_lines_outline(const struct geo_lines *l, double near, struct geo_lines *outline);
 
 void geo_piece_reverse(struct geo_lines *l, size_t piece);

@@ -1,10 +1,10 @@
 #include "common/base/triangles.h"
 
-#include <geos_c.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
 #include "common/base/array.h"
+#include "common/base/geos.h"
 
 /* A point by its coordinates, which is all that GEOS gives back of it. */
 struct place {
@@ -24,19 +24,15 @@ static enum status sort_places(size_t n, const double (*p)[2], struct place **pl
   return OK;
 }
 
-static void quiet(const char *message, void *unused) {
-  (void)message;
-  (void)unused;
-}
-
-/* All triangles as one collection; NULL: no memory. */
-static GEOSGeometry *triangulate(GEOSContextHandle_t h, size_t n, const struct place *places) {
-  GEOSCoordSequence *s = GEOSCoordSeq_create_r(h, (unsigned)n, 2);
+/* All triangles as one collection; NULL: that failed. */
+static GEOSGeometry *triangulate(struct geo_geos *g, size_t n, const struct place *places) {
+  GEOSCoordSequence *s = g->failed ? NULL : GEOSCoordSeq_create_r(g->h, (unsigned)n, 2);
   for (size_t i = 0; s && i < n; i++)
-    GEOSCoordSeq_setXY_r(h, s, (unsigned)i, places[i].x, places[i].y);
-  GEOSGeometry *sites = s ? GEOSGeom_createLineString_r(h, s) : NULL;
-  GEOSGeometry *all = sites ? GEOSDelaunayTriangulation_r(h, sites, 0, 0) : NULL;
-  if (sites) GEOSGeom_destroy_r(h, sites);
+    GEOSCoordSeq_setXY_r(g->h, s, (unsigned)i, places[i].x, places[i].y);
+  GEOSGeometry *sites = s ? GEOSGeom_createLineString_r(g->h, s) : NULL;
+  GEOSGeometry *all = sites ? GEOSDelaunayTriangulation_r(g->h, sites, 0, 0) : NULL;
+  if (sites) GEOSGeom_destroy_r(g->h, sites);
+  g->failed = !all;
   return all;
 }
 
@@ -63,8 +59,7 @@ static bool read_triangle(GEOSContextHandle_t h, const GEOSGeometry *triangle, s
 
 static enum status read_all(GEOSContextHandle_t h, const GEOSGeometry *all, size_t n,
                             const struct place *places, size_t *triangles, size_t (**corner)[3]) {
-  const int most = all ? GEOSGetNumGeometries_r(h, all) : -1;
-  CHECK(most >= 0, ERR_MEMORY, "no memory for triangles between %zu points", n);
+  const int most = GEOSGetNumGeometries_r(h, all);
   TRY(array_create(corner, (size_t)most, "triangles"));
   for (int k = 0; k < most; k++)
     *triangles += read_triangle(h, GEOSGetGeometryN_r(h, all, k), n, places, (*corner)[*triangles]);
@@ -73,20 +68,16 @@ static enum status read_all(GEOSContextHandle_t h, const GEOSGeometry *all, size
 
 enum status geo_triangulate(size_t points, const double (*p)[2], size_t *triangles,
                             size_t (**corner)[3]) {
-  enum status status = OK;
-  struct place *places = NULL;
-  GEOSGeometry *all = NULL;
-  GEOSContextHandle_t h = GEOS_init_r();
+  struct geo_geos g;
+  struct place *places;
   *triangles = 0;
   *corner = NULL;
-  CHECK(h, ERR_MEMORY, "no memory for triangles between %zu points", points);
-  GEOSContext_setErrorMessageHandler_r(h, quiet, NULL);
-  ATTEMPT(sort_places(points, p, &places));
-  all = triangulate(h, points, places);
-  ATTEMPT(read_all(h, all, points, places, triangles, corner));
-done:
-  if (all) GEOSGeom_destroy_r(h, all);
-  GEOS_finish_r(h);
+  TRY(sort_places(points, p, &places));
+  geo_geos_begin(&g);
+  GEOSGeometry *all = triangulate(&g, points, places);
+  const enum status status = all ? read_all(g.h, all, points, places, triangles, corner) : OK;
+  if (all) GEOSGeom_destroy_r(g.h, all);
   free(places);
-  return status;
+  const enum status ended = geo_geos_end(&g, "join points to triangles");
+  return status != OK ? status : ended;
 }

@@ -6,7 +6,8 @@
 
 /* Their Delaunay triangulation, found by GEOS: a robust one, of as many equal distances as a
  * lattice has. Points are all different. *corner: three points each, counter-clockwise, the
- * caller's to free. Slivers along the hull of the points may be missing. ERR_MEMORY. */
+ * caller's to free. Slivers along the hull of the points may be missing. ERR_MEMORY,
+ * ERR_SOLVER. */
 enum status geo_triangulate(size_t points, const double (*p)[2], size_t *triangles,
                             size_t (**corner)[3]);
 

@@ -14,11 +14,15 @@ enum kind { EDGE, SURFACE, WALL }; /* of a node: f, phi, psi are known there */
 static const double MOST_NODES = 500; /* of the surface where it is straight, and of the wall */
 static const double MOST_TURN = 0.1;  /* rad: of the surface along a panel */
 
+struct node {
+  double complex z; /* in the plane of the panels */
+  enum kind kind;
+  double y, phi; /* m; of the surface */
+};
+
 struct flow_cauchy {
   size_t n, room, loops, first[3]; /* nodes; closed lines of them: from first[k] to first[k + 1] */
-  double complex *z;               /* [n], in the plane of the panels; owned */
-  enum kind *kind;                 /* [n], owned */
-  double *y;                       /* [n], m; owned */
+  struct node *node;               /* [n], owned */
   double complex *phi, *lift;      /* [n]: f of either, owned */
   double k;                        /* rad/m; 0: between walls, and the plane is that of the water */
   double complex origin;           /* m */
@@ -51,18 +55,8 @@ static double complex stretch(const struct flow_cauchy *a, double complex at) {
 }
 
 static enum status add(struct flow_cauchy *a, enum kind kind, const double p[2], double phi) {
-  const size_t room = array_room(a->room, a->n + 1);
-  if (room > a->room) {
-    TRY(array_resize(&a->z, room, "a harmonic function"));
-    TRY(array_resize(&a->kind, room, "a harmonic function"));
-    TRY(array_resize(&a->y, room, "a harmonic function"));
-    TRY(array_resize(&a->phi, room, "a harmonic function"));
-    a->room = room;
-  }
-  a->z[a->n] = plane(a, CMPLX(p[0], p[1]));
-  a->kind[a->n] = kind;
-  a->y[a->n] = p[1];
-  a->phi[a->n++] = phi;
+  TRY(array_grow(&a->node, &a->room, a->n + 1, "a harmonic function"));
+  a->node[a->n++] = (struct node){plane(a, CMPLX(p[0], p[1])), kind, p[1], phi};
   return OK;
 }
 
@@ -136,8 +130,8 @@ static enum status go_between_walls(struct flow_cauchy *a, const struct geo_line
   }
   TRY(add_surface(a, line, spacing, EDGE));
   const struct flow_line_point left = flow_line_at(line, line->from);
-  a->y[0] = left.p[1];
-  a->phi[0] = left.phi;
+  a->node[0].y = left.p[1];
+  a->node[0].phi = left.phi;
   a->loops = 1;
   a->first[1] = a->n;
   return OK;
@@ -160,12 +154,12 @@ static enum status go_round(struct flow_cauchy *a, const struct geo_lines *walls
 
 /* What f at each node adds to the integral at node j. */
 static void find_row(const struct flow_cauchy *a, size_t j, double complex *row) {
-  const double complex at = a->z[j];
+  const double complex at = a->node[j].z;
   for (size_t i = 0; i < a->n; i++) row[i] = 0;
   for (size_t k = 0; k < a->n; k++) {
     const size_t next = after(a, k);
     if (k == j || next == j) continue;
-    const double complex p = a->z[k], q = a->z[next], turn = clog((q - at) / (p - at));
+    const double complex p = a->node[k].z, q = a->node[next].z, turn = clog((q - at) / (p - at));
     row[k] += turn * (q - at) / (q - p);
     row[next] += turn * (at - p) / (q - p);
     row[j] -= turn;
@@ -173,7 +167,7 @@ static void find_row(const struct flow_cauchy *a, size_t j, double complex *row)
 }
 
 static double part_of(const struct flow_cauchy *a, size_t j, double complex value) {
-  return a->kind[j] == SURFACE ? creal(value) : cimag(value);
+  return a->node[j].kind == SURFACE ? creal(value) : cimag(value);
 }
 
 /* The matrix by columns, of psi on the surface and phi on the wall. */
@@ -184,9 +178,9 @@ static enum status find_matrix(const struct flow_cauchy *a, double *matrix) {
   for (size_t j = 0; j < n; j++) {
     find_row(a, j, row);
     for (size_t i = 0; i < n; i++)
-      matrix[j + n * i] = a->kind[j] == EDGE || a->kind[i] == EDGE
+      matrix[j + n * i] = a->node[j].kind == EDGE || a->node[i].kind == EDGE
                               ? i == j
-                              : part_of(a, j, a->kind[i] == SURFACE ? I * row[i] : row[i]);
+                              : part_of(a, j, a->node[i].kind == SURFACE ? I * row[i] : row[i]);
   }
   free(row);
   return OK;
@@ -198,10 +192,10 @@ static enum status find_right(const struct flow_cauchy *a, const double complex 
   TRY(array_create(&row, a->n, "a harmonic function"));
   for (size_t j = 0; j < a->n; j++) {
     right[j] = 0;
-    if (a->kind[j] == EDGE) continue;
+    if (a->node[j].kind == EDGE) continue;
     find_row(a, j, row);
     for (size_t i = 0; i < a->n; i++)
-      if (a->kind[i] != WALL) right[j] -= part_of(a, j, row[i] * creal(f[i]));
+      if (a->node[i].kind != WALL) right[j] -= part_of(a, j, row[i] * creal(f[i]));
   }
   free(row);
   return OK;
@@ -233,8 +227,8 @@ static enum status complete(const struct flow_cauchy *a, const struct system *s,
   LAPACK_dgetrs("N", &n, &one, s->matrix, &n, s->pivot, s->right, &n, &info);
   CHECK(info == 0, ERR_SOLVER, "the flow below the surface cannot be found");
   for (size_t j = 0; j < a->n; j++) {
-    if (a->kind[j] == SURFACE) f[j] = CMPLX(creal(f[j]), s->right[j]);
-    if (a->kind[j] == WALL) f[j] = s->right[j];
+    if (a->node[j].kind == SURFACE) f[j] = CMPLX(creal(f[j]), s->right[j]);
+    if (a->node[j].kind == WALL) f[j] = s->right[j];
   }
   return OK;
 }
@@ -243,31 +237,38 @@ static enum status complete(const struct flow_cauchy *a, const struct system *s,
 
 static double complex slope_behind(const struct flow_cauchy *a, size_t j) {
   const size_t next = after(a, j);
-  return (a->phi[next] - a->phi[j]) / (a->z[next] - a->z[j]);
+  return (a->phi[next] - a->phi[j]) / (a->node[next].z - a->node[j].z);
 }
 
 /* Between panels p and q, of which node `at` is the end, or beyond it. */
 static double complex between(const struct flow_cauchy *a, size_t p, size_t q, size_t at) {
-  const double complex z[2] = {(a->z[p] + a->z[after(a, p)]) / 2,
-                               (a->z[q] + a->z[after(a, q)]) / 2};
+  const double complex z[2] = {(a->node[p].z + a->node[after(a, p)].z) / 2,
+                               (a->node[q].z + a->node[after(a, q)].z) / 2};
   const double complex f[2] = {slope_behind(a, p), slope_behind(a, q)};
-  return f[0] + (f[1] - f[0]) * (a->z[at] - z[0]) / (z[1] - z[0]);
+  return f[0] + (f[1] - f[0]) * (a->node[at].z - z[0]) / (z[1] - z[0]);
 }
 
 /* The slope of f at a node of the surface: between the panels on either side, at an edge from the
  * two next to it, since behind it is the wall. */
 static double complex surface_slope(const struct flow_cauchy *a, size_t j) {
   const size_t last = before(a, j), next = after(a, j);
-  if (a->kind[j] != EDGE) return between(a, last, j, j);
-  return a->kind[next] == SURFACE ? between(a, j, next, j) : between(a, before(a, last), last, j);
+  if (a->node[j].kind != EDGE) return between(a, last, j, j);
+  return a->node[next].kind == SURFACE ? between(a, j, next, j)
+                                       : between(a, before(a, last), last, j);
+}
+
+static enum status set_phi(struct flow_cauchy *a) {
+  TRY(array_create(&a->phi, a->n, "a harmonic function"));
+  for (size_t j = 0; j < a->n; j++) a->phi[j] = a->node[j].phi;
+  return OK;
 }
 
 static enum status set_lift(struct flow_cauchy *a) {
   TRY(array_create(&a->lift, a->n, "a harmonic function"));
   for (size_t j = 0; j < a->n; j++) {
-    if (a->kind[j] == WALL) continue;
-    const double speed = cabs(surface_slope(a, j) * stretch(a, a->z[j]));
-    a->lift[j] = a->y[j] + speed * speed / (2 * a->gravity);
+    if (a->node[j].kind == WALL) continue;
+    const double speed = cabs(surface_slope(a, j) * stretch(a, a->node[j].z));
+    a->lift[j] = a->node[j].y + speed * speed / (2 * a->gravity);
   }
   return OK;
 }
@@ -276,6 +277,7 @@ static enum status solve(struct flow_cauchy *a) {
   struct system s = {0};
   enum status status = OK;
   ATTEMPT(factorise(a, &s));
+  ATTEMPT(set_phi(a));
   ATTEMPT(complete(a, &s, a->phi));
   ATTEMPT(set_lift(a));
   ATTEMPT(complete(a, &s, a->lift));
@@ -308,9 +310,7 @@ done:
 
 void flow_cauchy_destroy(struct flow_cauchy *a) {
   if (!a) return;
-  free(a->z);
-  free(a->kind);
-  free(a->y);
+  free(a->node);
   free(a->phi);
   free(a->lift);
   free(a);
@@ -324,7 +324,7 @@ struct flow_inside flow_cauchy_at(const struct flow_cauchy *a, double x, double 
   double turns = 0;
   for (size_t k = 0; k < a->n; k++) {
     const size_t next = after(a, k);
-    const double complex p = a->z[k], q = a->z[next];
+    const double complex p = a->node[k].z, q = a->node[next].z;
     if (at == p || at == q) continue;
     const double complex turn = clog((q - at) / (p - at)), part = (at - p) / (q - p);
     const double complex rise = a->phi[next] - a->phi[k];

@@ -1,6 +1,7 @@
 #include "common/flow/release_mesh.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +19,9 @@ static const double UNEVEN = 0.2;
 /* Of the distance wanted: the widest leaf, how near to the outline a node may stand, and what is
  * too short to be halved. */
 static const double WIDEST = 1.4, CLEAR = 0.45, TINY = 1e-6;
+
+/* Of the water's area: what sums over triangles and over the outline may differ by, to rounding. */
+static const double FILLED = 1e-9;
 
 /* A piece of the outline between two nodes, or of a wall within the water. */
 struct segment {
@@ -40,7 +44,8 @@ struct drawing {
   size_t (*corner)[3];
   struct half *half;        /* [halves], sorted */
   unsigned char *wet;       /* [triangles] */
-  size_t *stack, *same;     /* [triangles]; [3 * triangles], a corner that is the same node */
+  size_t *stack, *kept;     /* [triangles]; the number of a wet one in `out` */
+  size_t *same;             /* [3 * triangles], a corner that is the same node */
   struct release_mesh *out; /* owned by the caller */
 };
 
@@ -133,7 +138,7 @@ struct square {
   size_t n;
   size_t *rim;  /* [n], owned */
   bool inside;  /* where no rim comes near it */
-  unsigned key; /* of its place in the tree */
+  uint64_t key; /* of its place in the tree */
 };
 
 static double rim_distance(const struct drawing *d, size_t rim, const double at[2]) {
@@ -147,13 +152,13 @@ static enum status plant_leaf(struct drawing *d, const struct square *s) {
   if (s->n ? !geo_lines_contain(d->water, s->at[0], s->at[1]) : !s->inside) return OK;
   for (size_t i = 0; i < s->n; i++)
     if (rim_distance(d, s->rim[i], s->at) < CLEAR * s->width) return OK;
-  const double at[2] = {s->at[0] + UNEVEN * s->width * scatter(M_SQRT2 * s->key),
-                        s->at[1] + UNEVEN * s->width * scatter(M_E * s->key)};
+  const double at[2] = {s->at[0] + UNEVEN * s->width * scatter(M_SQRT2 * (double)s->key),
+                        s->at[1] + UNEVEN * s->width * scatter(M_E * (double)s->key)};
   return add_node(d, at);
 }
 
 static enum status plant(struct drawing *d, const struct square *from, double x, double y,
-                         double width, unsigned key) {
+                         double width, uint64_t key) {
   struct square s = {.at = {x, y}, .width = width, .inside = from->inside, .key = key};
   enum status status = OK;
   if (from->n) {
@@ -169,7 +174,7 @@ static enum status plant(struct drawing *d, const struct square *from, double x,
   else
     for (int k = 0; k < 4; k++)
       ATTEMPT(plant(d, &s, x + (k & 1 ? 0.25 : -0.25) * width, y + (k & 2 ? 0.25 : -0.25) * width,
-                    width / 2, 4 * key + (unsigned)k));
+                    width / 2, 4 * key + (uint64_t)k));
 done:
   free(s.rim);
   return status;
@@ -365,6 +370,7 @@ static enum status collect_triangles(struct drawing *d, size_t *number) {
   TRY(array_create(&m->corner, d->triangles, "the triangles of the released pressure"));
   TRY(array_create(&m->across, d->triangles, "the triangles of the released pressure"));
   TRY(array_create(&m->p, 3 * d->triangles, "the nodes of the released pressure"));
+  TRY(array_create(&d->kept, d->triangles, "the triangles of the released pressure"));
   for (size_t t = 0; t < d->triangles; t++) {
     if (!d->wet[t]) continue;
     for (size_t k = 0; k < 3; k++) {
@@ -375,18 +381,22 @@ static enum status collect_triangles(struct drawing *d, size_t *number) {
       }
       m->corner[m->triangles][k] = number[first];
     }
-    d->stack[t] = m->triangles++;
+    d->kept[t] = m->triangles++;
   }
   return array_resize(&m->p, m->nodes, "the nodes of the released pressure");
 }
 
 static void put_edge(struct drawing *d, const struct half *h, enum release_kind kind) {
   struct release_mesh *m = d->out;
-  const size_t t = d->stack[h->triangle], *corner = m->corner[t];
+  const size_t t = d->kept[h->triangle], *corner = m->corner[t];
   m->across[t][h->corner] = m->edges;
   m->edge[m->edges++] =
       (struct release_edge){{corner[(h->corner + 1) % 3], corner[(h->corner + 2) % 3]}, kind};
 }
+
+#define GAP                                                                                        \
+  "the triangles of the released pressure leave a gap in the water at (%g, %g) m: draw its "       \
+  "outline without tiny parts there"
 
 static enum status collect_edges(struct drawing *d) {
   struct release_mesh *m = d->out;
@@ -395,11 +405,34 @@ static enum status collect_edges(struct drawing *d) {
     const struct half *h = &d->half[i];
     if (!d->wet[h->triangle]) continue;
     const struct segment *s = segment_of(d, h);
+    const double *a = d->p[h->low], *b = d->p[h->high];
+    CHECK(s || is_shared(d, h), ERR_SOLVER, GAP, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2);
     put_edge(d, h, s ? s->kind : RELEASE_INSIDE);
     if (!is_shared(d, h)) continue;
     const struct half *o = &d->half[++i];
-    m->across[d->stack[o->triangle]][o->corner] = m->edges - 1;
+    m->across[d->kept[o->triangle]][o->corner] = m->edges - 1;
   }
+  return OK;
+}
+
+/* That wet triangles fill the outline. */
+static enum status check_area(const struct drawing *d) {
+  const struct release_mesh *m = d->out;
+  const double *at = d->p[0];
+  double filled = 0, outlined = 0;
+  for (size_t t = 0; t < m->triangles; t++)
+    filled +=
+        geo_triangle_cross(m->p[m->corner[t][0]], m->p[m->corner[t][1]], m->p[m->corner[t][2]]);
+  for (size_t i = 0; i < d->segments; i++) {
+    const struct segment *s = &d->segment[i];
+    if (s->kind != RELEASE_SLIT)
+      outlined += geo_triangle_cross(at, d->p[s->end[0]], d->p[s->end[1]]);
+  }
+  CHECK(
+      fabs(filled - outlined) <= FILLED * outlined, ERR_SOLVER,
+      "the triangles of the released pressure fill %.9g m^2 of water of %.9g m^2: draw its outline "
+      "without tiny parts",
+      filled / 2, outlined / 2);
   return OK;
 }
 
@@ -410,6 +443,7 @@ static enum status collect(struct drawing *d) {
   ATTEMPT(array_create(&number, 3 * d->triangles, "the nodes of the released pressure"));
   ATTEMPT(collect_triangles(d, number));
   ATTEMPT(collect_edges(d));
+  ATTEMPT(check_area(d));
 done:
   free(number);
   return status;
@@ -424,6 +458,7 @@ static void drop(struct drawing *d) {
   free(d->half);
   free(d->wet);
   free(d->stack);
+  free(d->kept);
   free(d->same);
 }
 

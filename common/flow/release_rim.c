@@ -1,11 +1,13 @@
 #include "common/flow/release_rim.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/base/array.h"
 #include "common/base/geometry_check.h"
+#include "common/base/triangles.h"
 
 /* Of `size`: what is nearer to a wall along its whole length lies on it, since water does not tell
  * such a gap, which rounded coordinates leave; and the smallest triangles. */
@@ -89,7 +91,7 @@ static enum status put_walls(struct geo_lines *outline, const struct geo_lines *
 static enum status add_edge(struct release_rims *r, const double a[2], const double b[2],
                             enum release_kind kind) {
   TRY(array_grow(&r->edge, &r->room, r->n + 1, "the outline of the released pressure"));
-  r->edge[r->n++] = (struct release_rim){{{a[0], a[1]}, {b[0], b[1]}}, kind};
+  r->edge[r->n++] = (struct release_rim){{{a[0], a[1]}, {b[0], b[1]}}, kind, SIZE_MAX};
   return OK;
 }
 
@@ -152,6 +154,7 @@ static enum status add_outline(struct release_rims *r, const struct geo_lines *o
       TRY(add_edge(r, a, b, runs_along(walls, a, b, beside) ? RELEASE_WALL : RELEASE_SURFACE));
     }
     join_edges(r, first, near);
+    for (size_t i = first; i < r->n; i++) r->edge[i].ring = k;
     for (size_t i = first; i < r->n; i++) TRY(find_bend(r, i, i + 1 < r->n ? i + 1 : first));
   }
   return OK;
@@ -224,6 +227,37 @@ void release_rims_destroy(struct release_rims *r) {
   free(r->edge);
   free(r->bend);
   *r = (struct release_rims){0};
+}
+
+/* Of the closed line that begins with an edge: how many there are, twice the area to their left,
+ * and whether some are surface. */
+static size_t measure_ring(const struct release_rims *r, size_t first, double *area,
+                           bool *has_surface) {
+  size_t i = first;
+  *area = 0;
+  for (; i < r->n && r->edge[i].ring == r->edge[first].ring; i++) {
+    *area += geo_triangle_cross(r->edge[first].end[0], r->edge[i].end[0], r->edge[i].end[1]);
+    *has_surface |= r->edge[i].kind == RELEASE_SURFACE;
+  }
+  return i - first;
+}
+
+bool release_rims_closed(const struct release_rims *r, double at[2]) {
+  size_t body = r->n;
+  bool has_surface = true;
+  for (size_t i = 0, n; i < r->n; i += n) {
+    double area;
+    bool of_ring = r->edge[i].kind == RELEASE_SLIT;
+    n = measure_ring(r, i, &area, &of_ring);
+    if (area > 0) { /* those of its holes follow */
+      if (!has_surface) break;
+      has_surface = false;
+      body = i;
+    }
+    has_surface |= of_ring;
+  }
+  if (!has_surface) memcpy(at, r->edge[body].end[0], sizeof r->edge[body].end[0]);
+  return !has_surface;
 }
 
 double release_rims_size(const struct release_rims *r, const double at[2]) {

@@ -149,6 +149,82 @@ static void test_water_that_falls_free_has_no_pressure(void) {
                table_top);
 }
 
+/* Water 1 m deep round solids: a block and a plate thinner than two particles that hang in it, one
+ * over the other and off the bed; a block whose top is dry; a ledge under water at a wall that
+ * leans over it. */
+static const struct covered {
+  const char *name, *walls, *water;
+} covered[] = {
+    {"block",
+     "[[0, 2], [0, 0], [3, 0], [3, 2]], [[1, 0.3], [1, 0.6], [1.7, 0.6], [1.7, 0.3], [1, 0.3]]",
+     "[[0, 0], [3, 0], [3, 0.3], [0, 0.3]], [[0, 0.3], [1, 0.3], [1, 0.6], [0, 0.6]], [[1.7, 0.3], "
+     "[3, 0.3], [3, 0.6], [1.7, 0.6]], [[0, 0.6], [3, 0.6], [3, 1], [0, 1]]"},
+    {"plate",
+     "[[0, 2], [0, 0], [3, 0], [3, 2]], [[1, 0.45], [1, 0.55], [2, 0.55], [2, 0.45], [1, 0.45]]",
+     "[[0, 0], [3, 0], [3, 0.5], [2, 0.5], [2, 0.45], [1, 0.45], [1, 0.5], [0, 0.5]], [[0, 0.5], "
+     "[1, 0.5], [1, 0.55], [2, 0.55], [2, 0.5], [3, 0.5], [3, 1], [0, 1]]"},
+    {"two plates",
+     "[[0, 2], [0, 0], [3, 0], [3, 2]], [[1, 0.6], [1, 0.7], [2.5, 0.7], [2.5, 0.6], [1, 0.6]], "
+     "[[0.5, 0.3], [0.5, 0.4], [2, 0.4], [2, 0.3], [0.5, 0.3]]",
+     "[[0, 0], [3, 0], [3, 0.3], [0, 0.3]], [[0, 0.3], [0.5, 0.3], [0.5, 0.4], [0, 0.4]], [[2, "
+     "0.3], [3, 0.3], [3, 0.4], [2, 0.4]], [[0, 0.4], [3, 0.4], [3, 0.6], [0, 0.6]], [[0, 0.6], "
+     "[1, 0.6], [1, 0.7], [0, 0.7]], [[2.5, 0.6], [3, 0.6], [3, 0.7], [2.5, 0.7]], [[0, 0.7], [3, "
+     "0.7], [3, 1], [0, 1]]"},
+    {"pier", "[[0, 2], [0, 0], [3, 0], [3, 2]], [[1, 0.5], [1, 1.5], [2, 1.5], [2, 0.5], [1, 0.5]]",
+     "[[0, 0], [3, 0], [3, 1], [2, 1], [2, 0.5], [1, 0.5], [1, 1], [0, 1]]"},
+    {"ledge", "[[0, 2], [0, 0], [3, 0], [3, 0.4], [2, 0.4], [2, 0.7], [3, 0.7], [2.5, 2]]",
+     "[[0, 0], [3, 0], [3, 0.4], [2, 0.4], [2, 0.7], [3, 0.7], [2.884615385, 1], [0, 1]]"},
+};
+
+static struct case_file *covered_case(const struct covered *k, const char *pressure) {
+  char head[2000];
+  snprintf(head, sizeof head,
+           "title: %s\nscales: {H: 1}\ntank: {walls: [%s]}\n"
+           "water: {regions: [%s], pressure: %s}\n" POOL_TIMES,
+           k->name, k->walls, k->water, pressure);
+  return pool_case(head, "resolution: 20");
+}
+
+static void test_depth_under_obstacles_counts_from_the_level_around(void) {
+  for (size_t k = 0; k < sizeof covered / sizeof *covered; k++) {
+    struct case_file *c = covered_case(&covered[k], "hydrostatic");
+    struct sph *s = pool_create(c);
+    double worst = 0;
+    for (size_t i = 0; i < s->f.n; i++)
+      worst = fmax(worst, fabs(pool_p(s, i) / (s->rho0 * s->g) - (1 - s->f.w.y[i])));
+    printf("     %s: off by %.1e H\n", covered[k].name, worst);
+    EXPECT_NEAR(worst, 0, 1e-8);
+    sph_destroy(s);
+    case_destroy(c);
+  }
+}
+
+/* The largest speed up to sqrt(H/g), over c0. */
+static double mach_of(const struct covered *k, const char *pressure) {
+  struct case_file *c = covered_case(k, pressure);
+  struct sph *s = pool_create(c);
+  double most = 0;
+  for (int i = 1; i <= 10; i++) {
+    EXPECT_OK(pool_march(s, 0.1 * i / sqrt(s->g)));
+    for (size_t j = 0; j < s->f.n; j++) most = fmax(most, hypot(s->f.w.u[j], s->f.w.v[j]) / s->c0);
+  }
+  sph_destroy(s);
+  case_destroy(c);
+  return most;
+}
+
+/* As still as with the released pressure, which is the same in water at rest, but for rounding; no
+ * more moves than the lattice beside corners does. */
+static void test_water_round_obstacles_rests(void) {
+  for (size_t k = 0; k < 2; k++) {
+    const double rest = mach_of(&covered[k], "released"),
+                 mach = mach_of(&covered[k], "hydrostatic");
+    printf("     %s: Mach %.5f, released %.5f\n", covered[k].name, mach, rest);
+    EXPECT_NEAR(mach / rest, 1, 1e-3);
+    EXPECT(mach < 0.02);
+  }
+}
+
 /* ---- released pressure ---- */
 
 /* Depths that are no multiple of the spacing, over a beach: the first row of still water is half a
@@ -209,6 +285,8 @@ int main(void) {
   RUN(test_circle_of_many_sides_is_exact);
   RUN(test_depth_counts_from_the_surface_above);
   RUN(test_water_that_falls_free_has_no_pressure);
+  RUN(test_depth_under_obstacles_counts_from_the_level_around);
+  RUN(test_water_round_obstacles_rests);
   RUN(test_first_row_of_a_wave_is_half_a_row_below_its_level);
   RUN(test_released_water_between_walls_stays_hydrostatic);
   RUN(test_start_is_repeatable);
