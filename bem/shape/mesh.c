@@ -19,8 +19,10 @@ static const double GROWTH = 6;        /* 1/H */
 static const double SHALLOWEST = 0.03; /* H: water below it asks for no more nodes */
 static const double SPREAD = 3;        /* implicit smoothing, over about sqrt(3) panels */
 static const double RELAX = 0.06;      /* sqrt(H/g), in which misplaced nodes drift home */
-static const double OPEN = 0.15;       /* rad: a kink that turns less is not one any more */
-static const size_t FEWEST = 7;        /* nodes of a piece */
+/* The same on smooth surfaces, whose bends grow slowly: what is faster only shortens the steps. */
+static const double CALM = 0.1;
+static const double OPEN = 0.15; /* rad: a kink that turns less is not one any more */
+static const size_t FEWEST = 7;  /* nodes of a piece */
 
 enum status bem_mesh_reserve(struct bem_mesh *m, size_t n) {
   double **array[] = {&m->work.rho,      &m->work.share,  &m->work.growth, &m->work.dx,
@@ -123,7 +125,7 @@ static void measure_growth(struct bem_mesh *m, const struct bem_surface *s, cons
 
 /* On the piece from node a to node b: keeps the number of nodes up to each point, counted by
  * density, at its share of the whole. */
-static void piece_velocity(const struct bem_mesh *m, size_t a, size_t b, double *q) {
+static void piece_velocity(const struct bem_mesh *m, double relax, size_t a, size_t b, double *q) {
   const double *rho = m->work.rho;
   double whole = 0, growth = 0, count = 0, stretch = 0;
   for (size_t j = a; j < b; j++) {
@@ -135,7 +137,7 @@ static void piece_velocity(const struct bem_mesh *m, size_t a, size_t b, double 
     count += m->work.share[j];
     stretch += m->work.growth[j];
     double share = (double)(j + 1 - a) / (double)(b - a);
-    q[j + 1] = (share * growth - stretch + (share * whole - count) / RELAX) /
+    q[j + 1] = (share * growth - stretch + (share * whole - count) / relax) /
                (0.5 * (rho[j] + rho[j + 1]));
   }
 }
@@ -143,6 +145,7 @@ static void piece_velocity(const struct bem_mesh *m, size_t a, size_t b, double 
 void bem_mesh_velocity(struct bem_mesh *m, const struct bem_surface *s, const double *state,
                        const double *u, const double *v, double *tx, double *ty, double *q) {
   const double *dx = m->work.dx, *dy = m->work.dy;
+  const double relax = s->smooth ? CALM : RELAX;
   measure_density(m, s, state);
   measure_growth(m, s, state, u, v);
   for (size_t k = 0; k < s->n; k++) {
@@ -152,7 +155,7 @@ void bem_mesh_velocity(struct bem_mesh *m, const struct bem_surface *s, const do
   }
   for (size_t a = 0, b; a + 1 < s->n; a = b) {
     b = piece_end(s, a);
-    piece_velocity(m, a, b, q);
+    piece_velocity(m, relax, a, b, q);
   }
 }
 
