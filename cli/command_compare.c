@@ -67,6 +67,7 @@ static struct case_frame frame_of(size_t n, struct result_file *const *files, co
       .H = ref->H,
       .g = ref->g,
       .tank = geo_lines_box(&ref->walls),
+      .walls = ref->walls.pieces ? &ref->walls : NULL,
       .n_times = ref->n_surfaces,
       .times = ref->surface_time,
   };

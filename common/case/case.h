@@ -269,8 +269,9 @@ struct case_names {
 
 /* What is known of results that are there already, for settings that stand by themselves. */
 struct case_frame {
-  double H, g;         /* of the scales, m, m s^-2 */
-  struct geo_box tank; /* m */
+  double H, g;                   /* of the scales, m, m s^-2 */
+  struct geo_box tank;           /* m */
+  const struct geo_lines *walls; /* m, as the result has them, or NULL */
   size_t n_times;
   const double *times;    /* s, of the reference's outputs, [n_times] */
   struct case_names runs; /* the reference's first */

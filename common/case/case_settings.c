@@ -154,9 +154,32 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
 
 /* ---- the case of a result file ---- */
 
+/* How the sides move, which pictures show. Motions that this version does not read are no problem
+ * of the comparison: its walls are at rest then. */
+static enum status take_motions(struct case_draft *d, const struct geo_lines *walls) {
+  struct case_doc *doc = &d->doc;
+  struct problems *kept = doc->problems, mine = {0};
+  const size_t faults = doc->faults;
+  const int node = case_doc_member(doc, d->at.tank, "motions");
+  if (!node || !walls) return OK;
+  TRY(geo_lines_copy(&d->c->walls, walls));
+  doc->problems = &mine;
+  enum status status = case_read_motions(d, node);
+  d->good.tank = status == OK && doc->faults == faults;
+  case_check_motions(d);
+  if (doc->faults != faults) case_release_motions(d->c);
+  kept->out_of_memory |= mine.out_of_memory;
+  problems_destroy(&mine);
+  doc->problems = kept;
+  doc->faults = faults;
+  return status;
+}
+
 /* Sections that are not the comparison's are nobody's business here. */
-static enum status read_own(struct case_draft *d) {
+static enum status read_own(struct case_draft *d, const struct case_frame *frame) {
   const int root = case_doc_root(&d->doc);
+  d->at.tank = case_doc_member(&d->doc, root, "tank");
+  TRY(take_motions(d, frame->walls));
   d->at.time = case_doc_member(&d->doc, root, "time");
   d->at.compare = case_doc_member(&d->doc, root, "compare");
   if (d->at.time) case_read_time(d);
@@ -179,7 +202,7 @@ static enum status read_text(const char *text, size_t n, bool own, const struct 
   if (!case_doc_load(&d->doc, text, n, problems)) return OK;
   if (own && !case_sweep_expand(&d->doc)) return OK;
   TRY(take_frame(d, frame));
-  return own ? read_own(d) : read_settings(d, frame);
+  return own ? read_own(d, frame) : read_settings(d, frame);
 }
 
 /* Settings out of a draft that ends with them. */

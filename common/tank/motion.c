@@ -234,7 +234,7 @@ void tank_vertices_at(const struct geo_lines *walls, const struct tank_motion *m
   const size_t bytes = walls->points * sizeof *p;
   if (!walls->points) return;
   memcpy(p, walls->p, bytes);
-  memset(v, 0, bytes);
+  if (v) memset(v, 0, bytes);
   if (a) memset(a, 0, bytes);
   for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) {
     struct tank_side s;

@@ -72,8 +72,8 @@ void tank_frame_at(const struct tank_motion *motions, size_t n, double t, struct
 void tank_frame_force(const struct tank_frame *f, double gravity, const double p[2],
                       const double u[2], double force[2]);
 
-/* The vertices of the walls at t (m, in the frame of the tank), their velocities and, unless a is
- * NULL, accelerations, each [walls->points]. */
+/* The vertices of the walls at t (m, in the frame of the tank), and their velocities and
+ * accelerations unless those are NULL, each [walls->points]. */
 void tank_vertices_at(const struct geo_lines *walls, const struct tank_motion *motions, size_t n,
                       double t, double (*p)[2], double (*v)[2], double (*a)[2]);
 

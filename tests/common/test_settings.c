@@ -66,6 +66,40 @@ static void test_a_result_without_a_case_asks_nothing(void) {
   case_destroy(c);
 }
 
+/* What moves the sides is known if this version can move them; nothing else of the tank is. */
+static void test_sides_move_as_the_case_says(void) {
+  static const struct {
+    const char *motions;
+    size_t n;
+    double x; /* of the left side's top a quarter of a period after t = 0 */
+  } tries[] = {
+      {"{kind: piston, side: left, amplitude: 0.1 H, period: 1 sqrt(H/g), ramp: 0}", 1, 0.2},
+      {"{kind: flap, side: left, amplitude: 0.1, period: 0.5, ramp: 0}", 1, 3 * sin(0.1)},
+      {"{kind: piston, side: left, file: gone.csv}", 1, 0},
+      {"{kind: dance, side: left}", 0, 0},
+      {"{kind: flap, side: left, amplitude: 0.1, period: 0.5, hinge: 9}", 0, 0},
+  };
+  double p[][2] = {{0, 3}, {0, 0}, {4, 0}, {4, 3}}, then[4][2];
+  size_t first[] = {0, 4};
+  unsigned char closed[] = {0};
+  const struct geo_lines walls = {1, 4, first, closed, p, 0, 0};
+  struct case_frame moving = frame;
+  moving.walls = &walls;
+  for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
+    char text[256];
+    struct problems problems;
+    struct case_file *c = NULL;
+    snprintf(text, sizeof text, "tank: {shape: round, motions: [%s]}\n", tries[i].motions);
+    EXPECT(!case_parse_settings("old.h5", text, &moving, &fake_registry, &problems, &c));
+    problems_destroy(&problems);
+    if (!c) continue;
+    EXPECT(c->n_motions == tries[i].n);
+    tank_vertices_at(&walls, c->motions, c->n_motions, 0.125, then, NULL, NULL);
+    EXPECT_NEAR(then[0][0], tries[i].x, 1e-12);
+    case_destroy(c);
+  }
+}
+
 static void test_what_is_wrong_is_said(void) {
   static const struct {
     const char *text, *problem;
@@ -96,6 +130,7 @@ int main(void) {
   RUN(test_only_the_comparison_is_read);
   RUN(test_times_that_are_not_given_are_those_of_the_run);
   RUN(test_a_result_without_a_case_asks_nothing);
+  RUN(test_sides_move_as_the_case_says);
   RUN(test_what_is_wrong_is_said);
   return TEST_RESULT;
 }
