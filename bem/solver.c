@@ -210,7 +210,7 @@ static enum status advance(struct bem_run *r, struct progress *progress) {
   double end = r->c->end / r->output.time_scale, work = 0;
   for (size_t step = 1; r->time < end && !r->ended; step++) {
     TRY(rescue(r, step_on(r, progress, step, end, &work)));
-    if (!r->ended && bem_pace_is_spent(&r->pace)) TRY(bem_ending_write(r));
+    if (!r->ended && bem_pace_is_spent(&r->pace)) TRY(bem_ending_spent(r));
   }
   return OK;
 }

@@ -114,9 +114,13 @@ static double film_height(const struct film *f, size_t i) {
 }
 
 /* Behind a step's riser, and above it, is other water. */
-static bool film_is_thin(const struct film *f, size_t i, double thin) {
+static bool film_is_beside(const struct film *f, size_t i) {
   const double height = film_height(f, i);
-  return height > 0 && height < f->length && fabs(film_thickness(f, i)) < thin;
+  return height > 0 && height < f->length;
+}
+
+static bool film_is_thin(const struct film *f, size_t i, double thin) {
+  return film_is_beside(f, i) && fabs(film_thickness(f, i)) < thin;
 }
 
 /* The last node before the film becomes thinner than `thin` for the first time; spikes beyond it do
@@ -204,7 +208,7 @@ size_t bem_contact_tongue(const struct bem_surface *s, bool right) {
   const size_t edge = s->n - 1;
   const double slope = tongue_slope(&f);
   size_t count = 0;
-  for (size_t i = 1; i <= TONGUE; i++)
+  for (size_t i = 1; i <= TONGUE && film_is_beside(&f, edge - i); i++)
     if (film_thickness(&f, edge - i) <
         slope * fabs(film_height(&f, edge) - film_height(&f, edge - i)))
       count = i;

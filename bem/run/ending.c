@@ -107,3 +107,15 @@ enum status bem_ending_write(struct bem_run *r) {
                          : "what was written before is valid: end the case there, or try another "
                            "resolution or film");
 }
+
+enum status bem_ending_spent(struct bem_run *r) {
+  char why[300];
+  r->ended = r->lost = true;
+  snprintf(why, sizeof why,
+           "the end of the case is still %.5g s away after %zu steps, at t = %.5g s (%.4f "
+           "sqrt(H/g)); what was written before is valid: end the case there, or lower the "
+           "resolution",
+           r->c->end - r->time * r->output.time_scale, r->pace.steps,
+           r->time * r->output.time_scale, r->time);
+  return result_ended(r->output.file, why);
+}

@@ -10,7 +10,10 @@
 #include "common/base/array.h"
 #include "common/flow/edges.h"
 
-enum { REPEATS = 4 }; /* of placing the nodes, of which each depends on its neighbours */
+enum {
+  REPEATS = 4, /* of placing the nodes, of which each depends on its neighbours */
+  FINER = 4    /* parts of a panel: distances of a wave are then good to a hundredth of one */
+};
 
 static double in_H_x(const struct case_file *c, double x) {
   return (x - c->tank.min[0]) / c->H;
@@ -238,22 +241,62 @@ static void check_edges(const struct case_file *c, const struct case_run *r,
                         : bem_outline_length(&l->outline);
 }
 
+static enum status draw_line(const struct flow_line *line, double step, struct geo_lines *l) {
+  size_t n;
+  double *way;
+  enum status status = flow_line_sample(line, 0, step, &n, &way);
+  for (size_t k = 0; status == OK && k < n; k++) {
+    const struct flow_line_point at = flow_line_at(line, way[k]);
+    status = geo_lines_add(l, at.p[0], at.p[1]);
+  }
+  free(way);
+  return status;
+}
+
+/* The surface of a wave in SI units, finer than its panels. */
+static enum status draw_wave(const struct flow_water *w, const struct case_run *r, double at[2][2],
+                             struct geo_lines *l) {
+  const double width = at[1][0] - at[0][0],
+               step = fmax(w->c->H / r->resolution, width / BEM_MOST_NODES) / FINER;
+  const size_t n = geo_intervals(width, step);
+  TRY(geo_lines_begin(l, false));
+  if (flow_line_of(w->c)) return draw_line(flow_line_of(w->c), step, l);
+  TRY(geo_lines_add(l, at[0][0], at[0][1]));
+  for (size_t k = 1; k < n; k++) {
+    const double x = at[0][0] + width * (double)k / (double)n;
+    TRY(geo_lines_add(l, x, flow_elevation(w, x, 0)));
+  }
+  return geo_lines_add(l, at[1][0], at[1][1]);
+}
+
+/* Where the surface is, and, of a wave, as it is drawn. */
+static enum status find_water(const struct case_file *c, const struct case_run *r, struct lie *l,
+                              struct geo_lines *wave, const char **problem) {
+  struct flow_water w;
+  enum status status = flow_open(c, (struct flow_use){0}, &w);
+  if (status == OK) status = find_lie(c, &w, l, problem);
+  if (status == OK && !*problem && flow_is_wave(c->flow)) status = draw_wave(&w, r, l->at, wave);
+  flow_close(&w);
+  return status;
+}
+
 static void check_water(const struct case_file *c, const struct case_run *r,
                         const struct bem_conformal *m, struct problems *problems, double *length) {
-  struct flow_water w;
   struct lie l = {0};
+  struct geo_lines wave = {0};
+  const struct geo_lines *chain = &l.outline.chain;
   const char *problem = NULL;
-  enum status status = flow_open(c, (struct flow_use){0}, &w);
-  if (status == OK) status = find_lie(c, &w, &l, &problem);
-  flow_close(&w);
-  if (status != OK)
+  if (find_water(c, r, &l, &wave, &problem) != OK)
     problems->out_of_memory = true;
   else if (problem)
     bem_outline_refuse(r, problems, problem);
   else {
-    if (l.outline.chain.pieces) bem_outline_check(&l.outline, c, r, problems);
+    if (chain->pieces) bem_outline_check(&l.outline, c, r, problems);
     check_edges(c, r, m, &l, problems, length);
+    if (*length > 0)
+      bem_outline_check_crests(chain->pieces ? chain : &wave, *length, c, r, problems);
   }
+  geo_lines_destroy(&wave);
   bem_outline_destroy(&l.outline);
 }
 

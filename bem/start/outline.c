@@ -2,6 +2,7 @@
 
 #include <complex.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "bem/options.h"
@@ -248,32 +249,41 @@ static void check_bends(const struct bem_outline *o, const struct case_file *c,
 
 /* Distance of the i-th point of the walls from the surface between its edges, which may begin as
  * near to it as they like. */
-static double crest_gap(const struct bem_outline *o, const struct case_file *c, size_t i) {
+static double crest_gap(const struct geo_lines *surface, const struct case_file *c, size_t i) {
   const double *at = c->walls.p[i];
   double nearest[2];
   size_t piece;
-  const double gap = geo_lines_distance(&o->chain, at[0], at[1], nearest, &piece);
+  const double gap = geo_lines_distance(surface, at[0], at[1], nearest, &piece);
   for (int end = 0; end < 2; end++) {
-    const double *edge = o->chain.p[end ? o->chain.points - 1 : 0];
+    const double *edge = surface->p[end ? surface->points - 1 : 0];
     if (hypot(nearest[0] - edge[0], nearest[1] - edge[1]) <= fmax(gap, case_near(c)))
       return HUGE_VAL;
   }
   return gap;
 }
 
-/* The same of a bend of the walls towards the water, which flows round it without bound. */
-static void check_crests(const struct bem_outline *o, const struct case_file *c,
-                         const struct case_run *r, struct problems *problems) {
-  const double least = c->H / r->resolution;
+/* Advises the resolution whose panels are as short as that, unless it has too many nodes. */
+static void refuse_crest(const struct case_file *c, const struct case_run *r, const double at[2],
+                         double gap, double length, struct problems *problems) {
+  const double resolution = ceil(c->H / gap);
+  char raise[64] = "";
+  if (length / c->H * resolution < BEM_MOST_NODES)
+    snprintf(raise, sizeof raise, "raise the resolution to %.0f, or ", resolution);
+  problems_add(problems, case_run_line(r, "solver"),
+               "runs.%s.solver: found 'bem' with a surface that passes the bend of the walls at "
+               "(%g, %g) m at %.4g m; allowed: at least %.4g m, a panel; %slet the water cover the "
+               "bend or leave it dry",
+               r->name, at[0], at[1], gap, c->H / r->resolution, raise);
+}
+
+void bem_outline_check_crests(const struct geo_lines *surface, double length,
+                              const struct case_file *c, const struct case_run *r,
+                              struct problems *problems) {
   for (size_t i = 1; i + 1 < c->walls.points; i++) {
     if (turn(c->walls.p[i - 1], c->walls.p[i], c->walls.p[i + 1]) > -STRAIGHT) continue;
-    const double gap = crest_gap(o, c, i);
-    if (gap >= least) continue;
-    problems_add(problems, case_run_line(r, "solver"),
-                 "runs.%s.solver: found 'bem' with a surface that passes the bend of the walls at "
-                 "(%g, %g) m at %.4g m; allowed: at least %.4g m, a panel; raise the resolution to "
-                 "%.4g, or let the water cover the bend or leave it dry",
-                 r->name, c->walls.p[i][0], c->walls.p[i][1], gap, least, ceil(c->H / gap));
+    const double gap = crest_gap(surface, c, i);
+    if (gap >= c->H / r->resolution) continue;
+    refuse_crest(c, r, c->walls.p[i], gap, length, problems);
     return;
   }
 }
@@ -284,7 +294,6 @@ void bem_outline_check(const struct bem_outline *o, const struct case_file *c,
   if (is_corner(c, o->chain.p[0]) || is_corner(c, o->chain.p[n - 1]))
     bem_outline_refuse_edge(r, problems);
   check_bends(o, c, r, problems);
-  check_crests(o, c, r, problems);
 }
 
 void bem_outline_refuse_edge(const struct case_run *r, struct problems *problems) {

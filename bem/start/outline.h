@@ -25,6 +25,13 @@ double bem_outline_length(const struct bem_outline *o); /* m */
 void bem_outline_check(const struct bem_outline *o, const struct case_file *c,
                        const struct case_run *r, struct problems *problems);
 
+/* Adds a problem for a surface, from the left to the right, that between its edges is nearer than a
+ * panel to a bend of the walls towards the water, which flows round it without bound. length: of
+ * what is given nodes, m. */
+void bem_outline_check_crests(const struct geo_lines *surface, double length,
+                              const struct case_file *c, const struct case_run *r,
+                              struct problems *problems);
+
 /* Says that a run cannot have an edge of the water there. */
 void bem_outline_refuse_edge(const struct case_run *r, struct problems *problems);
 

@@ -233,7 +233,7 @@ bool bem_start_is_rounded(const struct case_file *c) {
   struct flow_column column;
   struct bem_outline o;
   const char *problem;
-  if (flow_is_wave(c->flow) || flow_is_body(c->flow) || flow_line_of(c)) return false;
+  if (flow_is_wave(c->flow) || flow_is_body(c->flow)) return false;
   if (!bem_basin_is_mapped(c) && flow_find_column(c, &column)) return false;
   const bool bent = bem_outline_find(c, &o, &problem) == OK && !problem && o.chain.points > 2;
   bem_outline_destroy(&o);

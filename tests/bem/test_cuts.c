@@ -221,6 +221,50 @@ static void test_a_jet_behind_a_riser_is_no_film_on_it(void) {
   bem_flow_destroy(&f);
 }
 
+/* A sheet, `thick`, up the rising face of a bar and over its crest, with its edge and `past` nodes
+ * before that on the falling face. What lies before the crest is behind that face. */
+static void put_over_bar(struct bem_flow *f, struct bem_conformal *walls, double thick, int past) {
+  const double complex crest = walls->point[3], way = bem_conformal_along(walls, 3);
+  const double complex rise = bem_conformal_along(walls, 2), off = I * rise;
+  const double panel = 0.008;
+  struct bem_surface *s = &f->surface;
+  flow_open_box(f);
+  EXPECT_OK(bem_surface_reserve(s, N));
+  s->walls = walls;
+  s->side[1] = 3;
+  for (int k = 0; k < N; k++) {
+    const int behind = N - 1 - past - k; /* panels before the crest */
+    const double down = panel * (1 - behind), thin = thick * (N - 1 - k) / (past + 1);
+    const double complex z = behind > 0 ? crest + thick * off - panel * behind * rise
+                                        : crest + down * way + thin * I * way;
+    s->state[k] = creal(z);
+    s->state[N + k] = cimag(z);
+    s->state[2 * N + k] = 0;
+  }
+}
+
+/* What is counted as a tongue can be cut so that its edge is on the wall that the surface holds. */
+static void test_water_that_comes_over_a_crest_is_no_tongue_behind_it(void) {
+  const double bar[][2] = {{0, 2}, {0, 0}, {2, 0}, {4, 1}, {6, 0}, {8, 0}, {8, 2}};
+  struct bem_conformal *walls = NULL;
+  EXPECT_OK(bem_conformal_create(7, bar, NULL, &walls));
+  for (int thin = 0; thin < 2; thin++) {
+    struct bem_flow f;
+    put_over_bar(&f, walls, thin ? 1e-4 : 0.05, 3);
+    const size_t count = bem_contact_tongue(&f.surface, true);
+    EXPECT(thin ? count > 0 && count <= 3 : count == 0);
+    if (count > 0) {
+      EXPECT_OK(bem_contact_cut_tongue(&f, true));
+      const size_t n = f.surface.n;
+      const double x = f.surface.state[n - 1], y = f.surface.state[2 * n - 1];
+      EXPECT(x >= 4 && x < 4.05);
+      EXPECT_NEAR(y, 1 - (x - 4) / 2, 1e-12);
+    }
+    bem_flow_destroy(&f);
+  }
+  bem_conformal_destroy(walls);
+}
+
 static void test_water_on_a_slope_is_no_film(void) {
   struct bem_flow f;
   struct bem_conformal *walls = NULL;
@@ -248,5 +292,6 @@ int main(void) {
   RUN(test_level_water_has_no_film);
   RUN(test_water_on_a_slope_is_no_film);
   RUN(test_a_jet_behind_a_riser_is_no_film_on_it);
+  RUN(test_water_that_comes_over_a_crest_is_no_tongue_behind_it);
   return TEST_RESULT;
 }

@@ -1,5 +1,6 @@
 /* How a run ends before the end of its case: with a sentence that says why, when and where, and
  * with everything that is known until then. */
+#include "bem/run/ending.h"
 #include "tests/bem/run.h"
 
 static const char text[] = "title: dam break\n"
@@ -109,6 +110,33 @@ static void test_a_run_that_is_lost_says_where_and_until_when_it_is_good(void) {
   result_file_destroy(f);
 }
 
+/* Nothing about its flow is to blame: here it is at rest. */
+static void test_a_run_of_too_many_steps_says_how_far_its_end_still_is(void) {
+  char with[600], path[] = "/tmp/plunge-bem-XXXXXX.h5";
+  const int handle = mkstemps(path, 3);
+  write_case(with, &(struct setting){3, 3, 3, 3, 7.25, 0.005, "pressure: hydrostatic", 16});
+  struct case_file *c = run_case(with);
+  struct bem_run r = {
+      .c = c, .time = 2.385, .pace.steps = 1000000, .output = {.c = c, .time_scale = 1}};
+  struct result_file *f = NULL;
+  EXPECT(handle >= 0 && c);
+  if (!c) return;
+  EXPECT_OK(result_create(path, c, &c->runs[0], &r.output.file));
+  EXPECT_OK(bem_ending_spent(&r));
+  EXPECT(r.ended && r.lost);
+  EXPECT_OK(result_finish(r.output.file));
+  result_destroy(r.output.file);
+  EXPECT_OK(result_read(path, &f));
+  EXPECT_STR(f ? f->ended : "",
+             "the end of the case is still 4.865 s away after 1000000 steps, at t = 2.385 s "
+             "(2.3850 sqrt(H/g)); what was written before is valid: end the case there, or lower "
+             "the resolution");
+  result_file_destroy(f);
+  case_destroy(c);
+  close(handle);
+  unlink(path);
+}
+
 /* With 16 its film puts a tongue out along the wall, which stopped it at t = 0.6. */
 static void test_a_narrow_gap_is_lived_through(void) {
   struct result_file *f = released(8, 1.48, 1.04); /* no spray of the film passes such a wall */
@@ -124,6 +152,7 @@ int main(void) {
   RUN(test_a_narrow_tank_comes_to_touchdown_through_many_cuts);
   RUN(test_a_film_as_thick_as_at_the_impact_is_refused);
   RUN(test_a_narrow_gap_is_lived_through);
+  RUN(test_a_run_of_too_many_steps_says_how_far_its_end_still_is);
   RUN(test_a_run_that_is_lost_says_where_and_until_when_it_is_good);
   return TEST_RESULT;
 }
