@@ -6,6 +6,7 @@
 
 /* ---- steady waves ---- */
 
+/* Solved directly: GMRES at its least residual of 1e-11 leaves 1e-7 of the energy in 20 periods. */
 static const char steady[] =
     "title: steady wave\n"
     "fluid: {density: 1, gravity: 1}\n"
@@ -13,7 +14,7 @@ static const char steady[] =
     "tank: {walls: [[[0, 3], [0, 0], [%.15g, 0], [%.15g, 3]]], sides: periodic}\n"
     "water: {wave: {kind: stream, height: %.15g, wavelength: %.15g, depth: 1}}\n"
     "time: {end: %.15g, every: %.15g, sample: %.15g}\n"
-    "runs: [{name: bem, solver: bem, resolution: %.15g, tolerance: 1e-6, gmres: 1e-11}]\n";
+    "runs: [{name: bem, solver: bem, resolution: %.15g, tolerance: 1e-6, dense: 400}]\n";
 
 struct course {
   double phase;  /* rad, after the last period */
