@@ -135,6 +135,9 @@ static void test_a_run_of_too_many_steps_says_how_far_its_end_still_is(void) {
   case_destroy(c);
   close(handle);
   unlink(path);
+  char xdmf[sizeof path + 2];
+  snprintf(xdmf, sizeof xdmf, "%.*s.xdmf", (int)strlen(path) - 3, path);
+  unlink(xdmf);
 }
 
 /* With 16 its film puts a tongue out along the wall, which stopped it at t = 0.6. */
