@@ -177,7 +177,6 @@ void bem_damping_add(struct bem_flow *f, const double *state, double *rate) {
   if (s->tip > 0) smooth(f, state, damping);
   for (int right = 0; s->walls && right < 2; right++) hold_edge(f, damping, right);
   bem_surface_hold_ends(s, damping, damping + n);
-  if (!s->smooth)
-    keep_volume(f, state); /* sums of high order: what that filter takes has no volume */
+  if (!s->smooth) keep_volume(f, state); /* what the filter of those takes has none */
   for (size_t k = 0; k < 3 * n; k++) rate[k] += damping[k];
 }

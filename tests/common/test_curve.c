@@ -4,6 +4,7 @@
 #include "common/case/case.h"
 #include "common/flow/flow.h"
 #include "common/flow/line.h"
+#include "tests/common/bernoulli.h"
 #include "tests/common/case_registry.h"
 #include "tests/test.h"
 
@@ -123,22 +124,9 @@ static void test_pressure_is_bernoullis_and_ends_at_the_surface(void) {
   write_curve(256, false, POTENTIAL, 0);
   struct case_file *c = load(false, BOX);
   struct flow_water w;
-  double mean = 0, middle = 0;
   if (!c) return;
   EXPECT_OK(flow_open(c, (struct flow_use){.spacing = 0.02}, &w));
-  for (int i = 0; i <= 32; i++) { /* the last is the middle */
-    const double far = i < 32 ? 0.15 : 0, angle = 2 * M_PI * i / 32;
-    const double x = 0.83 + far * cos(angle), y = 0.19 + far * sin(angle);
-    double head, u[2];
-    EXPECT_OK(flow_head(&w, &(struct flow_point){x, y, y}, &head));
-    flow_velocity(&w, x, y, 0, u);
-    const double sum = head + y + (u[0] * u[0] + u[1] * u[1]) / (2 * c->g);
-    if (i < 32)
-      mean += sum / 32;
-    else
-      middle = sum;
-  }
-  EXPECT_NEAR(mean, middle, 1e-10);
+  expect_harmonic(&w, 0.83, 0.19, 0.15, 1e-10);
   const struct flow_line *l = flow_line_of(c);
   for (int i = 1; l && i < 100; i++) {
     const struct flow_line_point at = flow_line_at(l, l->from + (l->to - l->from) * i / 100);

@@ -3,6 +3,7 @@
 
 #include "common/case/case.h"
 #include "common/flow/flow.h"
+#include "tests/common/bernoulli.h"
 #include "tests/common/case_registry.h"
 #include "tests/test.h"
 
@@ -122,22 +123,9 @@ static void test_surface_and_velocities_are_those_of_the_file(void) {
 static void test_pressure_of_moving_water_is_bernoullis(void) {
   struct case_file *c = load(64, false, POTENTIAL);
   struct flow_water w;
-  double mean = 0, middle = 0;
   if (!c) return;
   EXPECT_OK(flow_open(c, (struct flow_use){.spacing = 0.05}, &w));
-  for (int i = 0; i <= 32; i++) { /* the last is the middle */
-    const double far = i < 32 ? 0.2 : 0, angle = 2 * M_PI * i / 32;
-    const double x = 0.83 + far * cos(angle), y = 0.24 + far * sin(angle);
-    double head, u[2];
-    EXPECT_OK(flow_head(&w, &(struct flow_point){x, y, y}, &head));
-    flow_velocity(&w, x, y, 0, u);
-    const double sum = head + y + (u[0] * u[0] + u[1] * u[1]) / (2 * c->g);
-    if (i < 32)
-      mean += sum / 32;
-    else
-      middle = sum;
-  }
-  EXPECT_NEAR(mean, middle, 1e-12);
+  expect_harmonic(&w, 0.83, 0.24, 0.2, 1e-12);
   for (double x = 0.1; x < 2; x += 0.1) {
     double head;
     const double y = flow_elevation(&w, x, 0) - 1e-9;
