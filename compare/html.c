@@ -6,8 +6,8 @@
 
 #include "compare/html_sections.h"
 #include "compare/output.h"
-#include "compare/style.h"
 #include "compare/summary.h"
+#include "embed/cmp_page_style.h"
 
 /* Whether there is anything to say on a subject. */
 static bool has_always(const struct comparison *c) {
@@ -102,7 +102,7 @@ static void head(struct page *p, const char *title) {
                   "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>");
   cmp_page_element(p, "title", NULL, "%s", title);
   cmp_page_open(p, "style", NULL);
-  cmp_page_raw(p, report_style);
+  cmp_page_raw(p, cmp_page_style);
   cmp_page_close(p);
   cmp_page_close(p);
 }
