@@ -5,11 +5,11 @@
 #include <stdlib.h>
 
 #include "bench/bench.h"
-#include "sph/observe/surface.h"
+#include "common/cloud/surface.h"
 
 static enum status measure(int k) {
   enum status status = OK;
-  struct sph_surface *s = NULL;
+  struct cloud_surface *s = NULL;
   struct geo_lines walls = {0}, out = {0};
   double dx = 1.0 / k, best[2] = {1e9, 1e9};
   size_t n = 0, room = 2 * (size_t)k * (size_t)k;
@@ -25,14 +25,14 @@ static enum status measure(int k) {
     }
   ATTEMPT(geo_lines_begin(&walls, false));
   for (int i = 0; i < 4; i++) ATTEMPT(geo_lines_add(&walls, i < 2 ? 0 : 5.366, i % 3 ? 0 : 3));
-  ATTEMPT(sph_surface_create(&s));
-  const struct sph_cloud cloud = {n, x, y, NULL, dx, NULL};
+  ATTEMPT(cloud_surface_create(&s));
+  const struct cloud cloud = {n, x, y, NULL, dx, NULL};
   const double strip[2] = {1 - 6 * dx, 1 + 6 * dx};
   for (int run = 0; run < 10; run++) {
     double start = bench_seconds();
-    ATTEMPT(sph_surface_extract(s, &cloud, &walls, &out));
+    ATTEMPT(cloud_surface_extract(s, &cloud, &walls, &out));
     double middle = bench_seconds();
-    ATTEMPT(sph_surface_strip(s, &cloud, &walls, strip, &out));
+    ATTEMPT(cloud_surface_strip(s, &cloud, &walls, strip, &out));
     double end = bench_seconds();
     best[0] = fmin(best[0], middle - start);
     best[1] = fmin(best[1], end - middle);
@@ -40,7 +40,7 @@ static enum status measure(int k) {
   printf("%6d %8zu %10.3f %10.1f %10.3f\n", k, n, best[0] * 1e3, best[0] * 1e9 / (double)n,
          best[1] * 1e3);
 done:
-  sph_surface_destroy(s);
+  cloud_surface_destroy(s);
   geo_lines_destroy(&walls);
   geo_lines_destroy(&out);
   free(x);

@@ -329,11 +329,11 @@ static void check_motions(const struct case_file *c, const struct case_run *r,
  * at corners of the solid: still water of H/13 shakes there at half sqrt(gH). */
 static void check_corners(const struct case_file *c, const struct case_run *r,
                           struct problems *problems) {
-  struct sph_faces faces = {0};
-  if (sph_faces_set(&faces, &c->walls, 0, NULL) != OK) problems->out_of_memory = true;
-  const uint32_t k = sph_faces_unfilled(&faces);
-  if (k != SPH_NO_FACE) {
-    const struct sph_face *f = &faces.face[k];
+  struct faces faces = {0};
+  if (faces_set(&faces, &c->walls, 0, NULL) != OK) problems->out_of_memory = true;
+  const uint32_t k = faces_unfilled(&faces);
+  if (k != FACE_NONE) {
+    const struct face *f = &faces.face[k];
     problems_add(
         problems, case_run_line(r, "walls"),
         "runs.%s.walls: found '%s' beside a corner of %.3g degrees at (%.6g, %.6g) m, which "
@@ -342,7 +342,7 @@ static void check_corners(const struct case_file *c, const struct case_run *r,
         r->name, sph_wall_names[((const struct sph_scheme *)r->options)->walls],
         180 - f->turn * 180 / M_PI, f->b[0], f->b[1]);
   }
-  sph_faces_destroy(&faces);
+  faces_destroy(&faces);
 }
 
 static void check_tank(const struct case_file *c, const struct case_run *r,

@@ -129,7 +129,7 @@ struct sph {
   unsigned char
       *fitted; /* [f.n at t = 0], by id: whether in the first row (fitted.h), or NULL; owned */
 
-  struct sph_faces faces; /* of the walls */
+  struct faces faces; /* of the walls */
   struct sph_sides sides;
   struct sph_sight sight;
   const struct sph_wall *wall;

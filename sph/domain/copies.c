@@ -14,8 +14,7 @@ static enum status make_room_to_find(struct sph_copies *c, size_t n) {
   return OK;
 }
 
-enum status sph_copies_add(struct sph_copies *c, uint32_t of, size_t n,
-                           const struct sph_image *found) {
+enum status sph_copies_add(struct sph_copies *c, uint32_t of, size_t n, const struct image *found) {
   TRY(make_room_to_find(c, c->n_found + n));
   for (size_t k = 0; k < n; k++, c->n_found++) {
     c->found[c->n_found] = (struct sph_copy){of, found[k].motion};

@@ -1,10 +1,10 @@
 /* The images of many points (images.h), in the order of a grid: {of whom, by which motion}. */
 #pragma once
-#include "sph/domain/images.h"
+#include "common/tank/images.h"
 #include "sph/fluid/neighbours.h"
 
 struct sph_copy {
-  uint32_t of, motion; /* the owner's number of the point; sph_images_motion */
+  uint32_t of, motion; /* the owner's number of the point; images_motion */
 };
 
 struct sph_copies {
@@ -20,8 +20,7 @@ struct sph_copies {
 
 /* The images in `found` (images.h) of a point that is number `of`, added to those that are to be
  * sorted. ERR_MEMORY. */
-enum status sph_copies_add(struct sph_copies *c, uint32_t of, size_t n,
-                           const struct sph_image *found);
+enum status sph_copies_add(struct sph_copies *c, uint32_t of, size_t n, const struct image *found);
 
 /* All that were added, sorted by the grid, take the place of those before. ERR_MEMORY. */
 enum status sph_copies_sort(struct sph_copies *c, struct sph_grid *grid);

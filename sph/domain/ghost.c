@@ -90,9 +90,9 @@ static enum status ghosts_look(struct sph *s) {
 
 /* The velocity u, v at the mirror point, turned; of what is along the face, half of the sum of a
  * vector and its mirror image, slow water is given as much as `slide`. */
-static void set_velocity(const struct sph *s, struct sph_pack *w, const struct sph_motion *turn,
+static void set_velocity(const struct sph *s, struct sph_pack *w, const struct rigid *turn,
                          double u, double v, double slide) {
-  sph_motion_turn(turn, u, v, &w->u, &w->v);
+  rigid_turn(turn, u, v, &w->u, &w->v);
   if (slide == 1) return;
   const double passes = fmin(hypot(u, v) / (passing * s->c0), 1);
   const double lost = (1 - slide) * (1 - passes) / 2, x = u + w->u, y = v + w->v;
@@ -114,7 +114,7 @@ static void fill_cluster(struct sph *s, size_t cluster) {
   struct sph_mls f;
   sph_mls_at(s, sph_loops_for(s, &i), farthest2 * s->scale.inside, &i, &near, &f);
   for (size_t l = 0; l < SPH_LANES && at + l < s->w.n; l++) {
-    const struct sph_motion *turn = &node->turn[node->motion[at + l]];
+    const struct rigid *turn = &node->turn[node->motion[at + l]];
     const struct sph_drive drive =
         sph_wall_drive(s, node->motion[at + l], i.x[l], i.y[l], f.u[l], f.v[l]);
     const struct sph_vector weight =
@@ -125,7 +125,7 @@ static void fill_cluster(struct sph *s, size_t cluster) {
     w->rho = eos_stored(&s->eos, w->p, w->y);
     sph_wall_hold(s, at + l, f.u[l], f.v[l], &drive);
     struct sph_vector *G = &s->w.G[at + l];
-    sph_motion_turn(turn, f.px[l] - weight.x, f.py[l] - weight.y, &G->x, &G->y);
+    rigid_turn(turn, f.px[l] - weight.x, f.py[l] - weight.y, &G->x, &G->y);
     G->x += weight.x;
     G->y += weight.y;
   }

@@ -20,24 +20,24 @@ struct sph_site {
 
 struct sites {
   const struct sph *s;
-  const struct sph_faces *faces;
+  const struct faces *faces;
   size_t layers;
   struct sph_layers *g; /* its sites */
 };
 
 /* Half-way to the first wall between `from`, on the walls, and the mirror point. */
-static void pull(const struct sph_faces *faces, const double from[2], double node[2]) {
+static void pull(const struct faces *faces, const double from[2], double node[2]) {
   double first = INFINITY, part;
   for (size_t k = 0; k < faces->n; k++)
-    if (sph_face_stops(&faces->face[k], from, node, 0, &part)) first = fmin(first, part);
+    if (face_stops(&faces->face[k], from, node, 0, &part)) first = fmin(first, part);
   if (first > 1) return;
   for (int axis = 0; axis < 2; axis++)
     node[axis] = from[axis] + first / 2 * (node[axis] - from[axis]);
 }
 
 /* The hinge of a flap, where the walls may bend either way. */
-static bool bends(const struct sph *s, const struct sph_face *f) {
-  return s->sides.move && f->next != SPH_NO_FACE && f->point[1] != SPH_NO_POINT &&
+static bool bends(const struct sph *s, const struct face *f) {
+  return s->sides.move && f->next != FACE_NONE && f->point[1] != FACE_NO_POINT &&
          s->sides.bends[f->point[1]];
 }
 
@@ -45,8 +45,8 @@ static bool bends(const struct sph *s, const struct sph_face *f) {
 static double slide_at(const struct sites *all, double x, double y) {
   double near = INFINITY;
   for (size_t k = 0; k < all->faces->n; k++) {
-    const struct sph_face *f = &all->faces->face[k];
-    if (f->end[1] == SPH_END_BLUNT && !bends(all->s, f))
+    const struct face *f = &all->faces->face[k];
+    if (f->end[1] == FACE_END_BLUNT && !bends(all->s, f))
       near = fmin(near, hypot(x - f->b[0], y - f->b[1]));
   }
   return fmin(fmax(near / all->s->support - 1, 0), 1);
@@ -121,10 +121,9 @@ struct strip {
 };
 
 /* Where a blunt corner of the solid is: what of the cells is on this side of its bisector. */
-static bool side_at(const struct sph_faces *faces, const struct sph_face *f, int end,
-                    struct side *side) {
-  if (f->end[end] != SPH_END_BLUNT) return false;
-  const struct sph_face *other = &faces->face[end ? f->next : f->before];
+static bool side_at(const struct faces *faces, const struct face *f, int end, struct side *side) {
+  if (f->end[end] != FACE_END_BLUNT) return false;
+  const struct face *other = &faces->face[end ? f->next : f->before];
   const double x = f->t[0] + other->t[0], y = f->t[1] + other->t[1];
   memcpy(side->p, end ? f->b : f->a, sizeof side->p);
   side->t[0] = end ? -y : y;
@@ -133,7 +132,7 @@ static bool side_at(const struct sph_faces *faces, const struct sph_face *f, int
 }
 
 static struct strip strip_of(const struct sites *all, uint32_t face) {
-  const struct sph_face *f = &all->faces->face[face];
+  const struct face *f = &all->faces->face[face];
   const struct sph_division *d = &all->g->division[face];
   struct strip t = {.face = face, .cells = d->cells, .upright = d->upright};
   const bool back = d->back;
@@ -162,13 +161,13 @@ static struct strip strip_of_periods(const struct sites *all, uint32_t face) {
 }
 
 static enum status add_to_strip(struct sites *all, const struct strip *t, struct sph_site *site) {
-  const struct sph_face *f = &all->faces->face[t->face];
-  const struct sph_motion m = sph_motion_mirror(f->a, f->b);
-  sph_motion_turn(&m, site->x, site->y, &site->node[0], &site->node[1]);
+  const struct face *f = &all->faces->face[t->face];
+  const struct rigid m = rigid_mirror(f->a, f->b);
+  rigid_turn(&m, site->x, site->y, &site->node[0], &site->node[1]);
   for (int axis = 0; axis < 2; axis++) site->node[axis] += m.at[axis];
   site->motion = 2 * t->face;
   site->chain = f->chain;
-  const double s = sph_face_along(f, site->x, site->y);
+  const double s = face_along(f, site->x, site->y);
   return add(all, site, (double[]){f->a[0] + s * f->t[0], f->a[1] + s * f->t[1]});
 }
 
@@ -228,9 +227,9 @@ static enum status add_cells(struct sites *all, const struct strip *t, const str
 
 /* What is seen through a face may be beyond its edge, as far as the support. */
 static enum status add_beyond(struct sites *all, const struct strip *whole, int end) {
-  const struct sph_face *f = &all->faces->face[whole->face];
+  const struct face *f = &all->faces->face[whole->face];
   struct strip t = *whole;
-  if (f->end[end] != SPH_END_EDGE) return OK;
+  if (f->end[end] != FACE_END_EDGE) return OK;
   t.cells = all->g->division[t.face].beyond;
   const bool first = t.t[0] * f->t[0] + t.t[1] * f->t[1] > 0 ? end == 0 : end == 1;
   t.first = first ? -(double)t.cells : (double)whole->cells;
@@ -238,7 +237,7 @@ static enum status add_beyond(struct sites *all, const struct strip *whole, int 
 }
 
 static enum status add_strip(struct sites *all, uint32_t face) {
-  const struct sph_face *f = &all->faces->face[face];
+  const struct face *f = &all->faces->face[face];
   if (all->s->tank.periodic[0]) {
     const struct strip t = strip_of_periods(all, face);
     return add_cells(all, &t, NULL, 0);
@@ -255,7 +254,7 @@ static enum status add_strip(struct sites *all, uint32_t face) {
 /* ---- corners ---- */
 
 static enum status add_to_corner(struct sites *all, uint32_t face, struct sph_site *site) {
-  const struct sph_face *f = &all->faces->face[face];
+  const struct face *f = &all->faces->face[face];
   site->motion = 2 * f->next + 1;
   site->chain = f->chain;
   return add(all, site, f->b);
@@ -263,7 +262,7 @@ static enum status add_to_corner(struct sites *all, uint32_t face, struct sph_si
 
 /* The square between the strips of two faces at a right angle, from left to right. */
 static enum status add_square(struct sites *all, uint32_t face) {
-  const struct sph_face *f = &all->faces->face[face], *g = &all->faces->face[f->next];
+  const struct face *f = &all->faces->face[face], *g = &all->faces->face[f->next];
   const double n[2][2] = {{f->t[1], -f->t[0]}, {g->t[1], -g->t[0]}}, dx = all->s->dx;
   const bool first = fabs(n[0][0]) > fabs(n[1][0]);
   const double *across = n[!first], *other = n[first];
@@ -283,7 +282,7 @@ static enum status add_square(struct sites *all, uint32_t face) {
 /* Rings about the vertex. In a corner sharper than a right angle the half turn of some particles
  * would be in no water: all look along the bisector. */
 static enum status add_rings(struct sites *all, uint32_t face) {
-  const struct sph_face *f = &all->faces->face[face];
+  const struct face *f = &all->faces->face[face];
   const double dx = all->s->dx, start = atan2(-f->t[0], f->t[1]);
   for (size_t j = 0; j < all->layers; j++) {
     const double r = ((double)j + 0.5) * dx, arc = r * fmax(f->turn, 0);
@@ -302,15 +301,15 @@ static enum status add_rings(struct sites *all, uint32_t face) {
 }
 
 static enum status add_corner(struct sites *all, uint32_t face) {
-  const struct sph_face *f = &all->faces->face[face];
+  const struct face *f = &all->faces->face[face];
   if (bends(all->s, f)) return add_rings(all, face);
-  if (f->end[1] != SPH_END_CORNER || f->turn < right_angle) return OK;
+  if (f->end[1] != FACE_END_CORNER || f->turn < right_angle) return OK;
   return fabs(f->turn - M_PI / 2) < right_angle ? add_square(all, face) : add_rings(all, face);
 }
 
 /* ---- all ---- */
 
-static struct sph_division division_of(const struct sph *s, const struct sph_face *f) {
+static struct sph_division division_of(const struct sph *s, const struct face *f) {
   const bool upright = fabs(f->t[1]) > fabs(f->t[0]);
   const size_t cells = geo_intervals(f->length, s->dx);
   return (struct sph_division){.cells = cells,
@@ -320,7 +319,7 @@ static struct sph_division division_of(const struct sph *s, const struct sph_fac
                                .turn = fmax(f->turn, 0)};
 }
 
-static bool fits(const struct sph *s, const struct sph_face *f, const struct sph_division *d) {
+static bool fits(const struct sph *s, const struct face *f, const struct sph_division *d) {
   return fabs(f->length / ((double)d->cells * s->dx) - 1) < 0.1 + 0.5 / (double)d->cells &&
          fabs(fmax(f->turn, 0) - d->turn) < 0.2;
 }
@@ -392,9 +391,9 @@ static void place(struct sph *s, size_t i, const struct sph_site *site, struct s
 static void place_all(struct sph *s, struct sph_layers *g) {
   for (size_t i = 0; i < g->room; i++) place(s, i, &g->site[g->order[i < g->n ? i : g->n - 1]], g);
   for (size_t k = 0; k < s->faces.n; k++) {
-    const struct sph_face *f = &s->faces.face[k];
-    g->turn[2 * k] = sph_motion_mirror(f->a, f->b);
-    g->turn[2 * k + 1] = sph_motion_half_turn(f->a);
+    const struct face *f = &s->faces.face[k];
+    g->turn[2 * k] = rigid_mirror(f->a, f->b);
+    g->turn[2 * k + 1] = rigid_half_turn(f->a);
   }
 }
 

@@ -47,11 +47,11 @@ struct sph_site;
  * last one. */
 struct sph_layers {
   size_t n, room;
-  double *x, *y;           /* mirror point, m */
-  double *V;               /* m^2 */
-  double *slide;           /* how much of the velocity along its face one has: 0 to 1 */
-  uint32_t *motion;        /* which one turns what is at the mirror point */
-  struct sph_motion *turn; /* of face k the mirror, 2 k, and the half turn about its beginning,
+  double *x, *y;      /* mirror point, m */
+  double *V;          /* m^2 */
+  double *slide;      /* how much of the velocity along its face one has: 0 to 1 */
+  uint32_t *motion;   /* which one turns what is at the mirror point */
+  struct rigid *turn; /* of face k the mirror, 2 k, and the half turn about its beginning,
                               2 k + 1; owned */
   struct sph_division *division; /* of each face, owned */
   size_t n_sites, site_room;

@@ -43,7 +43,7 @@
 #include "sph/pair/forms.h"
 
 struct mirror {
-  struct sph_images images;
+  struct images images;
   struct sph_copies copies; /* of the water and its images beyond a periodic tank's ends, by the
                                numbers that lists of water have for them */
   size_t room;              /* of s->w.pack */
@@ -53,20 +53,20 @@ static enum status mirror_create(struct sph *s, const struct geo_lines *walls) {
   struct mirror *m;
   TRY(sph_allocate(1, sizeof *m, &m));
   s->w.data = m;
-  TRY(sph_images_set_walls(&m->images, walls, 2 * s->support));
+  TRY(images_set_walls(&m->images, walls, 2 * s->support));
   double reach = s->support + s->wall_skin;
   struct geo_box box = tank_around(&s->tank, reach);
   return sph_grid_create(&s->w.grid, &box, s->dx);
 }
 
 static enum status add_images(struct mirror *m, size_t of, double x, double y) {
-  const size_t n = sph_images_of(&m->images, x, y);
+  const size_t n = images_of(&m->images, x, y);
   return n ? sph_copies_add(&m->copies, (uint32_t)of, n, m->images.found) : OK;
 }
 
 static void mirror_move(struct sph *s) {
   struct mirror *m = s->w.data;
-  sph_images_move(&m->images, &s->faces);
+  images_move(&m->images, &s->faces);
 }
 
 static enum status make_room(struct sph *s) {
@@ -85,7 +85,7 @@ static enum status make_room(struct sph *s) {
 static enum status mirror_list(struct sph *s) {
   struct mirror *m = s->w.data;
   const struct sph_copies *beyond = &s->period.copies;
-  sph_images_set_reach(&m->images, s->support + s->wall_skin, s->wall_skin);
+  images_set_reach(&m->images, s->support + s->wall_skin, s->wall_skin);
   for (size_t i = 0; i < s->f.n; i++) TRY(add_images(m, i, s->f.w.x[i], s->f.w.y[i]));
   for (size_t k = 0; k < beyond->n; k++)
     TRY(add_images(m, s->f.room + k, beyond->x[k], beyond->y[k]));
@@ -100,10 +100,9 @@ static enum status mirror_list(struct sph *s) {
 }
 
 /* Water above the top of a side wall has no image in it; water that has passed over has none. */
-static bool has_image(const struct sph *s, const struct sph_images *t, const struct sph_copy *a) {
+static bool has_image(const struct sph *s, const struct images *t, const struct sph_copy *a) {
   const struct sph_pack *j = &s->pack[a->of];
-  return s->f.over[sph_period_particle(s, a->of)] == 0 &&
-         sph_images_counts(t, a->motion, j->x, j->y);
+  return s->f.over[sph_period_particle(s, a->of)] == 0 && images_counts(t, a->motion, j->x, j->y);
 }
 
 /* How the pressure goes on below the bed. */
@@ -135,11 +134,11 @@ SPECIALISE void fill(struct sph *s, enum continuation c) {
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < s->w.n; k++) {
     const struct sph_copy *a = &m->copies.copy[k];
-    const struct sph_motion *motion = sph_images_motion(&m->images, a->motion);
+    const struct rigid *motion = images_motion(&m->images, a->motion);
     const struct sph_pack *j = &s->pack[a->of];
     double x, y, u, v;
-    sph_motion_turn(motion, j->x, j->y, &x, &y);
-    sph_motion_turn(motion, j->u, j->v, &u, &v);
+    rigid_turn(motion, j->x, j->y, &x, &y);
+    rigid_turn(motion, j->u, j->v, &u, &v);
     x += motion->at[0];
     y += motion->at[1];
     const struct sph_drive drive = sph_wall_drive(s, a->motion, j->x, j->y, j->u, j->v);
@@ -173,8 +172,7 @@ SPECIALISE void fill_gradients(struct sph *s, enum continuation c) {
     const struct sph_vector rest = gradient_at_rest(s, c, j, &drive);
     const struct sph_vector there =
         c == EXPONENTIAL ? gradient_at_rest(s, c, &s->w.pack[k], &drive) : rest;
-    sph_motion_turn(sph_images_motion(&m->images, a->motion), G->x - rest.x, G->y - rest.y, &w->x,
-                    &w->y);
+    rigid_turn(images_motion(&m->images, a->motion), G->x - rest.x, G->y - rest.y, &w->x, &w->y);
     w->x += there.x;
     w->y += there.y;
   }
@@ -190,7 +188,7 @@ static void mirror_destroy(struct sph *s) {
   struct mirror *m = s->w.data;
   sph_copies_destroy(&m->copies);
   s->w.x = s->w.y = NULL; /* were theirs */
-  sph_images_destroy(&m->images);
+  images_destroy(&m->images);
   free(m);
 }
 

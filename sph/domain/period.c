@@ -16,7 +16,7 @@ enum status sph_period_create(struct sph *s) {
 }
 
 void sph_period_destroy(struct sph *s) {
-  sph_images_destroy(&s->period.images);
+  images_destroy(&s->period.images);
   sph_copies_destroy(&s->period.copies);
   sph_grid_destroy(&s->period.grid);
 }
@@ -56,9 +56,9 @@ enum status sph_period_list(struct sph *s, double least) {
   const double ahead = s->drift.most / 2;
   const double wanted = fmax(fmax(usual_reserve * s->dx, least), fmax(s->skin, 1.1 * ahead));
   p->reserve = fmin(wanted, sph_period_widest(s));
-  TRY(sph_images_set_periods(&p->images, &s->tank, 2 * (s->support + p->reserve)));
+  TRY(images_set_periods(&p->images, &s->tank, 2 * (s->support + p->reserve)));
   for (size_t i = 0; i < s->f.n; i++) {
-    const size_t n = sph_images_beyond(&p->images, s->f.w.x[i], s->f.w.y[i]);
+    const size_t n = images_beyond(&p->images, s->f.w.x[i], s->f.w.y[i]);
     TRY(sph_copies_add(&p->copies, (uint32_t)i, n, p->images.found));
   }
   TRY(sph_copies_sort(&p->copies, &p->grid));
@@ -73,7 +73,7 @@ void sph_period_move(struct sph *s) {
 #pragma omp parallel for schedule(static)
   for (size_t k = 0; k < p->copies.n; k++) {
     const struct sph_copy *c = &p->copies.copy[k];
-    const struct sph_motion *shift = sph_images_motion(&p->images, c->motion);
+    const struct rigid *shift = images_motion(&p->images, c->motion);
     p->copies.x[k] = s->f.w.x[c->of] + shift->at[0];
     p->copies.y[k] = s->f.w.y[c->of] + shift->at[1];
   }

@@ -12,7 +12,7 @@
 struct sph;
 
 struct sph_period {
-  struct sph_images images;
+  struct images images;
   struct sph_copies copies; /* of particles, in the places of the last sort */
   struct sph_grid grid;     /* of the copies */
   double reserve;           /* m */

@@ -88,10 +88,10 @@ static void look_at_end(struct sph *s, const struct case_strokes *most, int side
   if (!tank_find_side(&t->rest, side, &at)) return;
   memcpy(t->now.p, t->rest.p, t->rest.points * sizeof *t->now.p);
   tank_side_move(&t->rest, &at, &shift, t->now.p, NULL, NULL);
-  sph_faces_move(&s->faces, (const double(*)[2])t->now.p);
+  faces_move(&s->faces, (const double(*)[2])t->now.p);
   for (size_t k = 0; k < s->faces.n; k++) {
-    const struct sph_face *f = &s->faces.face[k];
-    if (f->next != SPH_NO_FACE && f->point[1] != SPH_NO_POINT && t->bends[f->point[1]])
+    const struct face *f = &s->faces.face[k];
+    if (f->next != FACE_NONE && f->point[1] != FACE_NO_POINT && t->bends[f->point[1]])
       *angle = fmin(*angle, M_PI - fabs(f->turn));
   }
 }
@@ -102,13 +102,13 @@ enum status sph_sides_sharpest(const struct case_file *c, double *angle) {
   *angle = M_PI;
   ATTEMPT(sph_sides_create(&s, c));
   if (!s.sides.move) goto done;
-  ATTEMPT(sph_faces_set(&s.faces, &c->walls, 0, s.sides.bends));
+  ATTEMPT(faces_set(&s.faces, &c->walls, 0, s.sides.bends));
   for (int side = TANK_LEFT; side <= TANK_RIGHT; side++) {
     const struct case_strokes most = case_find_strokes(c, side);
     for (int end = 0; end < 2; end++) look_at_end(&s, &most, side, end, angle);
   }
 done:
-  sph_faces_destroy(&s.faces);
+  faces_destroy(&s.faces);
   sph_sides_destroy(&s);
   return status;
 }
@@ -123,7 +123,7 @@ void sph_sides_set(struct sph *s, double t) {
   for (size_t i = 0; i < e->now.points; i++)
     e->speed = fmax(e->speed, hypot(e->v[i][0], e->v[i][1]));
   s->tank = tank_of(&e->now, s->tank.periodic);
-  sph_faces_move(&s->faces, (const double(*)[2])e->now.p);
+  faces_move(&s->faces, (const double(*)[2])e->now.p);
   if (s->wall->move) s->wall->move(s);
 }
 
@@ -137,12 +137,12 @@ void sph_sides_begin(struct sph *s) {
 }
 
 /* The farthest that a point behind a face, within the support of it, has gone with it. */
-static double way_of_face(const struct sph *s, const struct sph_face *f, const double (*now)[2]) {
+static double way_of_face(const struct sph *s, const struct face *f, const double (*now)[2]) {
   const double(*was)[2] = (const double(*)[2])s->sides.listed;
   double d[2][2] = {{0}}, way = 0;
   for (int end = 0; end < 2; end++) {
     const uint32_t i = f->point[end];
-    for (int axis = 0; axis < 2 && i != SPH_NO_POINT; axis++)
+    for (int axis = 0; axis < 2 && i != FACE_NO_POINT; axis++)
       d[end][axis] = now[i][axis] - was[i][axis];
     way = fmax(way, hypot(d[end][0], d[end][1]));
   }
@@ -156,7 +156,7 @@ double sph_sides_way(const struct sph *s, double t) {
   tank_vertices_at(&e->rest, s->force.motion, s->force.n, t, e->then, e->then + e->rest.points,
                    NULL);
   for (size_t k = 0; k < s->faces.n; k++) {
-    const struct sph_face *f = &s->faces.face[k];
+    const struct face *f = &s->faces.face[k];
     way = fmax(way, way_of_face(s, f, (const double(*)[2])e->then));
     way = fmax(way, way_of_face(s, f, (const double(*)[2])e->now.p));
   }
@@ -181,7 +181,7 @@ bool sph_sides_hide(const struct sph *s, const double p[2]) {
 
 static const double *of_point(const double (*q)[2], uint32_t i) {
   static const double still[2] = {0, 0};
-  return i == SPH_NO_POINT ? still : q[i];
+  return i == FACE_NO_POINT ? still : q[i];
 }
 
 /* Along a vector. */
@@ -189,8 +189,8 @@ static double along(const double q[2], const double t[2]) {
   return q[0] * t[0] + q[1] * t[1];
 }
 
-static bool rides(const struct sph_sides *e, const struct sph_face *f) {
-  return f->point[0] != SPH_NO_POINT && f->point[1] != SPH_NO_POINT && e->rides[f->point[0]] &&
+static bool rides(const struct sph_sides *e, const struct face *f) {
+  return f->point[0] != FACE_NO_POINT && f->point[1] != FACE_NO_POINT && e->rides[f->point[0]] &&
          e->rides[f->point[1]];
 }
 
@@ -201,7 +201,7 @@ static struct sph_drive drive_of_vertex(const double v[2], const double a[2]) {
 struct sph_drive sph_sides_drive(const struct sph *s, uint32_t motion, const double p[2],
                                  const double u[2]) {
   const struct sph_sides *e = &s->sides;
-  const struct sph_face *f = &s->faces.face[motion / 2];
+  const struct face *f = &s->faces.face[motion / 2];
   const double(*v)[2] = (const double(*)[2])e->v, (*a)[2] = (const double(*)[2])e->a;
   const double *va = of_point(v, f->point[0]), *vb = of_point(v, f->point[1]);
   const double *aa = of_point(a, f->point[0]), *ab = of_point(a, f->point[1]);
@@ -209,7 +209,7 @@ struct sph_drive sph_sides_drive(const struct sph *s, uint32_t motion, const dou
   const double n[2] = {-f->t[1], f->t[0]}, L = f->length;
   const double dv[2] = {vb[0] - va[0], vb[1] - va[1]}, da[2] = {ab[0] - aa[0], ab[1] - aa[1]};
   const double w = along(dv, n) / L, turning = (along(da, n) - 2 * along(dv, f->t) * w) / L;
-  const double at = sph_face_along(f, p[0], p[1]), slip = along(u, f->t) - along(va, f->t);
+  const double at = face_along(f, p[0], p[1]), slip = along(u, f->t) - along(va, f->t);
   const double speed = along(va, n) + w * at;
   const double rate = along(aa, n) + turning * at + 2 * w * slip;
   struct sph_drive d;
@@ -222,11 +222,11 @@ struct sph_drive sph_sides_drive(const struct sph *s, uint32_t motion, const dou
 }
 
 void sph_sides_follow(const struct sph *s, uint32_t face, const double p[2], double now[2]) {
-  const struct sph_face *was = &s->sides.before[face], *is = &s->faces.face[face];
+  const struct face *was = &s->sides.before[face], *is = &s->faces.face[face];
   memcpy(now, p, 2 * sizeof *now);
   if (!rides(&s->sides, is)) return;
   const double n[2] = {-is->t[1], is->t[0]};
-  const double along = sph_face_along(was, p[0], p[1]), off = sph_face_distance(was, p[0], p[1]);
+  const double along = face_along(was, p[0], p[1]), off = face_distance(was, p[0], p[1]);
   for (int axis = 0; axis < 2; axis++)
     now[axis] = is->a[axis] + along * is->t[axis] + off * n[axis];
 }

@@ -16,7 +16,7 @@
 
 #include "common/base/geometry.h"
 #include "common/base/status.h"
-#include "sph/domain/faces.h"
+#include "common/tank/faces.h"
 
 struct case_file;
 struct sph;
@@ -29,7 +29,7 @@ struct sph_sides {
   double (*listed)[2];     /* where they were when the walls were listed, m, [points], owned */
   double (*then)[2];       /* scratch, [2 points], owned */
   bool *rides, *bends;     /* points of sides that move; hinges of flaps; [points], owned */
-  struct sph_face *before; /* the faces at the start of the step, [faces], owned */
+  struct face *before;     /* the faces at the start of the step, [faces], owned */
   double near;             /* m: points closer than this are the same */
   double at;               /* s: when they are there */
   double speed;            /* of the fastest point, m/s */

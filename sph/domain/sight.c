@@ -8,25 +8,25 @@
 
 /* ---- the grid ---- */
 
-static double distance_from(const struct sph_face *f, const double p[2]) {
+static double distance_from(const struct face *f, const double p[2]) {
   double foot[2];
   geo_segment_foot(f->a, f->b, p, foot);
   return hypot(p[0] - foot[0], p[1] - foot[1]);
 }
 
-static bool ends_near(const struct sph_face *f, const double p[2], double near) {
+static bool ends_near(const struct face *f, const double p[2], double near) {
   for (int end = 0; end < 2; end++) {
     const double *at = end ? f->b : f->a;
-    if (f->end[end] == SPH_END_TOP && hypot(p[0] - at[0], p[1] - at[1]) < near) return true;
+    if (f->end[end] == FACE_END_TOP && hypot(p[0] - at[0], p[1] - at[1]) < near) return true;
   }
   return false;
 }
 
 /* All is seen where one chain is near that does not end. */
-static bool is_plain(const struct sph_faces *faces, const uint32_t *near, size_t n,
-                     const double p[2], double end_reach) {
+static bool is_plain(const struct faces *faces, const uint32_t *near, size_t n, const double p[2],
+                     double end_reach) {
   for (size_t k = 0; k < n; k++) {
-    const struct sph_face *f = &faces->face[near[k]];
+    const struct face *f = &faces->face[near[k]];
     if (f->chain != faces->face[near[0]].chain || ends_near(f, p, end_reach)) return false;
   }
   return true;
@@ -52,13 +52,13 @@ static enum status fill_cell(struct sph_sight *t, size_t cell, double round, dou
   return OK;
 }
 
-enum status sph_sight_create(struct sph_sight *t, const struct sph_faces *faces, double reach) {
+enum status sph_sight_create(struct sph_sight *t, const struct faces *faces, double reach) {
   double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
   *t = (struct sph_sight){.faces = faces, .per = 1 / reach};
   if (!faces->n) return OK;
   for (size_t k = 0; k < faces->n; k++)
     for (int axis = 0; axis < 2; axis++) {
-      const struct sph_face *f = &faces->face[k];
+      const struct face *f = &faces->face[k];
       low[axis] = fmin(low[axis], fmin(f->a[axis], f->b[axis]));
       high[axis] = fmax(high[axis], fmax(f->a[axis], f->b[axis]));
     }
@@ -105,11 +105,11 @@ uint32_t sph_sight_first(const struct sph_sight *t, const double p[2], const dou
                          double slack, double *part) {
   size_t n;
   const uint32_t *near = sph_sight_faces(t, p[0], p[1], &n);
-  uint32_t first = SPH_NO_FACE;
+  uint32_t first = FACE_NONE;
   *part = INFINITY;
   for (size_t k = 0; k < n; k++) {
     double here;
-    if (!sph_face_stops(&t->faces->face[near[k]], p, q, slack, &here) || here >= *part) continue;
+    if (!face_stops(&t->faces->face[near[k]], p, q, slack, &here) || here >= *part) continue;
     *part = here;
     first = near[k];
   }
@@ -133,7 +133,7 @@ static void place_of(const struct sph_sources *s, uint32_t j, double at[2]) {
 }
 
 static uint32_t chain_of(const struct look *l, uint32_t face) {
-  return face == SPH_NO_FACE ? SPH_NO_FACE : l->sight->faces->face[face].chain;
+  return face == FACE_NONE ? FACE_NONE : l->sight->faces->face[face].chain;
 }
 
 /* Around a blunt corner of the solid water sees water. */

@@ -8,7 +8,7 @@
  *
  * Nearly everywhere all that is near is seen. A grid knows where: there nobody asks. */
 #pragma once
-#include "sph/domain/faces.h"
+#include "common/tank/faces.h"
 #include "sph/fluid/neighbours.h"
 
 struct sph_sight {
@@ -17,12 +17,12 @@ struct sph_sight {
   uint32_t *first; /* [nx * ny + 1], owned */
   uint32_t *face;  /* those within the reach of each cell, owned */
   size_t room;
-  unsigned char *plain;          /* [nx * ny], whether all that is near is seen, owned */
-  const struct sph_faces *faces; /* the caller's */
+  unsigned char *plain;      /* [nx * ny], whether all that is near is seen, owned */
+  const struct faces *faces; /* the caller's */
 };
 
 /* For ways of up to `reach` (m). ERR_MEMORY. */
-enum status sph_sight_create(struct sph_sight *t, const struct sph_faces *faces, double reach);
+enum status sph_sight_create(struct sph_sight *t, const struct faces *faces, double reach);
 void sph_sight_destroy(struct sph_sight *t);
 
 /* The faces that a way from (x, y) may meet; none far from walls. */
@@ -31,8 +31,8 @@ const uint32_t *sph_sight_faces(const struct sph_sight *t, double x, double y, s
 /* Whether a point sees all that is near. */
 bool sph_sight_is_plain(const struct sph_sight *t, double x, double y);
 
-/* The face that the way from p to q enters the solid through first, and where (sph_face_stops); or
- * SPH_NO_FACE. */
+/* The face that the way from p to q enters the solid through first, and where (face_stops); or
+ * FACE_NONE. */
 uint32_t sph_sight_first(const struct sph_sight *t, const double p[2], const double q[2],
                          double slack, double *part);
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sph/domain/images.h"
+#include "common/tank/images.h"
 
 #define X(variant, name, help) &sph_wall_##variant,
 const struct sph_wall *const sph_walls[] = {SPH_WALLS(X)};
@@ -32,7 +32,7 @@ enum status sph_wall_create(struct sph *s, const struct geo_lines *all) {
   enum status status = OK;
   s->wall = sph_walls[s->scheme.walls];
   ATTEMPT(tank_walls(&s->tank, all, beyond(s), &walls));
-  ATTEMPT(sph_faces_set(&s->faces, &walls, 2 * s->support, s->sides.bends));
+  ATTEMPT(faces_set(&s->faces, &walls, 2 * s->support, s->sides.bends));
   ATTEMPT(sph_sight_create(&s->sight, &s->faces, s->support));
   ATTEMPT(s->wall->create(s, &walls));
   ATTEMPT(sph_sides_attach(s));
@@ -128,8 +128,8 @@ struct top {
   double inwards;     /* 1: the tank is on the left of r; -1 */
 };
 
-static struct top top_of(const struct sph_face *faces, size_t number) {
-  const struct sph_face *f = &faces[number / 2];
+static struct top top_of(const struct face *faces, size_t number) {
+  const struct face *f = &faces[number / 2];
   const int end = number % 2;
   struct top t = {.inwards = end ? 1 : -1};
   const double away = end ? 1 : -1;
@@ -166,7 +166,7 @@ static struct top top_over(const struct sph *s, size_t i) {
 }
 
 /* The top that the way from p, where the faces `were`, to q passes over, as f.over has it; or 0. */
-static size_t passed_over(const struct sph *s, const struct sph_face *were, const double p[2],
+static size_t passed_over(const struct sph *s, const struct face *were, const double p[2],
                           const double q[2]) {
   for (size_t k = 0; k < s->faces.n_tops; k++) {
     const struct top was = top_of(were, s->faces.top[k]);
@@ -185,7 +185,7 @@ bool sph_wall_has_lost(const struct sph *s, size_t i) {
 bool sph_wall_stops(const struct sph *s, size_t i, double x, double y) {
   const double p[2] = {s->f.w.x[i], s->f.w.y[i]}, q[2] = {x, y};
   double part;
-  return sph_sight_first(&s->sight, p, q, rounding(s), &part) != SPH_NO_FACE ||
+  return sph_sight_first(&s->sight, p, q, rounding(s), &part) != FACE_NONE ||
          (s->f.over[i] == 0 && passed_over(s, s->faces.face, p, q));
 }
 
@@ -195,13 +195,13 @@ static uint32_t first_met(const struct sph *s, double p[2], const double q[2], d
   if (!s->sides.move) return sph_sight_first(&s->sight, p, q, rounding(s), part);
   size_t n;
   const uint32_t *near = sph_sight_faces(&s->sight, p[0], p[1], &n);
-  uint32_t first = SPH_NO_FACE;
+  uint32_t first = FACE_NONE;
   double start[2] = {p[0], p[1]};
   *part = INFINITY;
   for (size_t k = 0; k < n; k++) {
     double from[2], here;
     sph_sides_follow(s, near[k], start, from);
-    if (!sph_face_stops(&s->faces.face[near[k]], from, q, rounding(s), &here) || here >= *part)
+    if (!face_stops(&s->faces.face[near[k]], from, q, rounding(s), &here) || here >= *part)
       continue;
     *part = here;
     first = near[k];
@@ -223,14 +223,14 @@ static size_t bring_back(struct sph *s, size_t i) {
     const double q[2] = {w->x[i], w->y[i]};
     const uint32_t k =
         met ? sph_sight_first(&s->sight, p, q, rounding(s), &part) : first_met(s, p, q, &part);
-    if (k == SPH_NO_FACE) return met;
-    const struct sph_face *f = &s->faces.face[k];
-    const struct sph_motion m = sph_motion_mirror(f->a, f->b);
-    sph_motion_turn(&m, q[0], q[1], &w->x[i], &w->y[i]);
+    if (k == FACE_NONE) return met;
+    const struct face *f = &s->faces.face[k];
+    const struct rigid m = rigid_mirror(f->a, f->b);
+    rigid_turn(&m, q[0], q[1], &w->x[i], &w->y[i]);
     w->x[i] += m.at[0];
     w->y[i] += m.at[1];
     const struct sph_drive d = sph_wall_drive(s, 2 * k, w->x[i], w->y[i], w->u[i], w->v[i]);
-    sph_motion_turn(&m, w->u[i], w->v[i], &w->u[i], &w->v[i]);
+    rigid_turn(&m, w->u[i], w->v[i], &w->u[i], &w->v[i]);
     w->u[i] += 2 * d.V[0];
     w->v[i] += 2 * d.V[1];
     for (int axis = 0; axis < 2; axis++) p[axis] += part * (q[axis] - p[axis]);
@@ -251,7 +251,7 @@ static bool has_met(struct sph *s, size_t i) {
   }
   s->f.over[i] = (double)passed_over(s, s->sides.move ? s->sides.before : s->faces.face, p, q);
   double part;
-  return s->f.over[i] == 0 && first_met(s, p, q, &part) != SPH_NO_FACE;
+  return s->f.over[i] == 0 && first_met(s, p, q, &part) != FACE_NONE;
 }
 
 static double kinetic(const struct sph *s, size_t i) {
@@ -287,7 +287,7 @@ void sph_wall_destroy(struct sph *s) {
   free_packs(&s->w);
   sph_grid_destroy(&s->w.grid);
   sph_sight_destroy(&s->sight);
-  sph_faces_destroy(&s->faces);
+  faces_destroy(&s->faces);
   sph_sides_destroy(s);
   s->w = (struct sph_wall_particles){0};
 }

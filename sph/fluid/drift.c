@@ -120,7 +120,7 @@ double sph_drift_left(const struct sph *s) {
   return fmin(touching, fmin(near, most));
 }
 
-static double distance_from(const struct sph_face *f, const double p[2], double nearest) {
+static double distance_from(const struct face *f, const double p[2], double nearest) {
   double foot[2];
   if (p[0] < smaller(f->a[0], f->b[0]) - nearest || p[0] > larger(f->a[0], f->b[0]) + nearest ||
       p[1] < smaller(f->a[1], f->b[1]) - nearest || p[1] > larger(f->a[1], f->b[1]) + nearest)

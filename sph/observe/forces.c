@@ -61,13 +61,13 @@ static struct load load_of(struct sph *s, const struct sph_pack *pressing,
 
 /* Where the walls begin on the left, or end on the right: at their outermost top, or the highest
  * point of a tank with a lid. */
-static uint32_t outermost(const struct sph_faces *f, int end) {
-  uint32_t best = SPH_NO_FACE;
+static uint32_t outermost(const struct faces *f, int end) {
+  uint32_t best = FACE_NONE;
   const double out = end ? 1 : -1;
   for (uint32_t k = 0; k < f->n; k++) {
     const double *p = end ? f->face[k].b : f->face[k].a;
-    if (f->n_tops && f->face[k].end[end] != SPH_END_TOP) continue;
-    if (best == SPH_NO_FACE) best = k;
+    if (f->n_tops && f->face[k].end[end] != FACE_END_TOP) continue;
+    if (best == FACE_NONE) best = k;
     const double *q = end ? f->face[best].b : f->face[best].a;
     const bool higher = !f->n_tops && p[1] > q[1], level = f->n_tops || p[1] == q[1];
     if (higher || (level && out * p[0] > out * q[0])) best = k;
@@ -75,10 +75,10 @@ static uint32_t outermost(const struct sph_faces *f, int end) {
   return best;
 }
 
-static bool is_wet(const struct sph *s, const struct sph_face *f) {
+static bool is_wet(const struct sph *s, const struct face *f) {
   for (size_t i = 0; i < s->f.n; i++) {
-    const double way = sph_face_way(f, s->f.w.x[i], s->f.w.y[i]);
-    if (way < s->dx && sph_face_distance(f, s->f.w.x[i], s->f.w.y[i]) > -s->dx) return true;
+    const double way = face_way(f, s->f.w.x[i], s->f.w.y[i]);
+    if (way < s->dx && face_distance(f, s->f.w.x[i], s->f.w.y[i]) > -s->dx) return true;
   }
   return false;
 }
@@ -86,12 +86,12 @@ static bool is_wet(const struct sph *s, const struct sph_face *f) {
 /* The first wet piece on the way from there. */
 static uint32_t edge_face(const struct sph *s, int end) {
   uint32_t k = outermost(&s->faces, end);
-  for (size_t n = 0; n < s->faces.n && k != SPH_NO_FACE; n++) {
-    const struct sph_face *f = &s->faces.face[k];
+  for (size_t n = 0; n < s->faces.n && k != FACE_NONE; n++) {
+    const struct face *f = &s->faces.face[k];
     if (is_wet(s, f)) return k;
     k = end ? f->before : f->next;
   }
-  return SPH_NO_FACE;
+  return FACE_NONE;
 }
 
 /* What wall particles that this motion makes give. `part` is scratch, [w.n]. */
@@ -106,9 +106,9 @@ static struct load load_by(struct sph *s, uint32_t motion, struct sph_pack *part
 /* Of what those about the corner at an end give, the part along the normal of the face, the rest
  * being along that of the other; N/m, into the water. */
 static double load_about(struct sph *s, uint32_t face, int end, struct sph_pack *part) {
-  const struct sph_face *f = &s->faces.face[face];
+  const struct face *f = &s->faces.face[face];
   const uint32_t beside = end ? f->next : f->before;
-  if (f->end[end] != SPH_END_CORNER || beside == SPH_NO_FACE) return 0;
+  if (f->end[end] != FACE_END_CORNER || beside == FACE_NONE) return 0;
   const double *t = s->faces.face[beside].t, across = f->t[0] * t[1] - f->t[1] * t[0];
   const struct load on = load_by(s, 2 * (end ? beside : face) + 1, part);
   const double along = on.x * t[0] + on.y * t[1];
@@ -117,8 +117,8 @@ static double load_about(struct sph *s, uint32_t face, int end, struct sph_pack 
 
 /* Along x on a piece of wall. */
 static double load_on(struct sph *s, uint32_t face, struct sph_pack *part) {
-  if (face == SPH_NO_FACE) return 0;
-  const struct sph_face *f = &s->faces.face[face];
+  if (face == FACE_NONE) return 0;
+  const struct face *f = &s->faces.face[face];
   const double n[2] = {-f->t[1], f->t[0]};
   const struct load on = load_by(s, 2 * face, part);
   double sum = on.x * n[0] + on.y * n[1];

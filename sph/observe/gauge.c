@@ -54,9 +54,9 @@ void sph_gauge_strip(const struct sph *s, double x, double strip[2]) {
 /* ---- the gauges of a case ---- */
 
 struct looker {
-  double x, elevation;           /* m */
-  struct sph_surface *extractor; /* owned */
-  struct geo_lines surface;      /* owned */
+  double x, elevation;             /* m */
+  struct cloud_surface *extractor; /* owned */
+  struct geo_lines surface;        /* owned */
 };
 
 struct sph_gauges {
@@ -86,7 +86,7 @@ enum status sph_gauges_create(const struct case_file *c, const struct sph *s,
   g->crowded = is_crowded(c, s);
   for (size_t k = 0; k < g->n; k++) {
     g->gauge[k].x = c->gauges[k].x;
-    if (k == 0 || !g->crowded) ATTEMPT(sph_surface_create(&g->gauge[k].extractor));
+    if (k == 0 || !g->crowded) ATTEMPT(cloud_surface_create(&g->gauge[k].extractor));
   }
 done:
   if (status != OK) {
@@ -100,7 +100,7 @@ done:
 void sph_gauges_destroy(struct sph_gauges *g) {
   if (!g) return;
   for (size_t k = 0; k < g->n; k++) {
-    sph_surface_destroy(g->gauge[k].extractor);
+    cloud_surface_destroy(g->gauge[k].extractor);
     geo_lines_destroy(&g->gauge[k].surface);
   }
   free(g->gauge);
@@ -108,26 +108,26 @@ void sph_gauges_destroy(struct sph_gauges *g) {
   free(g);
 }
 
-static enum status look(struct looker *l, const struct sph *s, const struct sph_cloud *cloud,
+static enum status look(struct looker *l, const struct sph *s, const struct cloud *cloud,
                         const struct geo_lines *outline) {
   double strip[2];
   sph_gauge_strip(s, l->x, strip);
-  TRY(sph_surface_strip(l->extractor, cloud, outline, strip, &l->surface));
+  TRY(cloud_surface_strip(l->extractor, cloud, outline, strip, &l->surface));
   l->elevation = sph_gauge(s, &l->surface, l->x);
   return OK;
 }
 
-static enum status look_at_all(struct sph_gauges *g, const struct sph *s,
-                               const struct sph_cloud *cloud, const struct geo_lines *walls) {
+static enum status look_at_all(struct sph_gauges *g, const struct sph *s, const struct cloud *cloud,
+                               const struct geo_lines *walls) {
   struct looker *first = g->gauge;
-  TRY(sph_surface_extract(first->extractor, cloud, walls, &first->surface));
+  TRY(cloud_surface_extract(first->extractor, cloud, walls, &first->surface));
   for (size_t k = 0; k < g->n; k++)
     g->gauge[k].elevation = sph_gauge(s, &first->surface, g->gauge[k].x);
   return OK;
 }
 
 enum status sph_gauges_measure(struct sph_gauges *g, const struct sph *s,
-                               const struct sph_cloud *cloud) {
+                               const struct cloud *cloud) {
   const struct geo_lines *walls = sph_sides_walls(s, &g->outline);
   if (g->crowded) return look_at_all(g, s, cloud, walls);
   int failed = 0;

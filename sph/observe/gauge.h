@@ -1,7 +1,7 @@
 /* Wave gauges. */
 #pragma once
 #include "common/case/case.h"
-#include "sph/observe/surface.h"
+#include "common/cloud/surface.h"
 #include "sph/sph.h"
 
 /* Elevation (m) of the water that stands on the bed at x (m), on the free surface that was
@@ -27,7 +27,7 @@ enum status sph_gauges_create(const struct case_file *c, const struct sph *s,
 void sph_gauges_destroy(struct sph_gauges *g); /* NULL is fine */
 
 /* Finds all elevations, on several threads; the cloud is that of s. ERR_MEMORY, or what
- * sph_surface_extract has. */
+ * cloud_surface_extract has. */
 enum status sph_gauges_measure(struct sph_gauges *g, const struct sph *s,
-                               const struct sph_cloud *cloud);
+                               const struct cloud *cloud);
 double sph_gauges_elevation(const struct sph_gauges *g, size_t gauge); /* the last one, m */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "common/base/progress.h"
+#include "common/cloud/surface.h"
 #include "common/result/record.h"
 #include "sph/domain/wall.h"
 #include "sph/fluid/energy.h"
@@ -12,14 +13,13 @@
 #include "sph/observe/point.h"
 #include "sph/observe/probe.h"
 #include "sph/observe/rest.h"
-#include "sph/observe/surface.h"
 #include "sph/pair/eos.h"
 #include "sph/pair/rates.h"
 
 struct sph_output {
   const struct case_file *c;
   struct result *result;
-  struct sph_surface *extractor;
+  struct cloud_surface *extractor;
   struct geo_lines outline; /* of the tank */
   struct geo_lines surface;
   struct sph_gauges *gauges;
@@ -34,11 +34,11 @@ struct sph_output {
 };
 
 /* The particle that is nearest to the water's side of a face, and how far. */
-static size_t foremost(const struct sph *s, const struct sph_face *f, double *way) {
+static size_t foremost(const struct sph *s, const struct face *f, double *way) {
   size_t at = 0;
   *way = INFINITY;
   for (size_t i = 0; i < s->f.n; i++) {
-    const double d = sph_face_way(f, s->f.w.x[i], s->f.w.y[i]);
+    const double d = face_way(f, s->f.w.x[i], s->f.w.y[i]);
     if (d >= *way || d < -s->dx) continue;
     *way = d;
     at = i;
@@ -47,7 +47,7 @@ static size_t foremost(const struct sph *s, const struct sph_face *f, double *wa
 }
 
 /* How far the foremost particle, a disc of diameter dx, is from a face. */
-static double gap(const struct sph *s, const struct sph_face *f) {
+static double gap(const struct sph *s, const struct face *f) {
   double way;
   foremost(s, f, &way);
   return way - s->dx / 2;
@@ -62,7 +62,7 @@ static bool any_touches(const struct sph_output *o, const struct sph *s) {
     const uint32_t *near = sph_sight_faces(&s->sight, s->f.w.x[i], s->f.w.y[i], &n);
     for (size_t k = 0; k < n; k++)
       any |= o->dry[near[k]] &&
-             sph_face_way(&s->faces.face[near[k]], s->f.w.x[i], s->f.w.y[i]) <= s->dx / 2;
+             face_way(&s->faces.face[near[k]], s->f.w.x[i], s->f.w.y[i]) <= s->dx / 2;
   }
   return any;
 }
@@ -86,7 +86,7 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   o->available = e.kinetic + e.potential - rest;
   ATTEMPT(result_rest(result, rest));
   ATTEMPT(tank_outline(&s->tank, &c->walls, &o->outline));
-  ATTEMPT(sph_surface_create(&o->extractor));
+  ATTEMPT(cloud_surface_create(&o->extractor));
   ATTEMPT(sph_gauges_create(c, s, &o->gauges));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->x));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->y));
@@ -108,7 +108,7 @@ done:
 
 void sph_output_destroy(struct sph_output *o) {
   if (!o) return;
-  sph_surface_destroy(o->extractor);
+  cloud_surface_destroy(o->extractor);
   geo_lines_destroy(&o->outline);
   geo_lines_destroy(&o->surface);
   sph_gauges_destroy(o->gauges);
@@ -151,7 +151,7 @@ static size_t sort_by_id(struct sph_output *o, const struct sph *s) {
 }
 
 /* Where the particles are, by id; infinitely far for those taken out. */
-static struct sph_cloud cloud_of(struct sph_output *o, const struct sph *s) {
+static struct cloud cloud_of(struct sph_output *o, const struct sph *s) {
   if (s->f.n < o->room)
     for (size_t k = 0; k < o->room; k++) o->x[k] = o->y[k] = INFINITY;
 #pragma omp parallel for schedule(static)
@@ -159,7 +159,7 @@ static struct sph_cloud cloud_of(struct sph_output *o, const struct sph *s) {
     o->x[s->f.id[i]] = tank_wrap(&s->tank, 0, s->f.w.x[i]);
     o->y[s->f.id[i]] = tank_wrap(&s->tank, 1, s->f.w.y[i]);
   }
-  return (struct sph_cloud){o->room, o->x, o->y, NULL, s->dx, &s->tank};
+  return (struct cloud){o->room, o->x, o->y, NULL, s->dx, &s->tank};
 }
 
 static enum status write_state(struct sph_output *o, const struct sph *s) {
@@ -172,8 +172,8 @@ static enum status write_state(struct sph_output *o, const struct sph *s) {
       {"velocity", "m/s", "velocity", o->u, o->v}};
   TRY(result_points(o->result, s->t, n, o->x, o->y, RESULT_VERTICES, sizeof fields / sizeof *fields,
                     fields));
-  const struct sph_cloud cloud = cloud_of(o, s);
-  TRY(sph_surface_extract(o->extractor, &cloud, sph_sides_walls(s, &o->outline), &o->surface));
+  const struct cloud cloud = cloud_of(o, s);
+  TRY(cloud_surface_extract(o->extractor, &cloud, sph_sides_walls(s, &o->outline), &o->surface));
   TRY(result_surface(o->result, s->t, &o->surface));
   return result_flush(o->result);
 }
@@ -215,7 +215,7 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
   o->budget = result_energy_budget(&r.energy);
   if (o->c->n_probes) sph_pack_pressure_of_probes(s);
   if (o->c->n_gauges) {
-    const struct sph_cloud cloud = cloud_of(o, s);
+    const struct cloud cloud = cloud_of(o, s);
     TRY(sph_gauges_measure(o->gauges, s, &cloud));
   }
   return record_row(o->result, o->c, &r);
@@ -223,7 +223,7 @@ static enum status write_series(struct sph_output *o, struct sph *s, double dt) 
 
 /* The instant at which the foremost particle touches a face, from its velocity now. */
 static enum status write_impact(struct sph_output *o, const struct sph *s, size_t face) {
-  const struct sph_face *f = &s->faces.face[face];
+  const struct face *f = &s->faces.face[face];
   double way;
   const size_t i = foremost(s, f, &way);
   const double open = way - s->dx / 2;
@@ -232,7 +232,7 @@ static enum status write_impact(struct sph_output *o, const struct sph *s, size_
   const struct sph_drive d = sph_wall_drive(s, 2 * (uint32_t)face, s->f.w.x[i], s->f.w.y[i], 0, 0);
   const double speed = f->t[1] * (s->f.w.u[i] - d.V[0]) - f->t[0] * (s->f.w.v[i] - d.V[1]);
   const double ago = speed > 0 ? -open / speed : 0;
-  const double along = fmin(fmax(sph_face_along(f, s->f.w.x[i], s->f.w.y[i]), 0), f->length);
+  const double along = fmin(fmax(face_along(f, s->f.w.x[i], s->f.w.y[i]), 0), f->length);
   return result_event(o->result, "wall_impact", s->t - ago, f->a[0] + along * f->t[0],
                       f->a[1] + along * f->t[1]);
 }

@@ -27,7 +27,7 @@ enum { CAUSE = SPH_ADVICE + 100 };
 static const char *remedy_of_ghosts(const struct sph *s) {
   bool folds = false;
   for (size_t k = 0; k < s->force.n; k++) folds |= s->force.motion[k].kind == TANK_MOTION_flap;
-  return folds || sph_faces_unfilled(&s->faces) != SPH_NO_FACE
+  return folds || faces_unfilled(&s->faces) != FACE_NONE
              ? "raise c0 or alpha"
              : "write walls: mirror, or raise c0 or alpha";
 }

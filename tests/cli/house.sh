@@ -13,8 +13,9 @@ forbidden() { # folder, what it must not include
   grep -nE "#include \"($2)/" -r "$1" && complain "$1/ includes what docs/architecture.md forbids"
 }
 forbidden common 'sph|bem|exact|theory|compare|cli'
-forbidden common/base 'common/(tank|case|flow|result)'
-forbidden common/tank 'common/(case|flow|result)'
+forbidden common/base 'common/(tank|cloud|case|flow|result)'
+forbidden common/tank 'common/(cloud|case|flow|result)'
+forbidden common/cloud 'common/(case|flow|result)'
 forbidden common/case 'common/result'
 forbidden common/flow 'common/result'
 forbidden sph 'bem|exact|theory|compare|cli'
@@ -36,7 +37,7 @@ exported() { # library, allowed prefixes
     grep -vE "^(_|\.)" | grep -vE "^($2)_" | sort -u)
   [ -z "$strangers" ] || complain "libplunge_$1 exports names without its prefix: $strangers"
 }
-exported common 'array|case|record|text|TEXT|file|result|health|guard|carry|geo|gauge|tank|flow|release|root|wave|progress|status|params?|problems|vtkhdf|xdmf|hdf|CASE'
+exported common 'array|case|record|text|TEXT|file|result|health|guard|carry|geo|gauge|tank|faces?|images|rigid|cloud|flow|release|root|wave|progress|status|params?|problems|vtkhdf|xdmf|hdf|CASE'
 exported sph 'sph'
 exported bem 'bem'
 exported exact 'exact'

@@ -3,9 +3,9 @@
 
 #include <omp.h>
 
+#include "common/cloud/surface.h"
 #include "sph/domain/wall.h"
 #include "sph/observe/gauge.h"
-#include "sph/observe/surface.h"
 #include "tests/sph/pool.h"
 
 #define TANK "scales: {H: 1}\ntank: {walls: [[[0, 2], [0, 0], [2, 0], [2, 2]]], sides: periodic}\n"
@@ -191,9 +191,9 @@ static void test_still_water_knows_no_sides(void) {
 static void test_surfaces_and_gauges_go_on_round_the_seam(void) {
   struct case_file *c = pool_case(LAYER, "resolution: 20");
   struct sph *s = pool_create(c);
-  struct sph_surface *extractor;
+  struct cloud_surface *extractor;
   struct geo_lines line = {0}, outline = {0};
-  EXPECT_OK(sph_surface_create(&extractor));
+  EXPECT_OK(cloud_surface_create(&extractor));
   EXPECT_OK(tank_outline(&s->tank, &c->walls, &outline));
   double elevation[2];
   for (int k = 0; k < 2; k++) {
@@ -201,8 +201,8 @@ static void test_surfaces_and_gauges_go_on_round_the_seam(void) {
       s->f.w.x[i] = shifted(s->f.w.x[i], k * 0.9);
       if (k == 0) s->f.w.y[i] *= 1 + 0.1 * cos(M_PI * s->f.w.x[i]);
     }
-    const struct sph_cloud cloud = {s->f.n, s->f.w.x, s->f.w.y, NULL, s->dx, &s->tank};
-    EXPECT_OK(sph_surface_extract(extractor, &cloud, &outline, &line));
+    const struct cloud cloud = {s->f.n, s->f.w.x, s->f.w.y, NULL, s->dx, &s->tank};
+    EXPECT_OK(cloud_surface_extract(extractor, &cloud, &outline, &line));
     EXPECT(line.pieces == 1 && !line.closed[0]);
     const double *first = line.p[0], *last = line.p[line.points - 1];
     EXPECT(first[0] == 0 && last[0] == L);
@@ -213,7 +213,7 @@ static void test_surfaces_and_gauges_go_on_round_the_seam(void) {
   EXPECT_NEAR(elevation[0], elevation[1], 1e-4);
   geo_lines_destroy(&line);
   geo_lines_destroy(&outline);
-  sph_surface_destroy(extractor);
+  cloud_surface_destroy(extractor);
   sph_destroy(s);
   case_destroy(c);
 }

@@ -24,10 +24,10 @@ static double least_way(const struct sph *s) {
   double least = INFINITY;
   for (size_t i = 0; i < s->f.n; i++)
     for (size_t k = 0; k < s->faces.n; k++) {
-      const struct sph_face *f = &s->faces.face[k];
-      const double at = sph_face_along(f, s->f.w.x[i], s->f.w.y[i]);
+      const struct face *f = &s->faces.face[k];
+      const double at = face_along(f, s->f.w.x[i], s->f.w.y[i]);
       if (at < 0 || at > f->length) continue;
-      least = fmin(least, sph_face_distance(f, s->f.w.x[i], s->f.w.y[i]));
+      least = fmin(least, face_distance(f, s->f.w.x[i], s->f.w.y[i]));
     }
   return least;
 }
@@ -359,7 +359,7 @@ static void test_ghosts_past_an_edge_keep_their_places(void) {
       "resolution: 10");
   struct sph *s = pool_create(c);
   double *was = calloc(2 * s->w.n, sizeof *was), most = 0;
-  EXPECT(s->faces.face[1].end[1] == SPH_END_EDGE);
+  EXPECT(s->faces.face[1].end[1] == FACE_END_EDGE);
   for (int step = 0; step <= 70; step++) {
     sph_tank_set(s, 0.01 * step);
     for (size_t i = 0; i < s->w.n; i++) {

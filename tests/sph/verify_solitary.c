@@ -2,9 +2,9 @@
  * from. */
 #include "tests/test.h"
 
+#include "common/cloud/surface.h"
 #include "common/flow/crest.h"
 #include "sph/fluid/energy.h"
-#include "sph/observe/surface.h"
 #include "tests/sph/pool.h"
 
 /* The depth is 1 m. */
@@ -99,14 +99,14 @@ static void correct(const struct waves *w, const struct geo_lines *surface, stru
 static double crest_at(const struct case_file *c, const struct sph *s, double about) {
   const double step = 0.02;
   struct waves w = {crest_of(amplitude), crest_of(amplitude - step), step};
-  struct sph_surface *extractor = NULL;
+  struct cloud_surface *extractor = NULL;
   struct geo_lines surface = {0};
-  const struct sph_cloud cloud = {s->f.n, s->f.w.x, s->f.w.y, NULL, s->dx, &s->tank};
+  const struct cloud cloud = {s->f.n, s->f.w.x, s->f.w.y, NULL, s->dx, &s->tank};
   struct seen at = {amplitude, about, 0};
-  EXPECT_OK(sph_surface_create(&extractor));
-  EXPECT_OK(sph_surface_extract(extractor, &cloud, &c->walls, &surface));
+  EXPECT_OK(cloud_surface_create(&extractor));
+  EXPECT_OK(cloud_surface_extract(extractor, &cloud, &c->walls, &surface));
   for (int k = 0; k < 8; k++) correct(&w, &surface, &at);
-  sph_surface_destroy(extractor);
+  cloud_surface_destroy(extractor);
   geo_lines_destroy(&surface);
   wave_crest_destroy(&w.wave);
   wave_crest_destroy(&w.less);

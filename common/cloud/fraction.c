@@ -1,4 +1,4 @@
-#include "sph/observe/fraction.h"
+#include "common/cloud/fraction.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -14,15 +14,15 @@ enum { IMAGE_REACH = 2 * (REACH + 1) };
 enum { MARGIN = IMAGE_REACH + REACH + 1 };
 #define MAX_NODES ((size_t)1 << 31)
 
-struct sph_source {
+struct cloud_source {
   double x, y;   /* in nodes */
   double volume; /* m^2 */
 };
 
-void sph_fraction_destroy(struct sph_fraction *g) {
+void cloud_fraction_destroy(struct cloud_fraction *g) {
   free(g->memory);
-  sph_images_destroy(&g->images);
-  sph_images_destroy(&g->beyond);
+  images_destroy(&g->images);
+  images_destroy(&g->beyond);
   geo_lines_destroy(&g->walls);
   free(g->source);
   free(g->band);
@@ -43,7 +43,7 @@ static struct geo_box catchment(const struct geo_lines *walls) {
   return box;
 }
 
-static struct geo_box box_of(const struct sph_cloud *c, const struct geo_box *catch) {
+static struct geo_box box_of(const struct cloud *c, const struct geo_box *catch) {
   double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
 #pragma omp simd reduction(min : left, low) reduction(max : right, high)
   for (size_t i = 0; i < c->n; i++) {
@@ -65,7 +65,7 @@ static struct geo_box box_of(const struct sph_cloud *c, const struct geo_box *ca
 }
 
 /* Lays the grid around the particles; of its columns, the ones in the strip. */
-static enum status lay(struct sph_fraction *g, const struct geo_box *box, const double strip[2]) {
+static enum status lay(struct cloud_fraction *g, const struct geo_box *box, const double strip[2]) {
   g->nx = g->ny = g->first = 0;
   if (box->min[0] > box->max[0]) return OK;
   double nodes[2];
@@ -94,13 +94,13 @@ static enum status lay(struct sph_fraction *g, const struct geo_box *box, const 
 /* ---- sources ---- */
 
 /* Whether column x (in nodes) is less than `reach` from the strip. */
-static bool is_near(const struct sph_fraction *g, double x, double reach) {
+static bool is_near(const struct cloud_fraction *g, double x, double reach) {
   return x > (double)g->first - reach && x < (double)(g->first + g->nx) + reach;
 }
 
-static enum status add_source(struct sph_fraction *g, double x, double y, double volume) {
-  struct sph_source new = {(x - g->origin[0]) / g->spacing, (y - g->origin[1]) / g->spacing,
-                           volume};
+static enum status add_source(struct cloud_fraction *g, double x, double y, double volume) {
+  struct cloud_source new = {(x - g->origin[0]) / g->spacing, (y - g->origin[1]) / g->spacing,
+                             volume};
   if (!is_near(g, new.x, REACH)) return OK;
   TRY(array_grow(&g->source, &g->source_room, g->sources + 1, "particles near a free surface"));
   g->source[g->sources++] = new;
@@ -108,19 +108,19 @@ static enum status add_source(struct sph_fraction *g, double x, double y, double
 }
 
 /* Adds the images of a particle. */
-static enum status add_images(struct sph_fraction *g, double x, double y, double volume) {
-  size_t n = sph_images_of(&g->images, x, y);
+static enum status add_images(struct cloud_fraction *g, double x, double y, double volume) {
+  size_t n = images_of(&g->images, x, y);
   for (size_t k = 0; k < n; k++)
     TRY(add_source(g, g->images.found[k].x, g->images.found[k].y, volume));
   return OK;
 }
 
-static enum status add_particle(struct sph_fraction *g, double x, double y, double volume) {
+static enum status add_particle(struct cloud_fraction *g, double x, double y, double volume) {
   TRY(add_source(g, x, y, volume));
   TRY(add_images(g, x, y, volume));
-  size_t n = sph_images_beyond(&g->beyond, x, y);
+  size_t n = images_beyond(&g->beyond, x, y);
   for (size_t k = 0; k < n; k++) {
-    const struct sph_image *at = &g->beyond.found[k];
+    const struct image *at = &g->beyond.found[k];
     TRY(add_source(g, at->x, at->y, volume));
     TRY(add_images(g, at->x, at->y, volume));
   }
@@ -128,7 +128,7 @@ static enum status add_particle(struct sph_fraction *g, double x, double y, doub
 }
 
 /* The particles that may matter to the strip, in order; all that have images round the tank. */
-static size_t choose(const struct sph_fraction *g, const struct sph_cloud *c, struct geo_box box,
+static size_t choose(const struct cloud_fraction *g, const struct cloud *c, struct geo_box box,
                      uint32_t *chosen) {
   double left = g->origin[0] + ((double)g->first - MARGIN - 1) * g->spacing;
   double right = g->origin[0] + ((double)(g->first + g->nx) + MARGIN + 1) * g->spacing;
@@ -145,22 +145,22 @@ static size_t choose(const struct sph_fraction *g, const struct sph_cloud *c, st
 }
 
 /* Of what has images: the walls, and the periods of the tank. */
-static enum status set_images(struct sph_fraction *g, const struct sph_cloud *c,
+static enum status set_images(struct cloud_fraction *g, const struct cloud *c,
                               const struct geo_lines *walls) {
   const double reach = (REACH + 1) * g->spacing;
   if (c->tank && tank_is_periodic(c->tank)) {
     TRY(tank_walls(c->tank, walls, 2 * reach, &g->walls));
-    TRY(sph_images_set_walls(&g->images, &g->walls, 0));
-    TRY(sph_images_set_periods(&g->beyond, c->tank, reach));
+    TRY(images_set_walls(&g->images, &g->walls, 0));
+    TRY(images_set_periods(&g->beyond, c->tank, reach));
   } else {
-    TRY(sph_images_set_walls(&g->images, walls, 0));
+    TRY(images_set_walls(&g->images, walls, 0));
     g->beyond.n_shifts = 0;
   }
-  sph_images_set_reach(&g->images, reach, 0);
+  images_set_reach(&g->images, reach, 0);
   return OK;
 }
 
-static enum status add_sources(struct sph_fraction *g, const struct sph_cloud *c,
+static enum status add_sources(struct cloud_fraction *g, const struct cloud *c,
                                const struct geo_lines *walls, const struct geo_box *catch) {
   TRY(set_images(g, c, walls));
   TRY(array_grow(&g->listed, &g->list_room, c->n + 1, "particles near a free surface"));
@@ -178,24 +178,24 @@ static enum status add_sources(struct sph_fraction *g, const struct sph_cloud *c
 /* ---- bands ---- */
 
 /* The first row that a source reaches. */
-static size_t lowest_row(const struct sph_source *q) {
+static size_t lowest_row(const struct cloud_source *q) {
   return (size_t)floor(q->y) + 1 - REACH;
 }
 
 /* Lists, for every band, the sources that reach into it, in order. */
-static enum status list_sources(struct sph_fraction *g) {
-  size_t bands = (g->ny + SPH_BAND - 1) / SPH_BAND;
+static enum status list_sources(struct cloud_fraction *g) {
+  size_t bands = (g->ny + CLOUD_BAND - 1) / CLOUD_BAND;
   TRY(array_grow(&g->band, &g->band_room, bands + 1, "the rows of a free surface"));
   memset(g->band, 0, (bands + 1) * sizeof *g->band);
   for (size_t k = 0; k < g->sources; k++) {
     size_t j = lowest_row(&g->source[k]);
-    for (size_t b = j / SPH_BAND; b <= (j + STENCIL - 1) / SPH_BAND; b++) g->band[b + 1]++;
+    for (size_t b = j / CLOUD_BAND; b <= (j + STENCIL - 1) / CLOUD_BAND; b++) g->band[b + 1]++;
   }
   for (size_t b = 0; b < bands; b++) g->band[b + 1] += g->band[b];
   TRY(array_grow(&g->listed, &g->list_room, g->band[bands], "particles near a free surface"));
   for (size_t k = 0; k < g->sources; k++) {
     size_t j = lowest_row(&g->source[k]);
-    for (size_t b = j / SPH_BAND; b <= (j + STENCIL - 1) / SPH_BAND; b++)
+    for (size_t b = j / CLOUD_BAND; b <= (j + STENCIL - 1) / CLOUD_BAND; b++)
       g->listed[g->band[b]++] = (uint32_t)k;
   }
   memmove(g->band + 1, g->band, bands * sizeof *g->band);
@@ -224,7 +224,7 @@ static inline void gaussian_row(const double *taper, double t, double *w) {
 }
 
 /* Adds what a source gives to the rows [from, to). */
-static void deposit(struct sph_fraction *g, const struct sph_source *q, const double *taper,
+static void deposit(struct cloud_fraction *g, const struct cloud_source *q, const double *taper,
                     size_t from, size_t to) {
   double i = floor(q->x), wx[STENCIL], wy[STENCIL];
   gaussian_row(taper, q->x - i, wx);
@@ -239,15 +239,15 @@ static void deposit(struct sph_fraction *g, const struct sph_source *q, const do
   }
 }
 
-static void fill_band(struct sph_fraction *g, const double *taper, size_t band) {
-  size_t from = band * SPH_BAND, to = from + SPH_BAND < g->ny ? from + SPH_BAND : g->ny;
+static void fill_band(struct cloud_fraction *g, const double *taper, size_t band) {
+  size_t from = band * CLOUD_BAND, to = from + CLOUD_BAND < g->ny ? from + CLOUD_BAND : g->ny;
   memset(g->memory + from * g->stride, 0, (to - from) * g->stride * sizeof *g->memory);
   for (size_t k = g->band[band]; k < g->band[band + 1]; k++)
     deposit(g, &g->source[g->listed[k]], taper, from, to);
 }
 
-enum status sph_fraction_fill(struct sph_fraction *g, const struct sph_cloud *c,
-                              const struct geo_lines *walls, const double strip[2]) {
+enum status cloud_fraction_fill(struct cloud_fraction *g, const struct cloud *c,
+                                const struct geo_lines *walls, const double strip[2]) {
   struct geo_box catch = catchment(walls), box = box_of(c, &catch);
   double taper[STENCIL];
   taper_of(taper);
@@ -259,6 +259,6 @@ enum status sph_fraction_fill(struct sph_fraction *g, const struct sph_cloud *c,
   TRY(list_sources(g));
   /* waking another thread takes about as long as a few hundred sources */
 #pragma omp parallel for schedule(dynamic, 1) if (g->sources > 4096)
-  for (size_t b = 0; b < (g->ny + SPH_BAND - 1) / SPH_BAND; b++) fill_band(g, taper, b);
+  for (size_t b = 0; b < (g->ny + CLOUD_BAND - 1) / CLOUD_BAND; b++) fill_band(g, taper, b);
   return OK;
 }

@@ -1,4 +1,4 @@
-#include "sph/observe/surface.h"
+#include "common/cloud/surface.h"
 
 #include <omp.h>
 #include <stdint.h>
@@ -9,12 +9,12 @@
 
 static const double dx = 0.0123;
 
-struct cloud {
+struct swarm {
   size_t n, room;
   double *x, *y;
 };
 
-static void cloud_add(struct cloud *c, double x, double y) {
+static void swarm_add(struct swarm *c, double x, double y) {
   if (c->n == c->room) {
     c->room = c->room ? 2 * c->room : 1024;
     c->x = realloc(c->x, c->room * sizeof *c->x);
@@ -25,17 +25,17 @@ static void cloud_add(struct cloud *c, double x, double y) {
   c->y[c->n++] = y;
 }
 
-static void cloud_destroy(struct cloud *c) {
+static void swarm_destroy(struct swarm *c) {
   free(c->x);
   free(c->y);
-  *c = (struct cloud){0};
+  *c = (struct swarm){0};
 }
 
 /* A square lattice of particles in the cells of [x0, x1] x [y0, y1]. */
-static void cloud_block(struct cloud *c, double x0, double y0, double x1, double y1, double d) {
+static void swarm_block(struct swarm *c, double x0, double y0, double x1, double y1, double d) {
   for (long j = 0; j < lround((y1 - y0) / d); j++)
     for (long i = 0; i < lround((x1 - x0) / d); i++)
-      cloud_add(c, x0 + ((double)i + 0.5) * d, y0 + ((double)j + 0.5) * d);
+      swarm_add(c, x0 + ((double)i + 0.5) * d, y0 + ((double)j + 0.5) * d);
 }
 
 /* Reproducible uniform numbers in (-1, 1). */
@@ -47,7 +47,7 @@ static double noise(void) {
   return (double)(state >> 11) / 4503599627370496.0 - 1;
 }
 
-static void cloud_jitter(struct cloud *c, double amplitude) {
+static void swarm_jitter(struct swarm *c, double amplitude) {
   for (size_t i = 0; i < c->n; i++) {
     c->x[i] += amplitude * noise();
     c->y[i] += amplitude * noise();
@@ -56,7 +56,7 @@ static void cloud_jitter(struct cloud *c, double amplitude) {
 
 /* Rings of particles that fill the disc or annulus evenly right up to its edges: its surface is
  * known exactly, unlike that of a lattice cut by a circle. */
-static void cloud_disc(struct cloud *c, double x, double y, double inner, double outer,
+static void swarm_disc(struct swarm *c, double x, double y, double inner, double outer,
                        double spacing, double *volume) {
   int rings = (int)lround((outer - inner) / spacing);
   double width = (outer - inner) / rings;
@@ -65,7 +65,7 @@ static void cloud_disc(struct cloud *c, double x, double y, double inner, double
     int m = (int)lround(2 * M_PI * r / width);
     for (int i = 0; i < m; i++) {
       double angle = 2 * M_PI * (i + 0.3 * k) / m;
-      cloud_add(c, x + r * cos(angle), y + r * sin(angle));
+      swarm_add(c, x + r * cos(angle), y + r * sin(angle));
       volume[c->n - 1] = 2 * M_PI * r * width / m;
     }
   }
@@ -80,17 +80,17 @@ static void tank(struct geo_lines *l, double width, double height) {
   EXPECT_OK(geo_lines_add(l, width, height));
 }
 
-static void extract(const struct cloud *c, const double *volume, double spacing,
+static void extract(const struct swarm *c, const double *volume, double spacing,
                     const struct geo_lines *walls, struct geo_lines *out) {
-  struct sph_surface *s = NULL;
-  EXPECT_OK(sph_surface_create(&s));
-  EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){c->n, c->x, c->y, volume, spacing, NULL},
-                                walls, out));
-  sph_surface_destroy(s);
+  struct cloud_surface *s = NULL;
+  EXPECT_OK(cloud_surface_create(&s));
+  EXPECT_OK(cloud_surface_extract(s, &(struct cloud){c->n, c->x, c->y, volume, spacing, NULL},
+                                  walls, out));
+  cloud_surface_destroy(s);
 }
 
 /* F of the header comment of surface.c by direct summation, without walls. */
-static double fraction(const struct cloud *c, double x, double y) {
+static double fraction(const struct swarm *c, double x, double y) {
   double f = 0;
   for (size_t i = 0; i < c->n; i++)
     f += exp(-((x - c->x[i]) * (x - c->x[i]) + (y - c->y[i]) * (y - c->y[i])) / (dx * dx)) / M_PI;
@@ -101,10 +101,10 @@ static double fraction(const struct cloud *c, double x, double y) {
 #define LATTICE_NOISE (3.7e-4 * dx)
 
 static void test_still_water_has_its_surface_and_ends_on_the_walls(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines walls = {0}, l = {0};
   tank(&walls, 60 * dx, 50 * dx);
-  cloud_block(&c, 0, 0, 60 * dx, 20 * dx, dx);
+  swarm_block(&c, 0, 0, 60 * dx, 20 * dx, dx);
   extract(&c, NULL, dx, &walls, &l);
   EXPECT(l.pieces == 1 && !l.closed[0]);
   EXPECT(l.p[0][0] == 0 && l.p[l.points - 1][0] == 60 * dx);
@@ -112,7 +112,7 @@ static void test_still_water_has_its_surface_and_ends_on_the_walls(void) {
     EXPECT_NEAR(l.p[i][1], 20 * dx, LATTICE_NOISE);
     if (i) EXPECT(l.p[i][0] > l.p[i - 1][0]);
   }
-  cloud_destroy(&c);
+  swarm_destroy(&c);
   geo_lines_destroy(&walls);
   geo_lines_destroy(&l);
 }
@@ -123,9 +123,9 @@ static void test_disc_is_a_clockwise_drop_and_its_radius_converges_at_second_ord
   struct geo_lines none = {0}, l = {0};
   double before = 0;
   for (int k = 10; k <= 80; k *= 2) {
-    struct cloud c = {0};
+    struct swarm c = {0};
     double d = 1.0 / k, *volume = malloc(sizeof *volume * 4 * (size_t)(k * k)), mean = 0;
-    cloud_disc(&c, 0.3, 0.7, 0, 1, d, volume);
+    swarm_disc(&c, 0.3, 0.7, 0, 1, d, volume);
     extract(&c, volume, d, &none, &l);
     EXPECT(l.pieces == 1 && l.closed[0] && geo_piece_area(&l, 0) < 0);
     for (size_t i = 0; i < l.points; i++)
@@ -134,16 +134,16 @@ static void test_disc_is_a_clockwise_drop_and_its_radius_converges_at_second_ord
     if (before != 0) EXPECT_NEAR(log2(before / mean), 2, 0.05);
     before = mean;
     free(volume);
-    cloud_destroy(&c);
+    swarm_destroy(&c);
   }
   geo_lines_destroy(&l);
 }
 
 static void test_ring_has_a_counter_clockwise_cavity_in_it(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines none = {0}, l = {0};
   double volume[10000];
-  cloud_disc(&c, 0, 0, 20 * dx, 50 * dx, dx, volume);
+  swarm_disc(&c, 0, 0, 20 * dx, 50 * dx, dx, volume);
   extract(&c, volume, dx, &none, &l);
   EXPECT(l.pieces == 2 && l.closed[0] && l.closed[1]);
   for (size_t k = 0; k < l.pieces; k++) {
@@ -152,7 +152,7 @@ static void test_ring_has_a_counter_clockwise_cavity_in_it(void) {
     EXPECT_NEAR(fabs(area), M_PI * pow(r - dx * dx / (4 * r), 2), 5e-4 * M_PI * r * r);
   }
   EXPECT(geo_piece_area(&l, 0) * geo_piece_area(&l, 1) < 0);
-  cloud_destroy(&c);
+  swarm_destroy(&c);
   geo_lines_destroy(&l);
 }
 
@@ -170,8 +170,8 @@ static void test_column_runs_from_its_wall_to_the_bed_and_its_area_converges(voi
   tank(&walls, 5.366, 3);
   double before = 0;
   for (int k = 10; k <= 40; k *= 2) {
-    struct cloud c = {0};
-    cloud_block(&c, 0, 0, 2, 1, 1.0 / k);
+    struct swarm c = {0};
+    swarm_block(&c, 0, 0, 2, 1, 1.0 / k);
     extract(&c, NULL, 1.0 / k, &walls, &l);
     EXPECT(l.pieces == 1 && !l.closed[0]);
     EXPECT(l.p[0][0] == 0 && l.p[l.points - 1][1] == 0);
@@ -182,7 +182,7 @@ static void test_column_runs_from_its_wall_to_the_bed_and_its_area_converges(voi
     EXPECT(error > 0);
     if (before != 0) EXPECT_NEAR(log2(before / error), 2, 0.1);
     before = error;
-    cloud_destroy(&c);
+    swarm_destroy(&c);
   }
   geo_lines_destroy(&walls);
   geo_lines_destroy(&l);
@@ -192,33 +192,33 @@ static void test_column_runs_from_its_wall_to_the_bed_and_its_area_converges(voi
  * half a plane is a^2/(6 pi dx^2), so the surface by a/sqrt(6) rms; 25 % for the size of the
  * sample. */
 static void test_jitter_moves_the_surface_by_less_than_itself(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines walls = {0}, l = {0};
   tank(&walls, 300 * dx, 50 * dx);
-  cloud_block(&c, 0, 0, 300 * dx, 20 * dx, dx);
-  cloud_jitter(&c, 0.1 * dx);
+  swarm_block(&c, 0, 0, 300 * dx, 20 * dx, dx);
+  swarm_jitter(&c, 0.1 * dx);
   extract(&c, NULL, dx, &walls, &l);
   double square = 0;
   for (size_t i = 0; i < l.points; i++) square += pow(l.p[i][1] - 20 * dx, 2) / (double)l.points;
   EXPECT(l.pieces == 1);
   EXPECT_NEAR(sqrt(square), 0.1 * dx / sqrt(6), 0.25 * 0.1 * dx / sqrt(6));
-  cloud_destroy(&c);
+  swarm_destroy(&c);
   geo_lines_destroy(&walls);
   geo_lines_destroy(&l);
 }
 
 static void test_two_drops_are_two_pieces_and_one_particle_is_none(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines walls = {0}, l = {0};
   tank(&walls, 60 * dx, 50 * dx);
-  cloud_block(&c, 10 * dx, 20 * dx, 14 * dx, 24 * dx, dx);
-  cloud_block(&c, 16 * dx, 20 * dx, 20 * dx, 24 * dx, dx);
-  cloud_add(&c, 40 * dx, 20 * dx);
-  cloud_add(&c, 50 * dx, dx / 2);
+  swarm_block(&c, 10 * dx, 20 * dx, 14 * dx, 24 * dx, dx);
+  swarm_block(&c, 16 * dx, 20 * dx, 20 * dx, 24 * dx, dx);
+  swarm_add(&c, 40 * dx, 20 * dx);
+  swarm_add(&c, 50 * dx, dx / 2);
   extract(&c, NULL, dx, &walls, &l);
   EXPECT(l.pieces == 2 && l.closed[0] && l.closed[1]);
   EXPECT(geo_piece_area(&l, 0) < 0 && geo_piece_area(&l, 1) < 0);
-  cloud_destroy(&c);
+  swarm_destroy(&c);
   geo_lines_destroy(&walls);
   geo_lines_destroy(&l);
 }
@@ -229,12 +229,12 @@ static void test_pocket_of_air_is_seen_when_it_is_more_than_a_gap_between_partic
   tank(&walls, 60 * dx, 50 * dx);
   for (int k = 1; k <= 8; k++)
     for (int on_bed = 0; on_bed < 2; on_bed++) {
-      struct cloud c = {0};
+      struct swarm c = {0};
       int low = on_bed ? 0 : 10;
       for (int j = 0; j < 30; j++)
         for (int i = 0; i < 60; i++)
           if (i < 20 || i >= 20 + k || j < low || j >= low + k)
-            cloud_add(&c, (i + 0.5) * dx, (j + 0.5) * dx);
+            swarm_add(&c, (i + 0.5) * dx, (j + 0.5) * dx);
       extract(&c, NULL, dx, &walls, &l);
       EXPECT(l.pieces == (k <= 2 ? 1 : 2) || k == 3);
       if (l.pieces == 2) {
@@ -242,7 +242,7 @@ static void test_pocket_of_air_is_seen_when_it_is_more_than_a_gap_between_partic
         EXPECT(geo_piece_area(&l, 1) > 0); /* counter-clockwise: air inside */
         EXPECT_NEAR(geo_piece_area(&l, 1), k * k * dx * dx, 0.2 * k * k * dx * dx + dx * dx);
       }
-      cloud_destroy(&c);
+      swarm_destroy(&c);
     }
   geo_lines_destroy(&walls);
   geo_lines_destroy(&l);
@@ -255,8 +255,8 @@ static void test_thin_tongue_on_the_bed_is_seen_and_ends_on_the_bed(void) {
   struct geo_lines walls = {0}, l = {0};
   tank(&walls, 60 * dx, 50 * dx);
   for (int rows = 1; rows <= 3; rows++) {
-    struct cloud c = {0};
-    cloud_block(&c, 0, 0, 40 * dx, rows * dx, dx);
+    struct swarm c = {0};
+    swarm_block(&c, 0, 0, 40 * dx, rows * dx, dx);
     extract(&c, NULL, dx, &walls, &l);
     EXPECT(l.pieces == 1 && !l.closed[0] && l.p[0][0] == 0 && l.p[l.points - 1][1] == 0);
     double height = rows, toe = 0; /* in dx; solved by fixed-point iteration and bisection */
@@ -266,7 +266,7 @@ static void test_thin_tongue_on_the_bed_is_seen_and_ends_on_the_bed(void) {
     /* a sheet that is just seen has a flat F, in which d is not linear: 5 % of dx at worst */
     EXPECT_NEAR(gauge_elevation(&l, 20 * dx, 0) / dx, height, 0.01);
     EXPECT_NEAR(l.p[l.points - 1][0] / dx, 40 + toe, rows == 1 ? 0.05 : 0.01);
-    cloud_destroy(&c);
+    swarm_destroy(&c);
   }
   geo_lines_destroy(&walls);
   geo_lines_destroy(&l);
@@ -275,16 +275,16 @@ static void test_thin_tongue_on_the_bed_is_seen_and_ends_on_the_bed(void) {
 /* Ragged clusters with holes, contacts at corners and sheets: every curve must lie on F = 1/2 and
  * have more water on its right than on its left. */
 static void test_water_is_on_the_right_of_every_step(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines none = {0}, l = {0};
   for (int j = 0; j < 40; j++)
     for (int i = 0; i < 80; i++) { /* water with holes for i < 40, drops beyond */
       bool bump = sin(0.5 * i) * cos(0.4 * j) > 0.4 + 0.3 * noise();
-      if (bump != (i < 40)) cloud_add(&c, i * dx, j * dx);
+      if (bump != (i < 40)) swarm_add(&c, i * dx, j * dx);
     }
-  cloud_block(&c, 90 * dx, 0, 95 * dx, 5 * dx, dx);
-  cloud_block(&c, 95 * dx, 5 * dx, 100 * dx, 10 * dx, dx);
-  cloud_jitter(&c, 0.2 * dx);
+  swarm_block(&c, 90 * dx, 0, 95 * dx, 5 * dx, dx);
+  swarm_block(&c, 95 * dx, 5 * dx, 100 * dx, 10 * dx, dx);
+  swarm_jitter(&c, 0.2 * dx);
   extract(&c, NULL, dx, &none, &l);
   size_t drops = 0, cavities = 0;
   double square = 0;
@@ -307,13 +307,13 @@ static void test_water_is_on_the_right_of_every_step(void) {
   }
   EXPECT(drops >= 10 && cavities >= 5);
   EXPECT(sqrt(square / (double)l.points) < 0.01); /* 0.02 dx where F is steep */
-  cloud_destroy(&c);
+  swarm_destroy(&c);
   geo_lines_destroy(&l);
 }
 
 /* The same tank with its bed in five parts, and as a closed box: the images are the same. */
 static void test_walls_may_be_cut_and_closed(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines walls[3] = {{0}}, l[3] = {{0}};
   double wide = 60 * dx, high = 50 * dx;
   tank(&walls[0], wide, high);
@@ -326,9 +326,9 @@ static void test_walls_may_be_cut_and_closed(void) {
   EXPECT_OK(geo_lines_add(&walls[2], wide, high));
   EXPECT_OK(geo_lines_add(&walls[2], 0, high));
   EXPECT_OK(geo_lines_add(&walls[2], 0, 0));
-  cloud_block(&c, 0, 0, wide, 7 * dx, dx);
-  cloud_block(&c, 50 * dx, 7 * dx, wide, 12 * dx, dx);
-  cloud_jitter(&c, 0.1 * dx);
+  swarm_block(&c, 0, 0, wide, 7 * dx, dx);
+  swarm_block(&c, 50 * dx, 7 * dx, wide, 12 * dx, dx);
+  swarm_jitter(&c, 0.1 * dx);
   for (int k = 0; k < 3; k++) extract(&c, NULL, dx, &walls[k], &l[k]);
   EXPECT(l[0].pieces == 1 && !l[0].closed[0]);
   for (int k = 1; k < 3; k++) {
@@ -340,22 +340,22 @@ static void test_walls_may_be_cut_and_closed(void) {
     geo_lines_destroy(&walls[k]);
     geo_lines_destroy(&l[k]);
   }
-  cloud_destroy(&c);
+  swarm_destroy(&c);
 }
 
 /* Water that leaves over the top of the right wall is cut straight above it. */
 static void test_water_above_the_end_of_a_wall_is_cut_on_its_continuation(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines walls = {0}, l = {0};
   tank(&walls, 60 * dx, 50 * dx);
-  cloud_block(&c, 50 * dx, 55 * dx, 70 * dx, 65 * dx, dx);
+  swarm_block(&c, 50 * dx, 55 * dx, 70 * dx, 65 * dx, dx);
   extract(&c, NULL, dx, &walls, &l);
   EXPECT(l.pieces == 1 && !l.closed[0]);
   EXPECT_NEAR(l.p[0][0], 60 * dx, 1e-12);
   EXPECT_NEAR(l.p[l.points - 1][0], 60 * dx, 1e-12);
   EXPECT_NEAR(l.p[0][1], 55 * dx, LATTICE_NOISE); /* the water on the right: from below */
   EXPECT_NEAR(l.p[l.points - 1][1], 65 * dx, LATTICE_NOISE);
-  cloud_destroy(&c);
+  swarm_destroy(&c);
   geo_lines_destroy(&walls);
   geo_lines_destroy(&l);
 }
@@ -363,7 +363,7 @@ static void test_water_above_the_end_of_a_wall_is_cut_on_its_continuation(void) 
 /* A bed that rises at 45 degrees: no curve appears where the walls meet, although the lattice does
  * not follow them. */
 static void test_oblique_walls_are_filled(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines walls = {0}, water = {0}, l = {0};
   const double corner[][2] = {{0, 50}, {0, 0}, {30, 0}, {80, 50}};
   EXPECT_OK(geo_lines_begin(&walls, false));
@@ -375,58 +375,58 @@ static void test_oblique_walls_are_filled(void) {
   for (int j = 0; j < 20; j++)
     for (int i = 0; i < 80; i++)
       if (geo_lines_contain(&water, (i + 0.25) * dx, (j + 0.5) * dx))
-        cloud_add(&c, (i + 0.25) * dx, (j + 0.5) * dx);
+        swarm_add(&c, (i + 0.25) * dx, (j + 0.5) * dx);
   extract(&c, NULL, dx, &walls, &l);
   EXPECT(l.pieces == 1 && !l.closed[0] && l.p[0][0] == 0);
   const double *end = l.p[l.points - 1];
   EXPECT_NEAR(end[0] - 30 * dx, end[1], 1e-12);
   EXPECT_NEAR(end[1], 20 * dx, dx); /* a lattice that stops anywhere within dx of the wall */
-  cloud_destroy(&c);
+  swarm_destroy(&c);
   geo_lines_destroy(&walls);
   geo_lines_destroy(&water);
   geo_lines_destroy(&l);
 }
 
 static void test_escaped_particles_change_nothing(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines walls = {0}, l = {0}, again = {0};
-  struct sph_surface *s = NULL;
+  struct cloud_surface *s = NULL;
   tank(&walls, 60 * dx, 50 * dx);
-  cloud_block(&c, 0, 0, 30 * dx, 20 * dx, dx);
-  EXPECT_OK(sph_surface_create(&s));
-  EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx, NULL}, &walls, &l));
-  cloud_add(&c, NAN, dx);
-  cloud_add(&c, dx, INFINITY);
-  cloud_add(&c, -1e30, 1e30);
+  swarm_block(&c, 0, 0, 30 * dx, 20 * dx, dx);
+  EXPECT_OK(cloud_surface_create(&s));
+  EXPECT_OK(cloud_surface_extract(s, &(struct cloud){c.n, c.x, c.y, NULL, dx, NULL}, &walls, &l));
+  swarm_add(&c, NAN, dx);
+  swarm_add(&c, dx, INFINITY);
+  swarm_add(&c, -1e30, 1e30);
   EXPECT_OK(
-      sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx, NULL}, &walls, &again));
+      cloud_surface_extract(s, &(struct cloud){c.n, c.x, c.y, NULL, dx, NULL}, &walls, &again));
   EXPECT(l.points == again.points && l.pieces == again.pieces);
   EXPECT(memcmp(l.p, again.p, l.points * sizeof *l.p) == 0);
-  EXPECT_OK(sph_surface_extract(s, &(struct sph_cloud){.dx = dx}, &walls, &again));
+  EXPECT_OK(cloud_surface_extract(s, &(struct cloud){.dx = dx}, &walls, &again));
   EXPECT(again.pieces == 0 && again.points == 0);
-  cloud_destroy(&c);
-  cloud_add(&c, 0, 0);
-  cloud_add(&c, 1e9 * dx, 1e9 * dx);
+  swarm_destroy(&c);
+  swarm_add(&c, 0, 0);
+  swarm_add(&c, 1e9 * dx, 1e9 * dx);
   struct geo_lines none = {0};
-  EXPECT(sph_surface_extract(s, &(struct sph_cloud){c.n, c.x, c.y, NULL, dx, NULL}, &none,
-                             &again) == ERR_INPUT);
-  sph_surface_destroy(s);
-  cloud_destroy(&c);
+  EXPECT(cloud_surface_extract(s, &(struct cloud){c.n, c.x, c.y, NULL, dx, NULL}, &none, &again) ==
+         ERR_INPUT);
+  cloud_surface_destroy(s);
+  swarm_destroy(&c);
   geo_lines_destroy(&walls);
   geo_lines_destroy(&l);
   geo_lines_destroy(&again);
 }
 
 /* Water with a wavy surface, with drops above it, and with holes of all sizes in it. */
-static void cloud_breaker(struct cloud *c, double width, double depth) {
-  struct cloud full = {0};
+static void swarm_breaker(struct swarm *c, double width, double depth) {
+  struct swarm full = {0};
   double hole[40][3];
   for (int k = 0; k < 40; k++) {
     hole[k][0] = width * (0.5 + 0.5 * noise());
     hole[k][1] = 1.2 * depth * (0.5 + 0.5 * noise());
     hole[k][2] = dx * (1.5 + 1.5 * noise());
   }
-  cloud_block(&full, 0, 0, width, 1.5 * depth, dx);
+  swarm_block(&full, 0, 0, width, 1.5 * depth, dx);
   for (size_t i = 0; i < full.n; i++) {
     double x = full.x[i], y = full.y[i], top = depth * (1 + 0.15 * sin(9 * x / width));
     bool gone = false, drop = false;
@@ -435,47 +435,47 @@ static void cloud_breaker(struct cloud *c, double width, double depth) {
       gone |= near;
       drop |= near;
     }
-    if (y < top ? !gone : drop) cloud_add(c, x, y);
+    if (y < top ? !gone : drop) swarm_add(c, x, y);
   }
-  cloud_jitter(c, 0.3 * dx);
-  cloud_destroy(&full);
+  swarm_jitter(c, 0.3 * dx);
+  swarm_destroy(&full);
 }
 
 /* Away from its edges: the elevations that a gauge reads. */
 static void test_strip_is_the_same_as_the_whole_to_the_last_bit(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines walls = {0}, whole = {0}, part = {0};
-  struct sph_surface *s = NULL;
+  struct cloud_surface *s = NULL;
   const double width = 120 * dx;
   tank(&walls, width, 90 * dx);
-  cloud_breaker(&c, width, 40 * dx);
-  const struct sph_cloud cloud = {c.n, c.x, c.y, NULL, dx, NULL};
-  EXPECT_OK(sph_surface_create(&s));
-  EXPECT_OK(sph_surface_extract(s, &cloud, &walls, &whole));
+  swarm_breaker(&c, width, 40 * dx);
+  const struct cloud cloud = {c.n, c.x, c.y, NULL, dx, NULL};
+  EXPECT_OK(cloud_surface_create(&s));
+  EXPECT_OK(cloud_surface_extract(s, &cloud, &walls, &whole));
   EXPECT(whole.pieces > 10);
   int wet = 0;
   for (int k = 0; k <= 200; k++) {
     double x = width * k / 200;
-    EXPECT_OK(sph_surface_strip(s, &cloud, &walls, (double[]){x - 6 * dx, x + 6 * dx}, &part));
+    EXPECT_OK(cloud_surface_strip(s, &cloud, &walls, (double[]){x - 6 * dx, x + 6 * dx}, &part));
     double right = gauge_elevation(&whole, x, 0), read = gauge_elevation(&part, x, 0);
     EXPECT(read == right || (isnan(read) && isnan(right)));
     wet += isfinite(right);
   }
   EXPECT(wet > 150);
-  EXPECT_OK(sph_surface_strip(s, &cloud, &walls, (double[]){-9, -8}, &part));
+  EXPECT_OK(cloud_surface_strip(s, &cloud, &walls, (double[]){-9, -8}, &part));
   EXPECT(part.pieces == 0);
-  sph_surface_destroy(s);
-  cloud_destroy(&c);
+  cloud_surface_destroy(s);
+  swarm_destroy(&c);
   geo_lines_destroy(&walls);
   geo_lines_destroy(&whole);
   geo_lines_destroy(&part);
 }
 
 static void test_any_number_of_threads_finds_the_same_bits(void) {
-  struct cloud c = {0};
+  struct swarm c = {0};
   struct geo_lines walls = {0}, l[2] = {0};
   tank(&walls, 150 * dx, 90 * dx);
-  cloud_breaker(&c, 150 * dx, 50 * dx);
+  swarm_breaker(&c, 150 * dx, 50 * dx);
   for (int k = 0; k < 2; k++) {
     omp_set_num_threads(k ? 3 : 1);
     extract(&c, NULL, dx, &walls, &l[k]);
@@ -483,7 +483,7 @@ static void test_any_number_of_threads_finds_the_same_bits(void) {
   omp_set_num_threads(1);
   EXPECT(l[0].points > 300 && l[0].points == l[1].points && l[0].pieces == l[1].pieces);
   EXPECT(memcmp(l[0].p, l[1].p, l[0].points * sizeof *l[0].p) == 0);
-  cloud_destroy(&c);
+  swarm_destroy(&c);
   geo_lines_destroy(&walls);
   geo_lines_destroy(&l[0]);
   geo_lines_destroy(&l[1]);

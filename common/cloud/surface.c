@@ -13,7 +13,7 @@
  *
  * Water goes on beyond a wall that it touches, and the curves are cut there.
  */
-#include "sph/observe/surface.h"
+#include "common/cloud/surface.h"
 #include "common/base/array.h"
 
 #include <math.h>
@@ -30,8 +30,8 @@
 /* Points closer than this many grid spacings to the one before them are left out. */
 #define SMALLEST_STEP 0.2
 
-struct sph_surface {
-  struct sph_fraction g;
+struct cloud_surface {
+  struct cloud_fraction g;
 
   size_t points, point_room; /* of the contour before it is cut */
   double (*p)[2];            /* m, [points] */
@@ -43,15 +43,15 @@ struct sph_surface {
   struct geo_lines pieces;
 };
 
-enum status sph_surface_create(struct sph_surface **s) {
+enum status cloud_surface_create(struct cloud_surface **s) {
   *s = calloc(1, sizeof **s);
   CHECK(*s, ERR_MEMORY, "no memory for the free surface");
   return OK;
 }
 
-void sph_surface_destroy(struct sph_surface *s) {
+void cloud_surface_destroy(struct cloud_surface *s) {
   if (!s) return;
-  sph_fraction_destroy(&s->g);
+  cloud_fraction_destroy(&s->g);
   free(s->p);
   free(s->next);
   free(s->top);
@@ -128,7 +128,7 @@ static double depth_of(double f) {
 }
 
 /* Adds the contour point between the neighbouring nodes a and b. */
-static enum status cross(struct sph_surface *s, size_t a, size_t b, size_t *point) {
+static enum status cross(struct cloud_surface *s, size_t a, size_t b, size_t *point) {
   size_t room = array_room(s->point_room, s->points + 1);
   if (room > s->point_room) {
     TRY(array_resize(&s->p, room, "points of the free surface"));
@@ -151,7 +151,8 @@ static enum status cross(struct sph_surface *s, size_t a, size_t b, size_t *poin
  * c = 0..3 go round counter-clockwise, edge e joining corners e and e + 1. A curve with the water
  * on its right comes in where dry turns into wet, and goes out where wet turns into dry: at the
  * next such edge, but in a saddle whose two wet corners are joined at the previous one. */
-static void link_cell(struct sph_surface *s, unsigned wet, const double *f, const size_t *on_edge) {
+static void link_cell(struct cloud_surface *s, unsigned wet, const double *f,
+                      const size_t *on_edge) {
   bool saddle = wet == 5 || wet == 10;
   /* value of the bilinear interpolant at its saddle point, up to a positive factor */
   double a = f[0] - 0.5, b = f[1] - 0.5, c = f[2] - 0.5, d = f[3] - 0.5;
@@ -165,7 +166,7 @@ static void link_cell(struct sph_surface *s, unsigned wet, const double *f, cons
 }
 
 /* Marching squares. The grid's border is dry, so every curve closes. */
-static enum status trace(struct sph_surface *s) {
+static enum status trace(struct cloud_surface *s) {
   size_t nx = s->g.nx, up = s->g.stride;
   if (nx > s->top_room) {
     free(s->top);
@@ -176,7 +177,7 @@ static enum status trace(struct sph_surface *s) {
   s->points = 0;
   for (size_t j = 0; j + 1 < s->g.ny; j++) {
     size_t left = 0;
-    if (sph_fraction_is_dry(&s->g, j)) continue;
+    if (cloud_fraction_is_dry(&s->g, j)) continue;
     for (size_t i = 0; i + 1 < nx; i++) {
       const double *g = s->g.f + j * up + i;
       unsigned wet = (unsigned)(g[0] >= 0.5) | (unsigned)(g[1] >= 0.5) << 1 |
@@ -197,7 +198,7 @@ static enum status trace(struct sph_surface *s) {
 /* ---- pieces ---- */
 
 /* Appends a point unless it is a very short step from the one before. */
-static enum status add_point(struct sph_surface *s, const double *p, bool keep) {
+static enum status add_point(struct cloud_surface *s, const double *p, bool keep) {
   struct geo_lines *l = &s->pieces;
   if (!keep && l->points > l->first[l->pieces - 1]) {
     const double *o = l->p[l->points - 1];
@@ -208,7 +209,7 @@ static enum status add_point(struct sph_surface *s, const double *p, bool keep) 
 
 /* Takes the last piece back if what it encloses, by itself or with the chord between its ends, is
  * too little of water or of air. */
-static void drop_if_small(struct sph_surface *s) {
+static void drop_if_small(struct cloud_surface *s) {
   struct geo_lines *l = &s->pieces;
   double area = geo_piece_area(l, l->pieces - 1) / (s->g.dx * s->g.dx);
   if (area > -SMALLEST_DROP && area < SMALLEST_POCKET) l->points = l->first[--l->pieces];
@@ -223,7 +224,7 @@ static double last_step(const struct geo_lines *l, const double *p) {
   return hypot(p[0] - o[0], p[1] - o[1]);
 }
 
-static bool is_long_step(const struct sph_surface *s, size_t m, size_t to) {
+static bool is_long_step(const struct cloud_surface *s, size_t m, size_t to) {
   const double *p = s->p[s->cycle[to % m]], *o = s->p[s->cycle[(to + m - 1) % m]];
   return hypot(p[0] - o[0], p[1] - o[1]) >= SMALLEST_STEP * s->g.spacing;
 }
@@ -231,13 +232,13 @@ static bool is_long_step(const struct sph_surface *s, size_t m, size_t to) {
 /* Where to begin a closed curve of m points: after two long steps, where a walk from anywhere else
  * would also keep the point. So which points are left out does not depend on where the curve was
  * found, nor on what a strip has cut off it. */
-static size_t closed_start(const struct sph_surface *s, size_t m) {
+static size_t closed_start(const struct cloud_surface *s, size_t m) {
   for (size_t i = 0; i < m; i++)
     if (is_long_step(s, m, i) && is_long_step(s, m, i + m - 1)) return i;
   return 0;
 }
 
-static enum status add_closed(struct sph_surface *s, size_t m) {
+static enum status add_closed(struct cloud_surface *s, size_t m) {
   struct geo_lines *l = &s->pieces;
   size_t start = closed_start(s, m);
   TRY(geo_lines_begin(l, true));
@@ -251,7 +252,7 @@ static enum status add_closed(struct sph_surface *s, size_t m) {
 
 /* The stretch that starts inside the walls at point `from` of a curve of m points and goes on until
  * it leaves them; *to is the first point outside. */
-static enum status add_open(struct sph_surface *s, const struct geo_lines *walls, size_t m,
+static enum status add_open(struct cloud_surface *s, const struct geo_lines *walls, size_t m,
                             size_t from, size_t *to) {
   struct geo_lines *l = &s->pieces;
   double p[2];
@@ -270,7 +271,7 @@ static enum status add_open(struct sph_surface *s, const struct geo_lines *walls
 }
 
 /* Follows every curve once and keeps what is inside the walls. */
-static enum status cut(struct sph_surface *s, const struct geo_lines *walls) {
+static enum status cut(struct cloud_surface *s, const struct geo_lines *walls) {
   geo_lines_clear(&s->pieces);
   for (size_t start = 0; start < s->points; start++) {
     size_t m = 0, n_inside = 0, entry = 0;
@@ -316,22 +317,22 @@ static enum status deliver(const struct geo_lines *l, struct geo_lines *out) {
 }
 
 /* Where the strip cuts through water, curves go along its edge. */
-static void dry_edges(struct sph_fraction *g) {
+static void dry_edges(struct cloud_fraction *g) {
   for (size_t j = 0; g->nx && j < g->ny; j++)
     g->f[j * g->stride] = g->f[j * g->stride + g->nx - 1] = 0;
 }
 
-enum status sph_surface_strip(struct sph_surface *s, const struct sph_cloud *c,
-                              const struct geo_lines *walls, const double strip[2],
-                              struct geo_lines *out) {
-  TRY(sph_fraction_fill(&s->g, c, walls, strip));
+enum status cloud_surface_strip(struct cloud_surface *s, const struct cloud *c,
+                                const struct geo_lines *walls, const double strip[2],
+                                struct geo_lines *out) {
+  TRY(cloud_fraction_fill(&s->g, c, walls, strip));
   dry_edges(&s->g);
   TRY(trace(s));
   TRY(cut(s, walls));
   return deliver(&s->pieces, out);
 }
 
-enum status sph_surface_extract(struct sph_surface *s, const struct sph_cloud *c,
-                                const struct geo_lines *walls, struct geo_lines *out) {
-  return sph_surface_strip(s, c, walls, (double[]){-INFINITY, INFINITY}, out);
+enum status cloud_surface_extract(struct cloud_surface *s, const struct cloud *c,
+                                  const struct geo_lines *walls, struct geo_lines *out) {
+  return cloud_surface_strip(s, c, walls, (double[]){-INFINITY, INFINITY}, out);
 }

@@ -18,62 +18,62 @@
 
 #include "common/base/geometry.h"
 
-enum sph_end {
-  SPH_END_TOP,    /* nothing follows: water may pass over it */
-  SPH_END_CORNER, /* of the water; or a straight one, where another wall meets this one */
-  SPH_END_BLUNT,  /* of the solid */
-  SPH_END_EDGE    /* of the solid, where a chain ends */
+enum face_end {
+  FACE_END_TOP,    /* nothing follows: water may pass over it */
+  FACE_END_CORNER, /* of the water; or a straight one, where another wall meets this one */
+  FACE_END_BLUNT,  /* of the solid */
+  FACE_END_EDGE    /* of the solid, where a chain ends */
 };
 
-#define SPH_NO_FACE  UINT32_MAX
-#define SPH_NO_POINT UINT32_MAX
+#define FACE_NONE     UINT32_MAX
+#define FACE_NO_POINT UINT32_MAX
 
-struct sph_face {
+struct face {
   double a[2], b[2]; /* m */
   double t[2];       /* unit vector from a to b */
   double length;     /* m */
-  enum sph_end end[2];
+  enum face_end end[2];
   double turn;           /* of the next face against this one, anticlockwise, rad */
-  uint32_t before, next; /* or SPH_NO_FACE */
+  uint32_t before, next; /* or FACE_NONE */
   uint32_t chain;
-  uint32_t point[2]; /* of the walls, at a and b; or SPH_NO_POINT where another wall divides one */
+  uint32_t point[2]; /* of the walls, at a and b; or FACE_NO_POINT where another wall divides one */
 };
 
-struct sph_faces {
+struct faces {
   size_t n, room;
-  struct sph_face *face; /* [n], owned */
+  struct face *face; /* [n], owned */
   size_t n_tops, top_room;
   uint32_t *top; /* ends over which water may pass: 2 k of face k's beginning, 2 k + 1; owned */
 };
 
 /* Replaces what is in *f. Walls are thin up to `thin` (m); points that `bends` marks (NULL: none)
  * are corners, even where the walls are straight. ERR_MEMORY. */
-enum status sph_faces_set(struct sph_faces *f, const struct geo_lines *walls, double thin,
-                          const bool *bends);
+enum status faces_set(struct faces *f, const struct geo_lines *walls, double thin,
+                      const bool *bends);
 
 /* The points of the walls have moved: what follows what stays, but that a corner of the water may
  * become a blunt one of the solid, and back. */
-void sph_faces_move(struct sph_faces *f, const double (*p)[2]);
-void sph_faces_destroy(struct sph_faces *f);
+void faces_move(struct faces *f, const double (*p)[2]);
+void faces_destroy(struct faces *f);
 
 /* The first face at whose end mirror images of the water do not fill the solid once: at corners of
  * the water that are sharper than a right angle they overlap, at those of the solid they jump from
- * face to face. Or SPH_NO_FACE. */
-uint32_t sph_faces_unfilled(const struct sph_faces *f);
+ * face to face. Or FACE_NONE. */
+uint32_t faces_unfilled(const struct faces *f);
 
 /* How far a point is to the left of the line of a face, where the water is, m. */
-static inline double sph_face_distance(const struct sph_face *f, double x, double y) {
+static inline double face_distance(const struct face *f, double x, double y) {
   return f->t[0] * (y - f->a[1]) - f->t[1] * (x - f->a[0]);
 }
 
 /* How far along a face a point's foot is, m. */
-static inline double sph_face_along(const struct sph_face *f, double x, double y) {
+static inline double face_along(const struct face *f, double x, double y) {
   return f->t[0] * (x - f->a[0]) + f->t[1] * (y - f->a[1]);
 }
 
 /* How far a point is from a face, m. */
-static inline double sph_face_way(const struct sph_face *f, double x, double y) {
-  const double s = sph_face_along(f, x, y), off = sph_face_distance(f, x, y);
+static inline double face_way(const struct face *f, double x, double y) {
+  const double s = face_along(f, x, y), off = face_distance(f, x, y);
   const double past = s < 0 ? -s : s > f->length ? s - f->length : 0;
   return past > 0 ? hypot(off, past) : off;
 }
@@ -81,5 +81,5 @@ static inline double sph_face_way(const struct sph_face *f, double x, double y) 
 /* Whether the straight way from p to q goes through a face from the water into the solid; *part is
  * how much of the way is before it. Water counts to the water as far as `slack` (m) behind the
  * face. */
-bool sph_face_stops(const struct sph_face *f, const double p[2], const double q[2], double slack,
-                    double *part);
+bool face_stops(const struct face *f, const double p[2], const double q[2], double slack,
+                double *part);

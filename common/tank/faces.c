@@ -1,4 +1,4 @@
-#include "sph/domain/faces.h"
+#include "common/tank/faces.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,18 +11,18 @@ static const double same_angle = 1e-6;   /* rad; walls are known no better (case
 static const double same_place = 1e-6;   /* of the size of the walls */
 static const double edge = 5 * M_PI / 6; /* turns by so much, or more, away from the water */
 
-void sph_faces_destroy(struct sph_faces *f) {
+void faces_destroy(struct faces *f) {
   free(f->face);
   free(f->top);
-  *f = (struct sph_faces){0};
+  *f = (struct faces){0};
 }
 
-uint32_t sph_faces_unfilled(const struct sph_faces *f) {
+uint32_t faces_unfilled(const struct faces *f) {
   for (uint32_t k = 0; k < f->n; k++) {
     const double turn = f->face[k].turn;
-    if (f->face[k].end[1] != SPH_END_TOP && !(turn >= 0 && turn < M_PI / 2 + 1e-6)) return k;
+    if (f->face[k].end[1] != FACE_END_TOP && !(turn >= 0 && turn < M_PI / 2 + 1e-6)) return k;
   }
-  return SPH_NO_FACE;
+  return FACE_NONE;
 }
 
 static double turn_from(const double t[2], const double to[2]) {
@@ -31,7 +31,7 @@ static double turn_from(const double t[2], const double to[2]) {
 
 /* ---- pieces ---- */
 
-static void put(struct sph_face *f, const double a[2], const double b[2]) {
+static void put(struct face *f, const double a[2], const double b[2]) {
   const double x = b[0] - a[0], y = b[1] - a[1];
   memcpy(f->a, a, sizeof f->a);
   memcpy(f->b, b, sizeof f->b);
@@ -40,9 +40,9 @@ static void put(struct sph_face *f, const double a[2], const double b[2]) {
   f->t[1] = y / f->length;
 }
 
-static enum status add(struct sph_faces *f, const double a[2], const double b[2], uint32_t at_a,
+static enum status add(struct faces *f, const double a[2], const double b[2], uint32_t at_a,
                        uint32_t at_b) {
-  struct sph_face new = {.before = SPH_NO_FACE, .next = SPH_NO_FACE, .point = {at_a, at_b}};
+  struct face new = {.before = FACE_NONE, .next = FACE_NONE, .point = {at_a, at_b}};
   put(&new, a, b);
   if (!(new.length > 0)) return OK;
   TRY(array_grow(&f->face, &f->room, f->n + 1, "faces of walls"));
@@ -65,7 +65,7 @@ static size_t next_corner(const struct geo_lines *walls, size_t piece, size_t i,
   return last;
 }
 
-static enum status add_piece(struct sph_faces *f, const struct geo_lines *walls, size_t piece,
+static enum status add_piece(struct faces *f, const struct geo_lines *walls, size_t piece,
                              const bool *bends) {
   const size_t first = walls->first[piece], n = walls->first[piece + 1] - first;
   const size_t last = walls->closed[piece] ? n : n - 1;
@@ -78,9 +78,9 @@ static enum status add_piece(struct sph_faces *f, const struct geo_lines *walls,
 }
 
 /* Faces from `from` on, the other way round, too. */
-static enum status add_backs(struct sph_faces *f, size_t from) {
+static enum status add_backs(struct faces *f, size_t from) {
   for (size_t k = f->n; k > from; k--) {
-    const struct sph_face front = f->face[k - 1];
+    const struct face front = f->face[k - 1];
     TRY(add(f, front.b, front.a, front.point[1], front.point[0]));
   }
   return OK;
@@ -93,29 +93,29 @@ static bool is_at(const double p[2], const double q[2], double near) {
 }
 
 /* Divides the faces that another one begins or ends on. */
-static enum status divide(struct sph_faces *f, double near) {
+static enum status divide(struct faces *f, double near) {
   for (size_t k = 0; k < f->n; k++)
     for (size_t j = 0; j < f->n; j++)
       for (int end = 0; end < 2; end++) {
         const double at[2] = {(end ? f->face[j].b : f->face[j].a)[0],
                               (end ? f->face[j].b : f->face[j].a)[1]};
-        const struct sph_face whole = f->face[k];
-        const double s = sph_face_along(&whole, at[0], at[1]);
+        const struct face whole = f->face[k];
+        const double s = face_along(&whole, at[0], at[1]);
         if (s <= near || s >= whole.length - near) continue;
-        if (fabs(sph_face_distance(&whole, at[0], at[1])) > near) continue;
+        if (fabs(face_distance(&whole, at[0], at[1])) > near) continue;
         const size_t n = f->n;
-        TRY(add(f, whole.a, at, whole.point[0], SPH_NO_POINT));
+        TRY(add(f, whole.a, at, whole.point[0], FACE_NO_POINT));
         f->face[k] = f->face[n];
         f->n = n;
-        TRY(add(f, at, whole.b, SPH_NO_POINT, whole.point[1]));
+        TRY(add(f, at, whole.b, FACE_NO_POINT, whole.point[1]));
       }
   return OK;
 }
 
 /* Of the faces that begin where this one ends, the first that water on its left meets; the way back
  * comes last. */
-static void link(struct sph_faces *f, uint32_t k, double near) {
-  struct sph_face *face = &f->face[k];
+static void link(struct faces *f, uint32_t k, double near) {
+  struct face *face = &f->face[k];
   face->turn = -INFINITY;
   for (uint32_t j = 0; j < f->n; j++) {
     if (j == k || !is_at(face->b, f->face[j].a, near)) continue;
@@ -127,62 +127,62 @@ static void link(struct sph_faces *f, uint32_t k, double near) {
   }
 }
 
-static enum sph_end end_of(const struct sph_face *f) {
-  if (f->next == SPH_NO_FACE) return SPH_END_TOP;
-  if (f->turn > -same_angle) return SPH_END_CORNER;
-  return f->turn > -edge + same_angle ? SPH_END_BLUNT : SPH_END_EDGE;
+static enum face_end end_of(const struct face *f) {
+  if (f->next == FACE_NONE) return FACE_END_TOP;
+  if (f->turn > -same_angle) return FACE_END_CORNER;
+  return f->turn > -edge + same_angle ? FACE_END_BLUNT : FACE_END_EDGE;
 }
 
 /* Of a thin wall, whose faces two blunt corners near each other part, both are edges. */
-static void part_thin(struct sph_faces *f, double thin) {
+static void part_thin(struct faces *f, double thin) {
   for (uint32_t k = 0; k < f->n; k++) {
-    const struct sph_face *top = &f->face[k];
-    if (top->length > thin || top->end[0] != SPH_END_BLUNT || top->end[1] != SPH_END_BLUNT)
+    const struct face *top = &f->face[k];
+    if (top->length > thin || top->end[0] != FACE_END_BLUNT || top->end[1] != FACE_END_BLUNT)
       continue;
     if (f->face[top->before].turn + top->turn > -edge + same_angle) continue;
-    f->face[top->before].end[1] = f->face[k].end[0] = SPH_END_EDGE;
-    f->face[k].end[1] = f->face[top->next].end[0] = SPH_END_EDGE;
+    f->face[top->before].end[1] = f->face[k].end[0] = FACE_END_EDGE;
+    f->face[k].end[1] = f->face[top->next].end[0] = FACE_END_EDGE;
   }
 }
 
-static void number_chain(struct sph_faces *f, uint32_t first, uint32_t chain) {
-  for (uint32_t k = first; k != SPH_NO_FACE && f->face[k].chain == SPH_NO_FACE;) {
-    struct sph_face *face = &f->face[k];
+static void number_chain(struct faces *f, uint32_t first, uint32_t chain) {
+  for (uint32_t k = first; k != FACE_NONE && f->face[k].chain == FACE_NONE;) {
+    struct face *face = &f->face[k];
     face->chain = chain;
-    k = face->end[1] == SPH_END_TOP || face->end[1] == SPH_END_EDGE ? SPH_NO_FACE : face->next;
+    k = face->end[1] == FACE_END_TOP || face->end[1] == FACE_END_EDGE ? FACE_NONE : face->next;
   }
 }
 
-static void join(struct sph_faces *f, double near, double thin) {
+static void join(struct faces *f, double near, double thin) {
   for (uint32_t k = 0; k < f->n; k++) link(f, k, near);
   for (uint32_t k = 0; k < f->n; k++) {
     f->face[k].end[1] = end_of(&f->face[k]);
-    f->face[k].chain = SPH_NO_FACE;
-    if (f->face[k].next == SPH_NO_FACE) continue;
+    f->face[k].chain = FACE_NONE;
+    if (f->face[k].next == FACE_NONE) continue;
     f->face[f->face[k].next].before = k;
     f->face[f->face[k].next].end[0] = f->face[k].end[1];
   }
   part_thin(f, thin);
   uint32_t chain = 0;
   for (uint32_t k = 0; k < f->n; k++)
-    if (f->face[k].end[0] == SPH_END_TOP || f->face[k].end[0] == SPH_END_EDGE)
+    if (f->face[k].end[0] == FACE_END_TOP || f->face[k].end[0] == FACE_END_EDGE)
       number_chain(f, k, chain++);
   for (uint32_t k = 0; k < f->n; k++) /* those without an end */
-    if (f->face[k].chain == SPH_NO_FACE) number_chain(f, k, chain++);
+    if (f->face[k].chain == FACE_NONE) number_chain(f, k, chain++);
 }
 
-static enum status list_tops(struct sph_faces *f) {
+static enum status list_tops(struct faces *f) {
   f->n_tops = 0;
   for (size_t k = 0; k < 2 * f->n; k++) {
-    if (f->face[k / 2].end[k % 2] != SPH_END_TOP) continue;
+    if (f->face[k / 2].end[k % 2] != FACE_END_TOP) continue;
     TRY(array_grow(&f->top, &f->top_room, f->n_tops + 1, "faces of walls"));
     f->top[f->n_tops++] = (uint32_t)k;
   }
   return OK;
 }
 
-enum status sph_faces_set(struct sph_faces *f, const struct geo_lines *walls, double thin,
-                          const bool *bends) {
+enum status faces_set(struct faces *f, const struct geo_lines *walls, double thin,
+                      const bool *bends) {
   const struct geo_box box = geo_lines_box(walls);
   const double near = same_place * hypot(box.max[0] - box.min[0], box.max[1] - box.min[1]);
   const size_t vessel = walls->pieces == 1 ? 0 : geo_lines_vessel(walls);
@@ -198,30 +198,30 @@ enum status sph_faces_set(struct sph_faces *f, const struct geo_lines *walls, do
 }
 
 /* A wall that turns back upon itself stays what it was. */
-static void bend(struct sph_faces *f, struct sph_face *face) {
-  if (face->next == SPH_NO_FACE || fabs(face->turn) > M_PI - same_angle) return;
-  struct sph_face *next = &f->face[face->next];
+static void bend(struct faces *f, struct face *face) {
+  if (face->next == FACE_NONE || fabs(face->turn) > M_PI - same_angle) return;
+  struct face *next = &f->face[face->next];
   face->turn = turn_from(face->t, next->t);
-  if (face->end[1] == SPH_END_CORNER || face->end[1] == SPH_END_BLUNT)
-    face->end[1] = next->end[0] = face->turn > -same_angle ? SPH_END_CORNER : SPH_END_BLUNT;
+  if (face->end[1] == FACE_END_CORNER || face->end[1] == FACE_END_BLUNT)
+    face->end[1] = next->end[0] = face->turn > -same_angle ? FACE_END_CORNER : FACE_END_BLUNT;
 }
 
-void sph_faces_move(struct sph_faces *f, const double (*p)[2]) {
+void faces_move(struct faces *f, const double (*p)[2]) {
   for (size_t k = 0; k < f->n; k++) {
-    struct sph_face *face = &f->face[k];
-    const struct sph_face was = *face;
-    put(face, was.point[0] == SPH_NO_POINT ? was.a : p[was.point[0]],
-        was.point[1] == SPH_NO_POINT ? was.b : p[was.point[1]]);
+    struct face *face = &f->face[k];
+    const struct face was = *face;
+    put(face, was.point[0] == FACE_NO_POINT ? was.a : p[was.point[0]],
+        was.point[1] == FACE_NO_POINT ? was.b : p[was.point[1]]);
   }
   for (size_t k = 0; k < f->n; k++) bend(f, &f->face[k]);
 }
 
-bool sph_face_stops(const struct sph_face *f, const double p[2], const double q[2], double slack,
-                    double *part) {
-  const double from = sph_face_distance(f, p[0], p[1]), to = sph_face_distance(f, q[0], q[1]);
+bool face_stops(const struct face *f, const double p[2], const double q[2], double slack,
+                double *part) {
+  const double from = face_distance(f, p[0], p[1]), to = face_distance(f, q[0], q[1]);
   if (!(from >= -slack && to < 0 && to < from)) return false;
   *part = from > 0 ? from / (from - to) : 0;
-  const double s = sph_face_along(f, p[0] + *part * (q[0] - p[0]), p[1] + *part * (q[1] - p[1]));
+  const double s = face_along(f, p[0] + *part * (q[0] - p[0]), p[1] + *part * (q[1] - p[1]));
   const double more = 1e-9 * f->length; /* no way leads between two faces */
   return s >= -more && s <= f->length + more;
 }

@@ -8,9 +8,9 @@
 
 #include "common/base/geometry.h"
 #include "common/base/status.h"
-#include "sph/domain/images.h"
+#include "common/tank/images.h"
 
-struct sph_cloud {
+struct cloud {
   size_t n;
   const double *x, *y;  /* m, [n] */
   const double *volume; /* m^2, [n]; NULL: dx^2 each */
@@ -20,12 +20,12 @@ struct sph_cloud {
 };
 
 enum {
-  SPH_BAND = 32
+  CLOUD_BAND = 32
 }; /* rows of nodes that one thread fills; a particle reaches into two at most */
 
 /* Nodes lie at whole multiples of half a particle spacing, so that they do not shift from one
  * output to the next. */
-struct sph_fraction {
+struct cloud_fraction {
   double dx, spacing;   /* of particles and of nodes, m */
   double origin[2];     /* node (0, 0) of the whole cloud, m */
   size_t first, nx, ny; /* columns first .. first + nx - 1 of the nodes are there, all rows */
@@ -34,9 +34,9 @@ struct sph_fraction {
   double *memory; /* of f: rows go on at both ends, where particles reach beyond the strip; owned */
   size_t room;
 
-  struct sph_images images, beyond; /* behind walls; of periodic ends */
-  struct geo_lines walls;           /* scratch */
-  struct sph_source *source;        /* particles and images, [sources], owned */
+  struct images images, beyond; /* behind walls; of periodic ends */
+  struct geo_lines walls;       /* scratch */
+  struct cloud_source *source;  /* particles and images, [sources], owned */
   size_t sources, source_room;
   size_t *band; /* where the list of each band of rows begins, [bands + 1], owned */
   size_t band_room;
@@ -50,11 +50,11 @@ struct sph_fraction {
  * number of them and any strip that it is in. Particles that are not finite, or farther out of the
  * box of the walls than its diagonal, are left out. ERR_MEMORY; ERR_INPUT when the particles are so
  * scattered that no grid fits. */
-enum status sph_fraction_fill(struct sph_fraction *g, const struct sph_cloud *c,
-                              const struct geo_lines *walls, const double strip[2]);
-void sph_fraction_destroy(struct sph_fraction *g); /* frees the arrays */
+enum status cloud_fraction_fill(struct cloud_fraction *g, const struct cloud *c,
+                                const struct geo_lines *walls, const double strip[2]);
+void cloud_fraction_destroy(struct cloud_fraction *g); /* frees the arrays */
 
 /* Whether no particle is near the rows j and j + 1. */
-static inline bool sph_fraction_is_dry(const struct sph_fraction *g, size_t j) {
-  return g->band[j / SPH_BAND] == g->band[(j + 1) / SPH_BAND + 1];
+static inline bool cloud_fraction_is_dry(const struct cloud_fraction *g, size_t j) {
+  return g->band[j / CLOUD_BAND] == g->band[(j + 1) / CLOUD_BAND + 1];
 }

@@ -2,12 +2,12 @@
 #pragma once
 #include "common/base/geometry.h"
 #include "common/base/status.h"
-#include "sph/observe/fraction.h"
+#include "common/cloud/fraction.h"
 
-struct sph_surface; /* the grid and other scratch memory; it grows when needed and is then kept */
+struct cloud_surface; /* the grid and other scratch memory; it grows when needed and is then kept */
 
-enum status sph_surface_create(struct sph_surface **s);
-void sph_surface_destroy(struct sph_surface *s); /* NULL is fine */
+enum status cloud_surface_create(struct cloud_surface **s);
+void cloud_surface_destroy(struct cloud_surface *s); /* NULL is fine */
 
 /* Finds the free surface of a cloud inside `walls` (water on their left; none: no walls), of which
  * some may be the ends of a periodic tank (fraction.h), where curves are cut likewise.
@@ -19,14 +19,14 @@ void sph_surface_destroy(struct sph_surface *s); /* NULL is fine */
  * pocket of air of less than 4 dx^2 is seen.
  *
  * It has the same bits for any number of threads. Particles that are left out, and errors: as
- * sph_fraction_fill has it. */
-enum status sph_surface_extract(struct sph_surface *s, const struct sph_cloud *c,
-                                const struct geo_lines *walls, struct geo_lines *out);
+ * cloud_fraction_fill has it. */
+enum status cloud_surface_extract(struct cloud_surface *s, const struct cloud *c,
+                                  const struct geo_lines *walls, struct geo_lines *out);
 
 /* The same with all that lies out of the strip, from x = strip[0] to strip[1] (m), taken to be dry:
  * curves that leave it are closed along its edges, half a dx inside. Away from there it has the
  * same points as the whole surface, but for drops and pockets that an edge cuts, whose size is that
  * of the part inside. */
-enum status sph_surface_strip(struct sph_surface *s, const struct sph_cloud *c,
-                              const struct geo_lines *walls, const double strip[2],
-                              struct geo_lines *out);
+enum status cloud_surface_strip(struct cloud_surface *s, const struct cloud *c,
+                                const struct geo_lines *walls, const double strip[2],
+                                struct geo_lines *out);
