@@ -152,8 +152,9 @@ static enum status rescue(struct bem_run *r, enum status status) {
 static bool runs_away(struct bem_run *r, const int *found) {
   for (int i = 0; i < bem_events_roots.n; i++)
     if (found[i]) return false;
-  return bem_pace_runs_away(&r->pace, r->time, bem_output_budget(&r->output, &r->flow, r->time),
-                            r->output.first_energy) &&
+  return bem_pace_runs_away(&r->pace, r->time,
+                            bem_budget_whole(&r->output.budget, &r->flow, r->time),
+                            r->output.budget.first_energy) &&
          !bem_output_touches(&r->sides, &r->flow.surface);
 }
 
@@ -183,11 +184,11 @@ static void follow_edges(struct bem_run *r) {
 static enum status put_out(struct bem_run *r, struct progress *progress, size_t step, double work) {
   TRY(bem_pace_add(&r->pace, r->time, r->dt));
   follow_edges(r);
-  bem_output_damped(&r->output, &r->flow, r->time, r->dt);
+  bem_budget_damped(&r->output.budget, &r->flow, r->time, r->dt);
   TRY(bem_output_given(&r->output, &r->flow, r->stepper, r->time, r->dt));
   TRY(bem_output_due(&r->output, &r->flow, r->stepper, r->time, r->dt));
   progress_step(progress, step, r->time * r->output.time_scale, r->dt * r->output.time_scale, work,
-                "node", r->output.drift);
+                "node", r->output.budget.drift);
   return progress_stop_requested() ? status_raise(INTERRUPTED, "stopped") : OK;
 }
 

@@ -7,7 +7,6 @@
 #include "bem/breaking/breaker.h"
 #include "bem/start/mirror.h"
 #include "bem/water/forces.h"
-#include "bem/water/spin.h"
 #include "common/base/array.h"
 #include "common/base/gauge.h"
 #include "common/result/record.h"
@@ -20,13 +19,12 @@ static const double CLOSEST = 0.003;
 static const double NEAR = 1e-9; /* of an interval: times that count as equal */
 
 enum status bem_output_create(struct bem_output *o, const struct bem_solve_options *options) {
-  return bem_solve_create(options, &o->view.solve);
+  return bem_view_create(&o->view, options);
 }
 
 void bem_output_destroy(struct bem_output *o) {
-  bem_flow_destroy(&o->view);
+  bem_view_destroy(&o->view);
   bem_sides_destroy(&o->sides);
-  bem_pressure_destroy(&o->pressure);
   geo_lines_destroy(&o->line);
   bem_lattice_destroy(&o->lattice);
   free(o->field);
@@ -52,7 +50,7 @@ const char *bem_output_side(const struct bem_output *o, bool right) {
 /* The surface of water without sides in SI units, cut where it goes through the tank's. */
 static enum status period_line(struct bem_output *o) {
   const struct case_file *c = o->c;
-  const struct bem_surface *s = &o->view.surface;
+  const struct bem_surface *s = &o->view.flow.surface;
   TRY(bem_period_cut(s, s->state, &o->line));
   for (size_t i = 0; i < o->line.points; i++)
     for (int axis = 0; axis < 2; axis++)
@@ -64,7 +62,7 @@ static enum status period_line(struct bem_output *o) {
  */
 static enum status polyline(struct bem_output *o) {
   const struct case_file *c = o->c;
-  const struct bem_surface *s = &o->view.surface;
+  const struct bem_surface *s = &o->view.flow.surface;
   const double *x = s->state, *y = x + s->n;
   geo_lines_clear(&o->line);
   if (bem_surface_is_closed(s)) return period_line(o);
@@ -119,7 +117,7 @@ static void show(const struct bem_output *o, const struct shown *to, size_t i, c
 }
 
 static enum status write_nodes(struct bem_output *o, double seconds) {
-  const struct bem_flow *f = &o->view;
+  const struct bem_flow *f = &o->view.flow;
   const size_t n = f->surface.n;
   const double *x = f->surface.state, *y = x + n, *phi = y + n;
   struct shown to;
@@ -139,11 +137,11 @@ static enum status write_nodes(struct bem_output *o, double seconds) {
 
 static enum status write_lattice(struct bem_output *o, double seconds) {
   const struct case_file *c = o->c;
-  struct bem_flow *f = &o->view;
+  struct bem_flow *f = &o->view.flow;
   struct bem_lattice *l = &o->lattice;
   struct shown to;
-  TRY(bem_pressure_solve(&o->pressure, f, f->surface.state));
-  TRY(bem_lattice_fill(l, &o->pressure, f, f->surface.state, o->spacing));
+  TRY(bem_pressure_solve(&o->view.pressure, f, f->surface.state));
+  TRY(bem_lattice_fill(l, &o->view.pressure, f, f->surface.state, o->spacing));
   TRY(show_begin(o, l->n, &to));
   for (size_t k = 0; k < l->n; k++) {
     show(o, &to, k, (const double[]){l->x[k], l->y[k]}, l->phi[k],
@@ -162,7 +160,7 @@ static enum status write_lattice(struct bem_output *o, double seconds) {
 }
 
 static enum status write_surface(struct bem_output *o, double seconds) {
-  if (o->view.surface.n > o->most_nodes) o->most_nodes = o->view.surface.n;
+  if (o->view.flow.surface.n > o->most_nodes) o->most_nodes = o->view.flow.surface.n;
   TRY(o->spacing > 0 ? write_lattice(o, seconds) : write_nodes(o, seconds));
   TRY(polyline(o));
   if (o->mirrored) turn_line(o->c, &o->line);
@@ -178,20 +176,20 @@ static enum status leave_out(struct bem_output *o, enum status status) {
         o->progress,
         "%s: what is to be written at t = %.6g s is left out, and so may be more (statistic "
         "outputs_left_out): %s",
-        o->name, o->view.time * o->time_scale, status_message());
+        o->name, o->view.flow.time * o->time_scale, status_message());
   return OK;
 }
 
 static enum status find_pressure(struct bem_output *o, const double p[2], double *pressure) {
   const struct case_file *c = o->c;
-  return bem_pressure_at(&o->pressure, &o->view, o->view.surface.state,
+  return bem_pressure_at(&o->view.pressure, &o->view.flow, o->view.flow.surface.state,
                          (p[0] - c->tank.min[0]) / c->H, (p[1] - c->tank.min[1]) / c->H, pressure);
 }
 
 /* One of a side goes with it. */
 static bool is_behind_side(const struct bem_output *o, const double p[2]) {
   const struct case_file *c = o->c;
-  const double seconds = o->view.time * o->time_scale;
+  const double seconds = o->view.flow.time * o->time_scale;
   double now[2] = {p[0], p[1]};
   tank_point_at(&c->walls, c->motions, c->n_motions, seconds, case_near(c), now);
   return tank_hides_at(&c->walls, c->motions, c->n_motions, seconds, case_near(c), now);
@@ -219,7 +217,7 @@ static enum status point_of(void *solver, const struct case_point *point,
   const double velocity = sqrt(c->gravity * c->H);
   struct bem_place place;
   bool wet;
-  TRY(bem_lattice_at(&o->lattice, &o->pressure, &o->view, o->view.surface.state,
+  TRY(bem_lattice_at(&o->lattice, &o->view.pressure, &o->view.flow, o->view.flow.surface.state,
                      CMPLX((point->x - c->tank.min[0]) / c->H, (point->y - c->tank.min[1]) / c->H),
                      &wet, &place));
   for (int k = 0; k < CASE_POINT_FIELDS; k++) value[k] = NAN;
@@ -238,167 +236,27 @@ static enum status elevation_of(void *solver, const struct case_gauge *gauge, do
   return OK;
 }
 
-void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double time, double dt) {
-  double start = time - dt,
-         loss = -bem_surface_power(&f->surface, f->level, f->psi, f->u, f->v,
-                                   (struct bem_spinning){f->motion.turn, f->motion.origin},
-                                   f->damping);
-  o->damped.until += o->damped.rate * (start - o->damped.start);
-  o->damped.rate = o->damped.changed ? loss : 0.5 * (o->damped.last + loss);
-  o->damped.changed = false;
-  o->damped.last = loss;
-  o->damped.start = start;
-}
-
-/* The state at a time within the last step, and its psi and velocities, in o->view. */
-static enum status look(struct bem_output *o, const struct bem_flow *f, struct bem_stepper *stepper,
-                        double time, int keep) {
-  TRY(bem_flow_follow(&o->view, f));
-  o->view.time = time;
-  double *state = o->view.surface.state;
-  if (stepper)
-    TRY(bem_stepper_interpolate(stepper, time, state));
-  else
-    memcpy(state, f->surface.state, 3 * f->surface.n * sizeof *state);
-  return bem_flow_solve(&o->view, state, keep);
-}
-
-static enum status add_known(struct bem_output *o, struct bem_totals *t, double momentum[2]) {
-  double kinetic, known[2];
-  TRY(bem_pressure_wet(&o->pressure, &o->view));
-  bem_forces_of_known(&o->view, &o->pressure.wet, &kinetic, known);
-  t->kinetic += kinetic;
-  for (int axis = 0; axis < 2; axis++) momentum[axis] += known[axis];
-  return OK;
-}
-
-/* Momentum and, where the tank turns, kinetic energy in its frame. */
-static enum status find_motion(struct bem_output *o, struct bem_totals *t, double momentum[2]) {
-  struct bem_flow *f = &o->view;
-  struct bem_spin spin;
-  bem_forces_momentum(f, f->surface.state, momentum);
-  if (bem_pressure_is_swept(f)) TRY(add_known(o, t, momentum));
-  if (!f->motion.rolls) return OK;
-  TRY(bem_spin_find(&o->pressure, f, f->surface.state, t->kinetic, &spin));
-  memcpy(momentum, spin.momentum, sizeof spin.momentum);
-  t->kinetic = spin.kinetic;
-  return OK;
-}
-
-/* Power of the force on the water in the frame of the tank. */
-static enum status find_frame_power(struct bem_output *o, double *power) {
-  struct bem_flow *f = &o->view;
-  struct bem_totals t = {0};
-  struct bem_spin spin;
-  double momentum[2];
-  if (f->motion.rolls) {
-    TRY(bem_spin_find(&o->pressure, f, f->surface.state, 0, &spin));
-    *power = -bem_spin_power(f, &spin);
-    return OK;
-  }
-  TRY(find_motion(o, &t, momentum));
-  *power = -(f->motion.push[0] * momentum[0] + f->motion.push[1] * momentum[1]);
-  return OK;
-}
-
-/* Powers at the state that is looked at. */
-static enum status find_powers(struct bem_output *o, double power[2]) {
-  struct bem_flow *f = &o->view;
-  const double *state = f->surface.state;
-  double force[2];
-  TRY(find_frame_power(o, &power[0]));
-  power[1] = 0;
-  if (!f->motion.sides) return OK;
-  TRY(bem_pressure_solve(&o->pressure, f, state));
-  if (bem_pressure_is_swept(f)) return bem_forces_power(&o->pressure, f, state, &power[1]);
-  TRY(bem_forces_on_sides(&o->pressure, f, state, force));
-  for (int side = 0; side < 2; side++) power[1] += force[side] * f->motion.side[side][1];
-  return OK;
-}
-
-static const double GAUSS[2] = {0.21132486540518713, 0.78867513459481287};
-
 static enum status look_for_powers(struct bem_output *o, const struct bem_flow *f,
                                    struct bem_stepper *stepper, double time, double power[2]) {
   double found[2];
-  TRY(look(o, f, stepper, time, f->motion.sides));
-  TRY(find_powers(o, found));
+  TRY(bem_view_look(&o->view, f, stepper, time, f->motion.sides));
+  TRY(bem_view_powers(&o->view, found));
   memcpy(power, found, sizeof found);
   return OK;
-}
-
-/* Until a part of the last step: the integral of the line through the powers at its two points. */
-static double given_until(const struct bem_output *o, int by, double time) {
-  const double dt = o->given.dt, part = dt > 0 ? (time - o->given.start) / dt : 0;
-  const double *power = o->given.power[by], slope = (power[1] - power[0]) / (GAUSS[1] - GAUSS[0]);
-  return o->given.until[by] + dt * part * (power[0] + slope * (part / 2 - GAUSS[0]));
 }
 
 enum status bem_output_given(struct bem_output *o, const struct bem_flow *f,
                              struct bem_stepper *stepper, double time, double dt) {
   if (!f->motion.frame && !f->motion.sides) return OK;
-  double power[2];
-  for (int by = 0; by < 2; by++) o->given.until[by] = given_until(o, by, time - dt);
-  for (int by = 0; by < 2; by++) power[by] = o->given.power[by][1];
-  o->given.start = time - dt;
-  o->given.dt = dt;
+  struct bem_budget *b = &o->budget;
+  bem_budget_given(b, time, dt);
+  double power[2] = {b->given.power[0][0], b->given.power[1][0]};
   for (int i = 0; i < 2; i++) {
-    const double at = time - dt + GAUSS[i] * dt;
+    const double at = time - dt + BEM_GAUSS[i] * dt;
     TRY(leave_out(o, look_for_powers(o, f, stepper, at, power)));
-    for (int by = 0; by < 2; by++) o->given.power[by][i] = power[by];
+    for (int by = 0; by < 2; by++) b->given.power[by][i] = power[by];
   }
   return OK;
-}
-
-void bem_output_changed(struct bem_output *o) {
-  o->damped.changed = true;
-}
-
-static double damped_until(const struct bem_output *o, double time) {
-  return o->damped.until + o->damped.rate * (time - o->damped.start);
-}
-
-double bem_output_budget(const struct bem_output *o, const struct bem_flow *f, double time) {
-  const struct bem_totals t = bem_surface_totals(&f->surface, f->psi);
-  return t.kinetic + t.potential + damped_until(o, time) + given_until(o, 0, time) +
-         given_until(o, 1, time) + o->removed_energy;
-}
-
-static struct result_energy energy_of(struct bem_output *o, double seconds,
-                                      const struct bem_totals *t) {
-  const struct case_file *c = o->c;
-  const double time = seconds / o->time_scale, damped = damped_until(o, time),
-               frame = given_until(o, 0, time), sides = given_until(o, 1, time);
-  double energy = t->kinetic + t->potential + damped + frame + sides + o->removed_energy;
-  if (seconds == 0) o->first_energy = energy;
-  o->drift = o->first_energy != 0 ? energy / o->first_energy - 1 : 0;
-  double joule = c->density * c->gravity * c->H * c->H * c->H;
-  double lift = c->density * c->gravity * c->H * c->H *
-                c->tank.min[1]; /* of the bed above y = 0, by volume */
-  struct result_energy e = {.time = seconds,
-                            .kinetic = joule * t->kinetic,
-                            .potential = joule * t->potential + lift * t->volume,
-                            .term = {joule * damped, joule * frame, joule * sides},
-                            .removed = joule * o->removed_energy + lift * o->removed_volume};
-  e.total = e.kinetic + e.potential;
-  return e;
-}
-
-/* Of the kinetic energy the surface's integral leaves out, where sides move, what is theirs. With
- * phi = own + known, and own psi = 0 on the walls, Green's formula gives it by the surface, too. */
-static struct bem_totals totals_of(struct bem_flow *f) {
-  const struct bem_surface *s = &f->surface;
-  const double *x = s->state, *y = x + s->n, *phi = y + s->n;
-  struct bem_totals t = bem_surface_totals(s, f->psi);
-  if (!f->motion.sides) return t;
-  for (size_t k = 0; k < s->n; k++) { /* q and tx are scratch here */
-    f->q[k] = phi[k] - f->phi_own[k];
-    f->tx[k] = f->psi[k] - f->psi_own[k];
-  }
-  t.kinetic += 0.5 * (bem_surface_integral(s, f->phi_own, f->tx) -
-                      bem_surface_integral(s, f->q, f->psi_own));
-  if (!s->walls) t.kinetic += bem_motion_kinetic(&f->motion, (const double[2]){y[0], y[s->n - 1]});
-  return t;
 }
 
 static bool wants_pressure(const struct bem_output *o) {
@@ -406,10 +264,10 @@ static bool wants_pressure(const struct bem_output *o) {
 }
 
 static enum status write_forces(struct bem_output *o, double seconds, const double momentum[2]) {
-  const struct bem_flow *f = &o->view;
+  const struct bem_flow *f = &o->view.flow;
   struct bem_forces forces;
   double value[BEM_FORCE_COUNT];
-  TRY(bem_forces_find(&o->pressure, f, f->surface.state, momentum, &forces));
+  TRY(bem_forces_find(&o->view.pressure, f, f->surface.state, momentum, &forces));
   if (o->mirrored) bem_forces_turn(&forces);
   bem_forces_in_si(o->c, &forces, value);
   return result_diagnostics(o->file, seconds, BEM_FORCE_COUNT, bem_force_columns, value);
@@ -419,22 +277,22 @@ static enum status write_forces(struct bem_output *o, double seconds, const doub
 static enum status write_row(struct bem_output *o, const struct bem_stepper *stepper,
                              double seconds, double dt) {
   const struct case_file *c = o->c;
-  struct bem_flow *f = &o->view;
-  struct bem_totals t = totals_of(f);
+  struct bem_flow *f = &o->view.flow;
+  struct bem_totals t;
   double momentum[2];
-  TRY(find_motion(o, &t, momentum));
-  struct record r = {.energy = energy_of(o, seconds, &t),
+  TRY(bem_view_totals(&o->view, &t, momentum));
+  struct record r = {.energy = bem_budget_row(&o->budget, c, seconds, &t),
                      .step = {.time = seconds,
                               .dt = dt * o->time_scale,
                               .evaluations = stepper ? bem_stepper_count(stepper).evaluations : 0,
                               .wall_time = progress_wall_clock() - o->start,
                               .volume = c->H * c->H * t.volume,
-                              .removed_volume = c->H * c->H * o->removed_volume},
+                              .removed_volume = c->H * c->H * o->budget.removed_volume},
                      .solver = o,
                      .pressure = pressure_of,
                      .elevation = elevation_of,
                      .point = point_of};
-  if (wants_pressure(o)) TRY(bem_pressure_solve(&o->pressure, f, f->surface.state));
+  if (wants_pressure(o)) TRY(bem_pressure_solve(&o->view.pressure, f, f->surface.state));
   if (o->forces) TRY(write_forces(o, seconds, momentum));
   if (c->n_gauges > 0) TRY(polyline(o));
   if (c->n_points > 0) TRY(bem_lattice_begin(&o->lattice, f, f->surface.state));
@@ -456,8 +314,8 @@ struct due {
 static enum status put_out(struct bem_output *o, const struct due *due,
                            const struct bem_stepper *stepper, double dt) {
   if (due->shown) TRY(leave_out(o, write_surface(o, due->output)));
-  TRY(bem_sides_reserve(&o->sides, &o->view.surface));
-  if (!due->sampled || bem_output_touches(&o->sides, &o->view.surface)) return OK;
+  TRY(bem_sides_reserve(&o->sides, &o->view.flow.surface));
+  if (!due->sampled || bem_output_touches(&o->sides, &o->view.flow.surface)) return OK;
   return leave_out(o, write_row(o, stepper, due->sample, dt));
 }
 
@@ -474,8 +332,8 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
     o->next_output += due.shown;
     o->next_sample += due.sampled;
     const enum status seen =
-        look(o, f, stepper, seconds / o->time_scale,
-             (due.sampled && wants_pressure(o)) || (due.shown && o->spacing > 0));
+        bem_view_look(&o->view, f, stepper, seconds / o->time_scale,
+                      (due.sampled && wants_pressure(o)) || (due.shown && o->spacing > 0));
     TRY(stepper ? leave_out(o, seen) : seen);
     if (seen == OK) TRY(put_out(o, &due, stepper, dt));
   }
@@ -491,7 +349,7 @@ enum status bem_output_event(struct bem_output *o, const char *name, double time
 enum status bem_output_statistics(struct bem_output *o, const struct bem_flow *f,
                                   const struct bem_stepper *stepper, double steps_cut) {
   struct bem_stepper_counts n = bem_stepper_count(stepper);
-  struct bem_solve_counts s = bem_solve_count(f->solve), view = bem_solve_count(o->view.solve);
+  struct bem_solve_counts s = bem_solve_count(f->solve), view = bem_solve_count(o->view.flow.solve);
   const struct {
     const char *name;
     double value;

@@ -1,10 +1,9 @@
 /* From the solver's units to the result file. */
 #pragma once
-#include "bem/run/stepper.h"
+#include "bem/run/budget.h"
+#include "bem/run/view.h"
 #include "bem/shape/sides.h"
-#include "bem/water/flow.h"
 #include "bem/water/lattice.h"
-#include "bem/water/pressure.h"
 #include "common/base/progress.h"
 #include "common/case/case.h"
 #include "common/result/result.h"
@@ -22,26 +21,12 @@ struct bem_output {
   double start;      /* of the run on the wall clock, s */
   double time_scale; /* sqrt(H/g), s */
   size_t next_output, next_sample;
-  double removed_volume, removed_energy; /* H^2, rho g H^3 */
-  double spilled_volume;                 /* of that, over the top of a wall, H^2 */
-  struct {                               /* energy taken out by filter and smoothing, rho g H^3 */
-    double start;                        /* of the last step, sqrt(H/g) */
-    double until;                        /* what it was until then */
-    double rate, last;                   /* mean during the step; at its end */
-    bool changed;                        /* the water, since: `last` is of another shape */
-  } damped;
-  struct {              /* energy given to the moving tank, and to sides that move, rho g H^3 */
-    double start, dt;   /* of the last step, sqrt(H/g) */
-    double until[2];    /* what it was at its start */
-    double power[2][2]; /* at its two points of Gauss's formula */
-  } given;
-  double drift; /* of the energy, relative to the initial one */
-  double first_energy;
+  double spilled_volume; /* of what was removed, over the top of a wall, H^2 */
+  struct bem_budget budget;
   size_t most_nodes;
-  size_t left_out;        /* rows, surfaces, pressures and powers that could not be found */
-  struct bem_flow view;   /* an interpolated state and its velocities; the run never sees it */
+  size_t left_out; /* rows, surfaces, pressures and powers that could not be found */
+  struct bem_view view;
   struct bem_sides sides; /* scratch */
-  struct bem_pressure pressure;
   struct geo_lines line;
   struct bem_lattice lattice;
   size_t room;
@@ -61,15 +46,6 @@ enum status bem_output_due(struct bem_output *o, const struct bem_flow *f,
 
 /* Whether the surface is so near a contact that psi is wrong. w: scratch, with room for it. */
 bool bem_output_touches(struct bem_sides *w, const struct bem_surface *s);
-
-/* Counts what filter and smoothing take out of the energy during the step that ended at `time`. */
-void bem_output_damped(struct bem_output *o, const struct bem_flow *f, double time, double dt);
-
-/* The water has another shape from now on. */
-void bem_output_changed(struct bem_output *o);
-
-/* The energy and all that was taken out of it until the end of the last step, with psi of it. */
-double bem_output_budget(const struct bem_output *o, const struct bem_flow *f, double time);
 
 /* Counts what the water gives to a tank and to sides that move during the step that ended at
  * `time`; a power that cannot be found is left out likewise, and the one before it holds on. */

@@ -77,11 +77,10 @@ static enum status book(struct bem_run *r, const struct bem_totals *before, doub
   TRY(bem_run_restart(r));
   for (int right = 0; right < 2; right++) bem_runup_moved(&r->runup[right]);
   TRY(measure(&r->flow, &after));
-  bem_output_changed(&r->output);
   *volume = before->volume - after.volume;
-  r->output.removed_volume += *volume;
   const double kinetic = isnan(before->kinetic) ? after.kinetic : before->kinetic;
-  r->output.removed_energy += kinetic + before->potential - after.kinetic - after.potential;
+  bem_budget_cut(&r->output.budget, *volume,
+                 kinetic + before->potential - after.kinetic - after.potential);
   return OK;
 }
 

@@ -2,18 +2,10 @@
  * x)/cosh(k_n L), k_n = (2n+1) pi/(2H), a_n = 8H/((2n+1)^2 pi^2). */
 #include "bem/kernel/integrals.h"
 #include "bem/shape/surface.h"
-#include "bem/start/start.h"
-#include "bem/water/pressure.h"
-#include "tests/bem/run.h"
+#include "tests/bem/water.h"
 
-static const char text[] =
-    "title: column\n"
-    "fluid: {density: 1, gravity: 1}\n"
-    "scales: {H: 1}\n"
-    "tank: {walls: [[[0, 3], [0, 0], [5.366, 0], [5.366, 3]]]}\n"
-    "water: {regions: [[[0, 0], [2, 0], [2, 1], [0, 1]]], pressure: released}\n"
-    "time: {end: 1, every: 1}\n"
-    "runs: [{name: bem, solver: bem, resolution: %d}]\n";
+static const char text[] = WATER_COLUMN "time: {end: 1, every: 1}\n"
+                                        "runs: [{name: bem, solver: bem, resolution: %d}]\n";
 
 static double exact_pressure(double x, double y) {
   double p = 1 - y;
@@ -32,36 +24,28 @@ struct column {
 static struct column release(int resolution) {
   char with[sizeof text + 20];
   struct column out = {0};
-  struct bem_flow f = {0};
-  struct bem_pressure p = {0};
+  struct water w;
   snprintf(with, sizeof with, text, resolution);
-  struct case_file *c = run_case(with);
-  EXPECT(c);
-  if (!c) return out;
-  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 0}, &f.solve));
-  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
-  const size_t n = f.surface.n;
-  EXPECT_OK(bem_flow_reserve(&f, n));
-  EXPECT_OK(bem_flow_solve(&f, f.surface.state, 1));
-  EXPECT_OK(bem_pressure_solve(&p, &f, f.surface.state));
-  EXPECT_OK(bem_pressure_at(&p, &f, f.surface.state, 0, 0, &out.pressure));
+  if (!water_start(&w, run_case(with), 0)) return out;
+  water_solve(&w);
+  double *state = w.f.surface.state;
+  const size_t n = w.f.surface.n;
+  EXPECT_OK(bem_pressure_at(&w.p, &w.f, state, 0, 0, &out.pressure));
   for (double x = 0; x < 1.9; x += 0.1) {
     double is = NAN;
-    EXPECT_OK(bem_pressure_at(&p, &f, f.surface.state, x, 0, &is));
+    EXPECT_OK(bem_pressure_at(&w.p, &w.f, state, x, 0, &is));
     out.worst = fmax(out.worst, fabs(is / exact_pressure(x, 0) - 1));
   }
   /* phi = t phi_t at first: accelerations are the velocities of phi_t, kinetic energy t^2 times its
    * own */
-  bem_panels_velocity(&f.panels, p.phi_t, p.psi_t, f.w);
-  out.acceleration = -cimag(f.w[0]);
-  for (size_t k = 0; k < n; k++) f.surface.state[2 * n + k] = p.phi_t[k];
-  out.growth = bem_surface_totals(&f.surface, p.psi_t).kinetic;
+  bem_panels_velocity(&w.f.panels, w.p.phi_t, w.p.psi_t, w.f.w);
+  out.acceleration = -cimag(w.f.w[0]);
+  for (size_t k = 0; k < n; k++) state[2 * n + k] = w.p.phi_t[k];
+  out.growth = bem_surface_totals(&w.f.surface, w.p.psi_t).kinetic;
   printf("  %2d nodes per H (%zu): p(0,0) %.6f, corner acceleration %.6f, kinetic energy %.6f t^2, "
          "bed %.1e\n",
          resolution, n, out.pressure, out.acceleration, out.growth, out.worst);
-  bem_pressure_destroy(&p);
-  bem_flow_destroy(&f);
-  case_destroy(c);
+  water_end(&w);
   return out;
 }
 

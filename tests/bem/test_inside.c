@@ -1,14 +1,11 @@
 /* What is written of points inside the water: against harmonic functions, down to its surface, and
  * against what a released column is under. */
-#include "bem/start/basin.h"
-#include "bem/start/start.h"
 #include "bem/water/inside.h"
 #include "bem/water/lattice.h"
-#include "bem/water/shore.h"
 #include "common/base/geometry.h"
 #include "common/flow/flow.h"
 #include "common/flow/release.h"
-#include "tests/bem/run.h"
+#include "tests/bem/water.h"
 
 static const char box[] = "[[0, 3], [0, 0], [2.385, 0], [2.385, 3]]", level[] = "depth: 0.8";
 static const char wedge[] = "[[-3, 3], [0, 0], [3, 3]]", high[] = "depth: 1.3";
@@ -41,14 +38,6 @@ static double wavy(const struct bem_flow *f, double from, double to, double x) {
   return f->level + 0.05 * sin(5 * M_PI * (x - from) / (to - from));
 }
 
-struct water {
-  struct case_file *c;
-  struct bem_shore *shore;
-  struct bem_flow f;
-  struct bem_pressure p;
-  struct bem_inside inside;
-};
-
 typedef double complex function(double complex z, double complex *slope);
 
 static bool begin(struct water *w, const char *walls, const char *depth, int resolution,
@@ -56,31 +45,15 @@ static bool begin(struct water *w, const char *walls, const char *depth, int res
   char with[1000];
   double complex slope;
   snprintf(with, sizeof with, text, walls, depth, resolution);
-  *w = (struct water){.c = run_case(with)};
-  EXPECT(w->c);
-  if (!w->c) return false;
-  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-13, 0}, &w->f.solve));
-  if (!w->c->rectangular) EXPECT_OK(bem_basin_shore(w->c, &w->shore));
-  EXPECT_OK(bem_start_surface(w->c, &w->c->runs[0], w->shore, &w->f));
+  if (!water_start(w, run_case(with), 0)) return false;
   const size_t n = w->f.surface.n;
   double *x = w->f.surface.state, *y = x + n, *phi = y + n;
   for (size_t k = 0; k < n; k++) {
     if (k > 0 && k + 1 < n) y[k] = wavy(&w->f, x[0], x[n - 1], x[k]);
     phi[k] = creal(beta(CMPLX(x[k], y[k]), &slope));
   }
-  EXPECT_OK(bem_flow_reserve(&w->f, n));
-  EXPECT_OK(bem_flow_solve(&w->f, w->f.surface.state, 1));
-  EXPECT_OK(bem_pressure_solve(&w->p, &w->f, w->f.surface.state));
-  EXPECT_OK(bem_inside_begin(&w->inside, &w->f));
+  water_solve(w);
   return true;
-}
-
-static void end(struct water *w) {
-  bem_inside_destroy(&w->inside);
-  bem_pressure_destroy(&w->p);
-  bem_flow_destroy(&w->f);
-  bem_shore_destroy(w->shore);
-  case_destroy(w->c);
 }
 
 enum { DISTANCES = 6, PLACES = 3 };
@@ -92,6 +65,8 @@ static void measure(struct water *w, function *beta, double worst[DISTANCES][2])
   const size_t n = w->f.surface.n;
   const double *state = w->f.surface.state, *x = state, *y = x + n;
   double largest[2] = {0};
+  struct bem_inside inside = {0};
+  EXPECT_OK(bem_inside_begin(&inside, &w->f));
   memset(worst, 0, DISTANCES * sizeof *worst);
   for (size_t k = n / 8; k < n - n / 8; k++)
     for (int i = 0; i < PLACES * DISTANCES; i++) {
@@ -102,8 +77,8 @@ static void measure(struct water *w, function *beta, double worst[DISTANCES][2])
       const double complex z = CMPLX(px, py - distance[i / PLACES]);
       double complex slope;
       struct bem_place is;
-      bem_inside_start(&w->inside, &w->p, &w->f, k);
-      EXPECT(bem_inside_at(&w->inside, &w->p, &w->f, state, z, &is));
+      bem_inside_start(&inside, &w->p, &w->f, k);
+      EXPECT(bem_inside_at(&inside, &w->p, &w->f, state, z, &is));
       const double phi = creal(beta(z, &slope));
       largest[0] = fmax(largest[0], cabs(slope));
       largest[1] = fmax(largest[1], fabs(phi));
@@ -113,6 +88,7 @@ static void measure(struct water *w, function *beta, double worst[DISTANCES][2])
     }
   for (int d = 0; d < DISTANCES; d++)
     for (int i = 0; i < 2; i++) worst[d][i] /= largest[i];
+  bem_inside_destroy(&inside);
 }
 
 /* Of fourth order everywhere, at the surface as well. */
@@ -126,7 +102,7 @@ static void expect_exact(const char *walls, const char *depth, function *beta) {
     for (int d = 0; d < DISTANCES; d++)
       printf(" %g: %.1e, %.1e;", distance[d], worst[i][d][0], worst[i][d][1]);
     printf("\n");
-    end(&w);
+    water_end(&w);
   }
   for (int d = 0; d < DISTANCES; d++) {
     EXPECT(log2(worst[0][d][0] / worst[1][d][0]) > 3.3);
@@ -140,30 +116,17 @@ static void test_velocity_inside_is_of_fourth_order_up_to_the_surface(void) {
   expect_exact(wedge, high, in_wedge);
 }
 
-static const char column[] =
-    "title: column\n"
-    "fluid: {density: 1, gravity: 1}\n"
-    "scales: {H: 1}\n"
-    "tank: {walls: [[[0, 3], [0, 0], [5.366, 0], [5.366, 3]]]}\n"
-    "water: {regions: [[[0, 0], [2, 0], [2, 1], [0, 1]]], pressure: released}\n"
-    "time: {end: 1, every: 1}\n"
-    "runs: [{name: bem, solver: bem, resolution: 30}]\n";
+static const char column[] = WATER_COLUMN "time: {end: 1, every: 1}\n"
+                                          "runs: [{name: bem, solver: bem, resolution: 30}]\n";
 
 /* On the lattice: every cell of the column has its point, and the pressure of the series there. */
 static void test_lattice_has_the_pressure_of_a_released_column(void) {
-  struct case_file *c = run_case(column);
-  struct bem_flow f = {0};
-  struct bem_pressure p = {0};
+  struct water w;
   struct bem_lattice l = {0};
   double worst = 0;
-  EXPECT(c);
-  if (!c) return;
-  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 0}, &f.solve));
-  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
-  EXPECT_OK(bem_flow_reserve(&f, f.surface.n));
-  EXPECT_OK(bem_flow_solve(&f, f.surface.state, 1));
-  EXPECT_OK(bem_pressure_solve(&p, &f, f.surface.state));
-  EXPECT_OK(bem_lattice_fill(&l, &p, &f, f.surface.state, 0.05));
+  if (!water_start(&w, run_case(column), 0)) return;
+  water_solve(&w);
+  EXPECT_OK(bem_lattice_fill(&l, &w.p, &w.f, w.f.surface.state, 0.05));
   const double h = sqrt(l.cell);
   size_t inside = 0;
   for (double x = h / 2; x < 2; x += h)
@@ -176,51 +139,35 @@ static void test_lattice_has_the_pressure_of_a_released_column(void) {
   printf("     %zu points, pressure off by %.1e rho g H\n", l.n, worst);
   EXPECT(worst < 1e-5);
   bem_lattice_destroy(&l);
-  bem_pressure_destroy(&p);
-  bem_flow_destroy(&f);
-  case_destroy(c);
+  water_end(&w);
 }
 
-static const char waves[] =
-    "title: waves\n"
-    "fluid: {density: 1, gravity: 1}\n"
-    "scales: {H: 1}\n"
-    "tank: {walls: [[[-1, 3], [-1, -0.7], [4, -0.7], [4, 3]]], sides: periodic}\n"
-    "water: {wave: {kind: stream, height: 0.3, wavelength: 5, depth: 0.9}}\n"
-    "time: {end: 1, every: 1}\n"
-    "runs: [{name: bem, solver: bem, resolution: %d}]\n";
+static const char waves[] = WATER_WAVE "fluid: {density: 1, gravity: 1}\n"
+                                       "time: {end: 1, every: 1}\n"
+                                       "runs: [{name: bem, solver: bem, resolution: %d}]\n";
 
 /* Round a tank, against the wave's own velocity. */
 static double worst_under_wave(int resolution) {
   char with[1000];
-  struct bem_flow f = {0};
-  struct bem_pressure p = {0};
+  struct water w;
   struct bem_lattice l = {0};
-  struct flow_water w;
+  struct flow_water theory;
   double worst = 0, area = 0;
   snprintf(with, sizeof with, waves, resolution);
-  struct case_file *c = run_case(with);
-  EXPECT(c);
-  if (!c) return NAN;
-  EXPECT_OK(flow_open(c, (struct flow_use){0}, &w));
-  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 0}, &f.solve));
-  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
-  EXPECT_OK(bem_flow_reserve(&f, f.surface.n));
-  EXPECT_OK(bem_flow_solve(&f, f.surface.state, 1));
-  EXPECT_OK(bem_pressure_solve(&p, &f, f.surface.state));
-  EXPECT_OK(bem_lattice_fill(&l, &p, &f, f.surface.state, 0.1));
+  if (!water_start(&w, run_case(with), 0)) return NAN;
+  EXPECT_OK(flow_open(w.c, (struct flow_use){0}, &theory));
+  water_solve(&w);
+  EXPECT_OK(bem_lattice_fill(&l, &w.p, &w.f, w.f.surface.state, 0.1));
   for (size_t k = 0; k < l.n; k++) {
     double u[2];
-    flow_velocity(&w, l.x[k] - 1, l.y[k] - 0.7, 0, u);
+    flow_velocity(&theory, l.x[k] - 1, l.y[k] - 0.7, 0, u);
     worst = fmax(worst, hypot(l.u[k] - u[0], l.v[k] - u[1]));
     area += l.cell;
   }
   EXPECT_NEAR(area, 5 * 0.9, 0.1 * 0.1);
-  flow_close(&w);
+  flow_close(&theory);
   bem_lattice_destroy(&l);
-  bem_pressure_destroy(&p);
-  bem_flow_destroy(&f);
-  case_destroy(c);
+  water_end(&w);
   return worst;
 }
 
@@ -241,25 +188,18 @@ static const char alcove[] = "title: alcove\n"
 /* Under an overhang there is no surface near, and the way from it is round a corner. */
 static void expect_lattice_under_overhang(const char *walls, size_t expected) {
   char with[1000];
-  struct water w = {0};
+  struct water w;
   struct bem_lattice l = {0};
   double worst = 0;
   snprintf(with, sizeof with, alcove, walls);
-  w.c = run_case(with);
-  EXPECT(w.c);
-  if (!w.c) return;
-  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-13, 2000}, &w.f.solve));
-  EXPECT_OK(bem_basin_shore(w.c, &w.shore));
-  EXPECT_OK(bem_start_surface(w.c, &w.c->runs[0], w.shore, &w.f));
-  EXPECT_OK(bem_flow_reserve(&w.f, w.f.surface.n));
-  EXPECT_OK(bem_flow_solve(&w.f, w.f.surface.state, 1));
-  EXPECT_OK(bem_pressure_solve(&w.p, &w.f, w.f.surface.state));
+  if (!water_start(&w, run_case(with), 2000)) return;
+  water_solve(&w);
   EXPECT_OK(bem_lattice_fill(&l, &w.p, &w.f, w.f.surface.state, 0.1));
   for (size_t k = 0; k < l.n; k++) worst = fmax(worst, fabs(l.pressure[k] - (1.5 - l.y[k])));
   printf("     %zu points, %zu missing, pressure off by %.1e\n", l.n, l.missing, worst);
   EXPECT(l.n == expected && l.missing == 0 && worst < 1e-10);
   bem_lattice_destroy(&l);
-  end(&w);
+  water_end(&w);
 }
 
 static void test_lattice_fills_alcoves(void) {
@@ -276,32 +216,23 @@ static void test_lattice_fills_alcoves(void) {
 /* A breaker, round and round: whichever of its nodes is the first, even one under its jet. */
 static size_t fill_breaker(double part, double *area, double *volume) {
   char with[1000];
-  struct bem_flow f = {0};
-  struct bem_pressure p = {0};
+  struct water w;
   struct bem_lattice l = {0};
   snprintf(with, sizeof with, waves, 40);
-  struct case_file *c = run_case(with);
-  EXPECT(c);
-  if (!c) return 0;
-  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 2000}, &f.solve));
-  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
-  const size_t n = f.surface.n;
-  double *x = f.surface.state, *y = x + n, *phi = y + n;
+  if (!water_start(&w, run_case(with), 2000)) return 0;
+  const size_t n = w.f.surface.n;
+  double *x = w.f.surface.state, *y = x + n, *phi = y + n;
   for (size_t k = 0; k < n; k++) {
     const double t = (double)k / (double)(n - 1) + part, a = sin(2 * M_PI * t);
     x[k] = 5 * t + a, y[k] = 0.9 + 0.3 * a, phi[k] = 0.1 * cos(2 * M_PI * t);
   }
-  EXPECT_OK(bem_flow_reserve(&f, n));
-  EXPECT_OK(bem_flow_solve(&f, f.surface.state, 1));
-  EXPECT_OK(bem_pressure_solve(&p, &f, f.surface.state));
-  EXPECT_OK(bem_lattice_fill(&l, &p, &f, f.surface.state, 0.05));
+  water_solve(&w);
+  EXPECT_OK(bem_lattice_fill(&l, &w.p, &w.f, x, 0.05));
   const size_t points = l.n;
   *area = (double)l.n * l.cell;
-  *volume = bem_surface_totals(&f.surface, f.psi).volume;
+  *volume = bem_surface_totals(&w.f.surface, w.f.psi).volume;
   bem_lattice_destroy(&l);
-  bem_pressure_destroy(&p);
-  bem_flow_destroy(&f);
-  case_destroy(c);
+  water_end(&w);
   return points;
 }
 
@@ -319,22 +250,19 @@ static void test_lattice_does_not_depend_on_which_node_is_the_first(void) {
 
 /* A bend of the walls has no velocity, not one that is not a number. */
 static void test_node_on_a_corner_is_refused(void) {
-  struct water w = {0};
+  struct water w;
+  struct bem_inside inside = {0};
   char with[1000];
   snprintf(with, sizeof with, text, box, level, 20);
-  w.c = run_case(with);
-  EXPECT(w.c);
-  if (!w.c) return;
-  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 2000}, &w.f.solve));
-  EXPECT_OK(bem_start_surface(w.c, &w.c->runs[0], NULL, &w.f));
+  if (!water_start(&w, run_case(with), 2000)) return;
   const size_t n = w.f.surface.n;
   double *x = w.f.surface.state, *y = x + n;
   for (size_t k = 0; k < n; k++) y[k] = 0.8 * (1 - x[k] / x[n - 1]);
-  EXPECT_OK(bem_flow_reserve(&w.f, n));
   EXPECT_OK(bem_flow_solve(&w.f, x, 1));
-  EXPECT(bem_inside_begin(&w.inside, &w.f) == ERR_SOLVER);
+  EXPECT(bem_inside_begin(&inside, &w.f) == ERR_SOLVER);
   EXPECT(strstr(status_message(), "on a bend of the walls, x = 2.385 H, y = 0 H"));
-  end(&w);
+  bem_inside_destroy(&inside);
+  water_end(&w);
 }
 
 /* What is estimated of a run, s. */

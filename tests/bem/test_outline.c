@@ -6,7 +6,7 @@
 #include "common/base/gauge.h"
 #include "common/flow/release.h"
 #include "common/tank/tank.h"
-#include "tests/bem/run.h"
+#include "tests/bem/water.h"
 
 static const char text[] = "title: outline\n"
                            "fluid: {density: 1, gravity: 1}\n"
@@ -82,21 +82,12 @@ static void test_rounding_keeps_the_volume_of_one_corner_and_one_notch(void) {
 
 /* The pressure at the instant of release, by boundary elements and by CHOLMOD's finite volumes. */
 static double pressure_of(double rounding, double x) {
-  struct case_file *c = case_of(one_polygon, 1, 30, rounding);
-  struct bem_flow f = {0};
-  struct bem_pressure p = {0};
+  struct water w;
   double is = NAN;
-  EXPECT(c);
-  if (!c) return NAN;
-  EXPECT_OK(bem_solve_create(&(struct bem_solve_options){1e-12, 0}, &f.solve));
-  EXPECT_OK(bem_start_surface(c, &c->runs[0], NULL, &f));
-  EXPECT_OK(bem_flow_reserve(&f, f.surface.n));
-  EXPECT_OK(bem_flow_solve(&f, f.surface.state, 1));
-  EXPECT_OK(bem_pressure_solve(&p, &f, f.surface.state));
-  EXPECT_OK(bem_pressure_at(&p, &f, f.surface.state, x, 0, &is));
-  bem_pressure_destroy(&p);
-  bem_flow_destroy(&f);
-  case_destroy(c);
+  if (!water_start(&w, case_of(one_polygon, 1, 30, rounding), 0)) return NAN;
+  water_solve(&w);
+  EXPECT_OK(bem_pressure_at(&w.p, &w.f, w.f.surface.state, x, 0, &is));
+  water_end(&w);
   return is;
 }
 

@@ -6,7 +6,7 @@
 
 #include "common/flow/flow.h"
 #include "common/flow/release.h"
-#include "tests/bem/run.h"
+#include "tests/bem/water.h"
 
 static const struct result_point_read *point(const struct result_file *f, const char *name) {
   for (size_t k = 0; k < f->n_points; k++)
@@ -21,12 +21,8 @@ static double worse(double now, double off) {
 
 /* ---- a wave that theory knows ---- */
 
-static const char waves[] =
-    "title: waves\n"
+static const char waves[] = WATER_WAVE
     "fluid: {density: 1000, gravity: 9.81}\n"
-    "scales: {H: 1}\n"
-    "tank: {walls: [[[-1, 3], [-1, -0.7], [4, -0.7], [4, 3]]], sides: periodic}\n"
-    "water: {wave: {kind: stream, height: 0.3, wavelength: 5, depth: 0.9}}\n"
     "time: {end: 1, every: 1, sample: 0.1}\n"
     "points: [{name: mid, at: [0.3, -0.2]}, {name: high, at: [2.9, 0.02]},\n"
     "         {name: edge, at: [4, -0.5]}, {name: bed, at: [1, -0.7]}, {name: air, at: [1, 1]}]\n"
@@ -86,12 +82,7 @@ static void test_points_have_what_theory_has_under_a_steady_wave(void) {
 
 /* ---- a column ---- */
 
-static const char column[] =
-    "title: column\n"
-    "fluid: {density: 1, gravity: 1}\n"
-    "scales: {H: 1}\n"
-    "tank: {walls: [[[0, 3], [0, 0], [5.366, 0], [5.366, 3]]]}\n"
-    "water: {regions: [[[0, 0], [2, 0], [2, 1], [0, 1]]], pressure: released}\n"
+static const char column[] = WATER_COLUMN
     "time: {end: 2, every: 1, sample: 0.05}\n"
     "probes: [{name: bed, at: [1, 0]}, {name: side, at: [0, 0.3]}]\n"
     "gauges: [{name: falls, x: 1.4}, {name: comes, x: 3}]\n"
