@@ -32,7 +32,7 @@ static struct cmp_value of_file(const struct comparison *c, const struct result_
   return cmp_unknown("the run has no event %s", name);
 }
 
-static struct cmp_value value_of(const struct comparison *c, const struct cmp_data *d,
+struct cmp_value cmp_event_value(const struct comparison *c, const struct cmp_data *d,
                                  const struct case_event *e) {
   const struct cmp_instant *i = instant_of(d, e->event);
   if (!i) return of_file(c, d->file, e);
@@ -53,7 +53,7 @@ static struct cmp_check check_make(const struct comparison *c, const struct case
   const double unit = e->part == CASE_EVENT_time ? c->scales.T : c->scales.H;
   struct cmp_check k = {
       .of = e, .run = run, .published = e->value / unit, .within = e->within / unit};
-  k.value = value_of(c, &cmp_run_or_ref(c, run)->data, e);
+  k.value = cmp_event_value(c, &cmp_run_or_ref(c, run)->data, e);
   k.passed = fabs(k.value.value - k.published) <= k.within;
   return k;
 }

@@ -17,4 +17,7 @@ struct cmp_checks {
 
 enum status cmp_checks_create(const struct comparison *c, struct cmp_checks *checks);
 void cmp_checks_destroy(struct cmp_checks *checks);
+/* The number of a run that the event asks for, t* or H: of the first of its kind. */
+struct cmp_value cmp_event_value(const struct comparison *c, const struct cmp_data *d,
+                                 const struct case_event *e);
 const char *cmp_check_units(const struct cmp_check *check);

@@ -1,62 +1,16 @@
 #include "compare/json.h"
 
-#include <jansson.h>
 #include <stdint.h>
 #include <stdlib.h>
 
 #include "compare/absent.h"
 #include "compare/chart.h"
+#include "compare/convergence/json.h"
+#include "compare/json_maker.h"
 #include "compare/ledger.h"
 #include "compare/output.h"
 #include "compare/text.h"
 #include "revision.h"
-
-/* jansson takes a NULL value as a failure and frees what it was given; one check at the end (a
- * failed member makes json_object_set_new fail, which `ok` remembers) is enough. */
-struct maker {
-  bool ok;
-};
-
-static void set(struct maker *m, json_t *object, const char *key, json_t *value) {
-  if (json_object_set_new(object, key, value) != 0) m->ok = false;
-}
-
-static void add(struct maker *m, json_t *array, json_t *value) {
-  if (json_array_append_new(array, value) != 0) m->ok = false;
-}
-
-static json_t *number(double value) {
-  return isfinite(value) ? json_real(value) : json_null();
-}
-
-static json_t *text(const char *string) {
-  char *copy = cmp_text_copy(string);
-  json_t *value = copy ? json_string(copy) : NULL;
-  free(copy);
-  return value;
-}
-
-/* KEY: the number or null, and then KEY_unavailable: why. */
-static void set_value(struct maker *m, json_t *object, const char *key, const struct cmp_value *v) {
-  char why[64];
-  set(m, object, key, number(v->value));
-  if (cmp_known(v)) return;
-  snprintf(why, sizeof why, "%s_unavailable", key);
-  set(m, object, why, text(v->why));
-}
-
-static json_t *point(struct maker *m, const double *p) {
-  json_t *pair = json_array();
-  add(m, pair, number(p[0]));
-  add(m, pair, number(p[1]));
-  return pair;
-}
-
-static json_t *numbers(struct maker *m, const double *v, size_t n) {
-  json_t *array = json_array();
-  for (size_t i = 0; i < n; i++) add(m, array, number(v[i]));
-  return array;
-}
 
 static json_t *instant(struct maker *m, const struct cmp_instant *i) {
   json_t *object = json_object();
@@ -127,16 +81,6 @@ static json_t *health(struct maker *m, const struct health *h) {
     set(m, measures, health_measures[k].name, number(h->value[k]));
   set(m, object, "measures", measures);
   return object;
-}
-
-/* A number under a name that the file gives. */
-static void set_named(struct maker *m, json_t *object, const char *name, double value) {
-  char *key = cmp_text_copy(name);
-  if (key)
-    set(m, object, key, number(value));
-  else
-    m->ok = false;
-  free(key);
 }
 
 static json_t *absent(struct maker *m, const struct comparison *c, const struct cmp_run *run) {
@@ -425,7 +369,8 @@ static json_t *scales(struct maker *m, const struct comparison *c) {
 }
 
 enum status cmp_json_write(const struct comparison *c, const struct cmp_rows *rows,
-                           const char *sentence, const char *path) {
+                           const struct cmp_convergence *convergence, const char *sentence,
+                           const char *path) {
   struct maker maker = {true}, *m = &maker;
   json_t *root = json_object(), *runs = json_array(), *measures = json_array();
   json_t *window = json_array(), *events = json_array();
@@ -454,6 +399,7 @@ enum status cmp_json_write(const struct comparison *c, const struct cmp_rows *ro
   for (size_t i = 0; i < rows->checks.n; i++)
     add(m, events, check_object(m, c, &rows->checks.check[i]));
   set(m, root, "events", events);
+  set(m, root, "convergence", cmp_convergence_json(m, c, convergence));
 
   enum status status = OK;
   struct cmp_output out = {0};

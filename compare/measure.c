@@ -7,13 +7,13 @@
 #include "compare/measures/look.h"
 
 const struct measure cmp_measures[] = {
-#define X(name, units, when, noise, section, help) {#name, units, help},
+#define X(name, units, when, noise, section, of, help) {#name, units, help},
     CMP_MEASURES(X)
 #undef X
 };
 
 const enum cmp_section cmp_measure_sections[] = {
-#define X(name, units, when, noise, section, help) CMP_SECTION_##section,
+#define X(name, units, when, noise, section, of, help) CMP_SECTION_##section,
     CMP_MEASURES(X)
 #undef X
 };
@@ -25,14 +25,24 @@ static const struct {
   struct cmp_value (*value)(struct cmp_look *);
   enum when when;
   enum noise noise;
+  enum cmp_measure_kind kind;
 } evaluators[] = {
-#define X(name, units, when, noise, section, help) {cmp_measure_##name, when, noise},
+#define X(name, units, when, noise, section, of, help)                                             \
+  {cmp_measure_##name, when, noise, CMP_OF_##of},
     CMP_MEASURES(X)
 #undef X
 };
 
 bool cmp_measure_always(size_t measure) {
   return evaluators[measure].when == ALWAYS;
+}
+
+bool cmp_measure_at_times(size_t measure) {
+  return evaluators[measure].when != ONCE;
+}
+
+enum cmp_measure_kind cmp_measure_kind(size_t measure) {
+  return evaluators[measure].kind;
 }
 
 struct cmp_value cmp_measure_take(size_t measure, struct cmp_look *l) {

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compare/charts.h"
+#include "compare/convergence/figures.h"
 #include "compare/currents.h"
 #include "compare/drawing.h"
 #include "compare/html.h"
@@ -20,6 +21,7 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   enum status status = OK;
   struct comparison *c = NULL;
   struct cmp_rows rows = {0};
+  struct cmp_convergence convergence = {0};
   struct cmp_figures figures = {.lock = -1};
   char html[PATH_MAX], json[PATH_MAX];
   memset(verdict, 0, sizeof *verdict);
@@ -30,22 +32,25 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   ATTEMPT(cmp_comparison_create(settings, reference, n, runs, anyway, &c));
   ATTEMPT(cmp_runs_rank(c));
   ATTEMPT(cmp_rows_create(c, &rows));
+  ATTEMPT(cmp_convergence_create(c, &rows, &convergence));
   ATTEMPT(cmp_summary_sentence(c, &rows, verdict->sentence, sizeof verdict->sentence));
   verdict->passed = rows.passed;
   verdict->failed = rows.failed;
-  ATTEMPT(cmp_json_write(c, &rows, verdict->sentence, json));
+  ATTEMPT(cmp_json_write(c, &rows, &convergence, verdict->sentence, json));
   ATTEMPT(cmp_figures_open(out_dir, &figures));
   ATTEMPT(cmp_charts_write(c, &figures));
   ATTEMPT(cmp_overlays_write(c, &figures));
   ATTEMPT(cmp_currents_write(c, &figures));
   ATTEMPT(cmp_stacks_write(c, &figures));
   ATTEMPT(cmp_spectra_write(c, &figures));
+  ATTEMPT(cmp_convergence_draw(c, &convergence, &figures));
   enum status drawn = cmp_figures_draw(&figures, CMP_DRAWING_LIMITS);
   if (drawn == INTERRUPTED) ATTEMPT(drawn);
   ATTEMPT(cmp_html_write(c, &rows, &figures, verdict->sentence, html)); /* the numbers at least */
   status = drawn;
 done:
   cmp_figures_close(&figures);
+  cmp_convergence_destroy(&convergence);
   cmp_rows_destroy(&rows);
   cmp_comparison_destroy(c);
   return status;

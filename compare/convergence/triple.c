@@ -32,30 +32,30 @@ static double order_of(const struct ratios *r) {
   return isnan(p) ? 0 : p; /* so near the limit of order 0 that it cannot be told from it */
 }
 
-static struct cmp_triple without_order(enum cmp_trend trend, double bar, double finest) {
-  return (struct cmp_triple){trend, NAN, NAN, finest != 0 ? bar / fabs(finest) : NAN, bar};
+static struct cmp_triple without_order(enum cmp_trend trend, double bar) {
+  return (struct cmp_triple){trend, NAN, NAN, NAN, bar};
 }
 
 struct cmp_triple cmp_triple_of(const double h[3], const double f[3]) {
   const double size = fmax(fabs(f[0]), fmax(fabs(f[1]), fabs(f[2])));
   const double rounding = 8 * DBL_EPSILON * size, coarse = f[0] - f[1], fine = f[1] - f[2];
   const bool same_fine = fabs(fine) <= rounding, same_coarse = fabs(coarse) <= rounding;
-  if (same_fine && same_coarse) return without_order(CMP_TREND_constant, 0, f[2]);
-  if (same_fine) return without_order(CMP_TREND_stalled, NAN, f[2]);
-  if (same_coarse) return without_order(CMP_TREND_diverging, NAN, f[2]);
+  if (same_fine && same_coarse) return without_order(CMP_TREND_constant, 0);
+  if (same_fine) return without_order(CMP_TREND_stalled, NAN);
+  if (same_coarse) return without_order(CMP_TREND_diverging, NAN);
   const struct ratios r = {h[1] / h[2], h[0] / h[1], coarse / fine};
   if (r.change < 0) {
     const double low = fmin(f[0], fmin(f[1], f[2])), high = fmax(f[0], fmax(f[1], f[2]));
-    if (r.change < -1) return without_order(CMP_TREND_oscillating, (high - low) / 2, f[2]);
-    return without_order(CMP_TREND_diverging, NAN, f[2]);
+    if (r.change < -1) return without_order(CMP_TREND_oscillating, (high - low) / 2);
+    return without_order(CMP_TREND_diverging, NAN);
   }
   const double p = order_of(&r);
-  if (!(p > 0)) return without_order(CMP_TREND_diverging, NAN, f[2]);
+  if (!(p > 0)) return without_order(CMP_TREND_diverging, NAN);
   struct cmp_triple t = {.trend = CMP_TREND_monotone, .order = p};
   const double rest = -fine / expm1(p * log(r.fine)); /* from the finest value to the limit */
   t.limit = f[2] + rest;
-  t.bar = CMP_GCI_SAFETY * fabs(rest);
-  t.gci = f[2] != 0 ? t.bar / fabs(f[2]) : NAN;
+  t.gci = f[2] != 0 ? CMP_GCI_SAFETY * fabs(rest / f[2]) : NAN;
+  t.bar = CMP_GCI_SAFETY * fabs(fine) / expm1(fmin(p, CMP_BAR_ORDER) * log(r.fine));
   return t;
 }
 

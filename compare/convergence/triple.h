@@ -19,16 +19,21 @@ enum cmp_trend {
 };
 extern const char *const cmp_trend_names[CMP_N_TRENDS];
 
-/* The factor of safety of the grid convergence index with three resolutions (Roache). */
+/* The factor of safety of the grid convergence index with three resolutions (Roache), and the order
+ * that an error bar relies on at most: higher ones are as often values that lie close together by
+ * chance. */
 #define CMP_GCI_SAFETY 1.25
+#define CMP_BAR_ORDER  2.0
 
 struct cmp_triple {
   enum cmp_trend trend;
   double order; /* p; NaN where there is none to claim, as the next two */
   double limit; /* Richardson's value at h = 0 */
-  double gci;   /* error bar over |finest value|; NaN where that is 0 */
-  double bar;   /* of the finest value: CMP_GCI_SAFETY |f1 - f2| / ((h2/h1)^p - 1); of oscillating
-                   ones half their range (Stern et al., J. Fluids Eng. 123, 793, 2001); NaN: none */
+  double gci;   /* CMP_GCI_SAFETY |f1 - f2| / ((h2/h1)^p - 1) over |f1|, the finest value; NaN: that
+                   is 0 */
+  double bar;   /* of the finest value: the same not divided, with p at most CMP_BAR_ORDER; of
+                   oscillating ones half their range (Stern et al., J. Fluids Eng. 123, 793, 2001);
+                   NaN: none */
 };
 
 /* h: spacings, the coarsest first, all different; f: finite values there. */

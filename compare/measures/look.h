@@ -15,11 +15,14 @@ struct cmp_look {
 };
 
 /* Each looks at one run, and at one comparison time where it is measured AT them. */
-#define X(name, units, when, noise, section, help)                                                 \
+#define X(name, units, when, noise, section, of, help)                                             \
   struct cmp_value cmp_measure_##name(struct cmp_look *l);
 CMP_MEASURES(X)
 #undef X
 
 /* Of one of them, by its place in the list. */
 bool cmp_measure_always(size_t measure);
+bool cmp_measure_at_times(size_t measure); /* else of the whole run */
+enum cmp_measure_kind { CMP_OF_DIFFERENCE, CMP_OF_DEFECT, CMP_OF_OWN, CMP_OF_MEASURED };
+enum cmp_measure_kind cmp_measure_kind(size_t measure);
 struct cmp_value cmp_measure_take(size_t measure, struct cmp_look *l);

@@ -1,0 +1,68 @@
+/* The settings of a run in the text of a case: what tells runs apart that differ by more than their
+ * resolution. */
+#include <stdlib.h>
+
+#include "common/case/case.h"
+#include "tests/test.h"
+
+static void expect(const char *text, const char *run, const char *wanted) {
+  char *settings = NULL;
+  EXPECT_OK(case_run_settings(text, run, &settings));
+  if (wanted)
+    EXPECT_STR(settings, wanted);
+  else
+    EXPECT(settings == NULL);
+  free(settings);
+}
+
+static void test_keys_in_order_without_what_says_how_fine(void) {
+  static const char text[] =
+      "runs:\n"
+      "  - {solver: sph, resolution: 50, kernel: wendland, alpha: 0.01}\n"
+      "  - {name: b, solver: sph, alpha: 0.01, kernel: wendland, resolution: 100}\n"
+      "  - {name: c, solver: sph, places: [[0, 1], {x: 2}], resolution: 100}\n"
+      "  - {name: \"s{resolution}\", solver: bem, sweep: {resolution: [20, 40], film: [1]}}\n"
+      "  - {name: d, solver: bem, accuracy: 1e-3}\n"
+      "  - {name: e, solver: bem, accuracy: 1e-4, film: 1}\n"
+      "  - {name: f, solver: bem, resolution: 20}\n";
+  expect(text, "sph", "alpha: 0.01, kernel: wendland");
+  expect(text, "b", "alpha: 0.01, kernel: wendland");
+  expect(text, "c", "places: [[0, 1], {x: 2}]");
+  expect(text, "s40", "film: 1");
+  expect(text, "d", "by accuracy"); /* which sets more than the resolution */
+  expect(text, "e", "film: 1, by accuracy");
+  expect(text, "f", "");
+  expect(text, "g", NULL);
+}
+
+/* Whatever stands in a file is no reason to fail. */
+static void test_no_such_run_or_no_case(void) {
+  expect("", "a", NULL);
+  expect("title: x\n", "a", NULL);
+  expect("runs: 3\n", "a", NULL);
+  expect("runs: [3, [a]]\n", "a", NULL);
+  expect("runs: [{name: [a]\n", "a", NULL);
+  expect("runs: [{name: a, sweep: {b: []}}]\n", "a", NULL);
+}
+
+/* An alias within itself, and lists that double, end. */
+static void test_aliases_end(void) {
+  char *settings = NULL;
+  EXPECT_OK(case_run_settings("runs: [{name: a, x: &x [*x, *x]}]\n", "a", &settings));
+  EXPECT(settings && strlen(settings) < 20000);
+  free(settings);
+  EXPECT_OK(case_run_settings(
+      "p: &a [1, 1, 1, 1, 1, 1, 1, 1]\nq: &b [*a, *a, *a, *a, *a, *a, *a, *a]\n"
+      "r: &c [*b, *b, *b, *b, *b, *b, *b, *b]\ns: &d [*c, *c, *c, *c, *c, *c, *c, *c]\n"
+      "runs: [{name: a, x: [*d, *d, *d, *d]}]\n",
+      "a", &settings));
+  EXPECT(settings && strlen(settings) < 20000);
+  free(settings);
+}
+
+int main(void) {
+  RUN(test_keys_in_order_without_what_says_how_fine);
+  RUN(test_no_such_run_or_no_case);
+  RUN(test_aliases_end);
+  return TEST_RESULT;
+}
