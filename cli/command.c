@@ -62,6 +62,46 @@ int command_set_add(struct command_set *set, const char *assignment, struct argp
   return 0;
 }
 
+int command_parse_count(const char *option, const char *arg, struct argp_state *state) {
+  char *end;
+  long n = strtol(arg, &end, 10);
+  if (end == arg || *end || n < 1 || n > 1024)
+    argp_error(state, "--%s %s: give a whole number from 1 to 1024", option, arg);
+  return (int)n;
+}
+
+static enum status complain_unknown_run(const struct case_file *c, const char *name) {
+  char names[512] = "";
+  for (size_t i = 0; i < c->n_runs; i++) {
+    size_t at = strlen(names);
+    snprintf(names + at, sizeof names - at, "%s%s", i ? ", " : "", c->runs[i].name);
+  }
+  return status_raise(ERR_USAGE, "--only %s: %s has no run of that name; its runs are %s", name,
+                      c->path, names);
+}
+
+enum status command_choose_runs(const struct case_file *c, char *only, bool *chosen) {
+  for (size_t i = 0; i < c->n_runs; i++) chosen[i] = !only;
+  if (!only) return OK;
+  for (char *rest = only, *name; (name = strsep(&rest, ","));) {
+    size_t i = 0;
+    while (i < c->n_runs && strcmp(c->runs[i].name, name)) i++;
+    if (i == c->n_runs) return complain_unknown_run(c, name);
+    chosen[i] = true;
+  }
+  return OK;
+}
+
+void command_name_folder(const char *out, const struct case_file *c, char *folder) {
+  const char *slash = strrchr(c->path, '/'), *name = slash ? slash + 1 : c->path;
+  const char *dot = strrchr(name, '.');
+  if (out)
+    snprintf(folder, PATH_MAX, "%s", out);
+  else
+    snprintf(folder, PATH_MAX, "out/%.*s", dot > name ? (int)(dot - name) : (int)strlen(name),
+             name);
+}
+
 struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set,
                                     int *exit_code) {
   struct problems problems = {0};
@@ -107,11 +147,13 @@ static long lock_holder(unsigned long long inode) {
   return found;
 }
 
-enum status command_lock_folder(const char *folder, bool wait, struct progress *progress, int *fd) {
+enum status command_lock_folder(const char *folder, enum command_lock how, bool wait,
+                                struct progress *progress, int *fd) {
+  const int lock = how == COMMAND_SHARED ? LOCK_SH : LOCK_EX;
   TRY(cmp_directory_make(folder));
   *fd = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   CHECK(*fd >= 0, ERR_IO, "cannot read the folder %s: %s", folder, strerror(errno));
-  if (!flock(*fd, LOCK_EX | LOCK_NB) || errno != EWOULDBLOCK)
+  if (!flock(*fd, lock | LOCK_NB) || errno != EWOULDBLOCK)
     return OK; /* some file systems cannot lock: the result files have locks of their own */
   struct stat info;
   char who[64] = "";
@@ -121,6 +163,6 @@ enum status command_lock_folder(const char *folder, bool wait, struct progress *
         "another plunge%s is at work in %s: wait for it (--wait), or choose another --out", who,
         folder);
   progress_say(progress, "waiting for another plunge%s at work in %s", who, folder);
-  while (flock(*fd, LOCK_EX) && errno == EINTR) continue;
+  while (flock(*fd, lock) && errno == EINTR) continue;
   return OK;
 }

@@ -12,6 +12,7 @@ enum exit_code { EXIT_FINE = 0, EXIT_VERDICT = 1, EXIT_BAD_INPUT = 2, EXIT_RUN_F
 /* The list of subcommands; the dispatcher, the help and the declarations expand it. */
 #define COMMANDS(X)                                                                                \
   X(run, "CASE.yaml", "run what is missing or changed, then compare and write the report")         \
+  X(plan, "CASE.yaml", "the runs of a case for make, Slurm or any other engine")                   \
   X(check, "CASE.yaml...", "validate case files: every problem with file, line and key")           \
   X(compare, "REF.h5 RUN.h5...", "report from existing result files")                              \
   X(diff, "A.h5 B.h5", "do two results agree? 0 yes, 1 no, 2 trouble")                             \
@@ -45,6 +46,15 @@ struct argp_state;
 /* Takes one; an error of argp when it is no assignment. Returns 0, or ENOMEM. */
 int command_set_add(struct command_set *set, const char *assignment, struct argp_state *state);
 
+/* The whole number from 1 to 1024 that an option has; an error of argp when it has none. */
+int command_parse_count(const char *option, const char *arg, struct argp_state *state);
+
+/* Marks the runs that --only names (which it takes apart), all of them without it. ERR_USAGE. */
+enum status command_choose_runs(const struct case_file *c, char *only, bool *chosen);
+
+/* --out, or out/ and the name of the case without its suffix; [PATH_MAX]. */
+void command_name_folder(const char *out, const struct case_file *c, char *folder);
+
 /* Loads a case; prints every problem to stderr. NULL when there is any, with the exit code. */
 struct case_file *command_load_case(const char *path, size_t n_set, const char *const *set,
                                     int *exit_code);
@@ -54,9 +64,12 @@ struct case_file *command_load_case(const char *path, size_t n_set, const char *
 int command_check_room(const struct case_file *c, const bool *chosen, size_t n_set,
                        const char *const *set);
 
-/* Makes the folder of results and report and keeps it for this process until `fd` is closed. When
- * another process has it, waits for that one or raises ERR_IO, which names it. */
-enum status command_lock_folder(const char *folder, bool wait, struct progress *progress, int *fd);
+/* Makes the folder of results and report and keeps it for this process, or, SHARED, for all that
+ * share it and write no report, until `fd` is closed. When another process has it, waits for that
+ * one or raises ERR_IO, which names it. */
+enum command_lock { COMMAND_ALONE, COMMAND_SHARED };
+enum status command_lock_folder(const char *folder, enum command_lock how, bool wait,
+                                struct progress *progress, int *fd);
 
 /* Compares `n` runs with `ref` by the settings of `c`, writes the report into `out` and prints the
  * verdict. Returns the exit code. */

@@ -148,7 +148,7 @@ int command_compare(int argc, char **argv) {
   }
   c = settings_from(a.settings, a.n, files, &exit_code);
   if (!c) goto done;
-  enum status status = command_lock_folder(a.out, false, progress, &lock);
+  enum status status = command_lock_folder(a.out, COMMAND_ALONE, false, progress, &lock);
   if (status != OK)
     exit_code = command_fail(status);
   else

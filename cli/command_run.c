@@ -23,17 +23,8 @@ struct run_arguments {
   char *only;
   struct command_set set;
   int threads, jobs;
-  bool force, quiet, wait;
+  bool force, quiet, wait, no_report;
 };
-
-/* How many of something an option asks for. */
-static int parse_count(const char *option, const char *arg, struct argp_state *state) {
-  char *end;
-  long n = strtol(arg, &end, 10);
-  if (end == arg || *end || n < 1 || n > 1024)
-    argp_error(state, "--%s %s: give a whole number from 1 to 1024", option, arg);
-  return (int)n;
-}
 
 static error_t parse(int key, char *arg, struct argp_state *state) {
   struct run_arguments *a = state->input;
@@ -47,10 +38,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   case 's':
     return command_set_add(&a->set, arg, state);
   case 't':
-    a->threads = parse_count("threads", arg, state);
+    a->threads = command_parse_count("threads", arg, state);
     return 0;
   case 'j':
-    a->jobs = parse_count("jobs", arg, state);
+    a->jobs = command_parse_count("jobs", arg, state);
     return 0;
   case 'f':
     a->force = true;
@@ -60,6 +51,9 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
     return 0;
   case 'w':
     a->wait = true;
+    return 0;
+  case 'n':
+    a->no_report = true;
     return 0;
   case ARGP_KEY_ARG:
     if (a->case_path) argp_error(state, "one case file at a time; %s is the second", arg);
@@ -71,29 +65,6 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   default:
     return ARGP_ERR_UNKNOWN;
   }
-}
-
-static enum status complain_unknown_run(const struct case_file *c, const char *name) {
-  char names[512] = "";
-  for (size_t i = 0; i < c->n_runs; i++) {
-    size_t at = strlen(names);
-    snprintf(names + at, sizeof names - at, "%s%s", i ? ", " : "", c->runs[i].name);
-  }
-  return status_raise(ERR_USAGE, "--only %s: %s has no run of that name; its runs are %s", name,
-                      c->path, names);
-}
-
-/* Marks the runs that `--only` names, all of them without it. */
-static enum status choose_runs(const struct case_file *c, char *only, bool *chosen) {
-  for (size_t i = 0; i < c->n_runs; i++) chosen[i] = !only;
-  if (!only) return OK;
-  for (char *rest = only, *name; (name = strsep(&rest, ","));) {
-    size_t i = 0;
-    while (i < c->n_runs && strcmp(c->runs[i].name, name)) i++;
-    if (i == c->n_runs) return complain_unknown_run(c, name);
-    chosen[i] = true;
-  }
-  return OK;
 }
 
 static enum status result_path(const char *folder, const struct case_run *r, char path[PATH_MAX]) {
@@ -176,7 +147,8 @@ static const char *why_stale(const struct case_file *c, const struct case_run *r
   if (*file->water_fingerprint && strcmp(file->water_fingerprint, water) != 0)
     return "is of other water, another tank or other scales";
   if (strcmp(file->fingerprint, whole) != 0)
-    return "was run with other times, probes, gauges, points or options, or by another version of plunge";
+    return "was run with other times, probes, gauges, points or options, or by another version of "
+           "plunge";
   return NULL;
 }
 
@@ -245,21 +217,19 @@ static int report(const struct case_file *c, const char *out, struct progress *p
   return exit_code;
 }
 
-/* --out, or out/ and the case's name without its suffix. */
-static void name_folder(const struct run_arguments *a, const struct case_file *c,
-                        char folder[PATH_MAX]) {
-  const char *slash = strrchr(c->path, '/'), *name = slash ? slash + 1 : c->path;
-  const char *dot = strrchr(name, '.');
-  if (a->out)
-    snprintf(folder, PATH_MAX, "%s", a->out);
-  else
-    snprintf(folder, PATH_MAX, "out/%.*s", dot > name ? (int)(dot - name) : (int)strlen(name),
-             name);
+/* The exit code of a finished run that no report reads back. */
+static int judge_file(const char *path) {
+  struct result_file *file = NULL;
+  const enum status status = result_read(path, &file);
+  const int exit_code = status == OK ? judge(file) : command_fail(status);
+  result_file_destroy(file);
+  return exit_code;
 }
 
 /* Clears the marks of runs whose finished result is there already. */
 static enum status skip_finished(const struct run_arguments *a, const struct case_file *c,
-                                 const char *folder, bool *chosen, struct progress *progress) {
+                                 const char *folder, bool *chosen, struct progress *progress,
+                                 int *exit_code) {
   for (size_t i = 0; i < c->n_runs; i++) {
     const struct case_run *r = &c->runs[i];
     char path[PATH_MAX], fingerprint[33];
@@ -269,6 +239,8 @@ static enum status skip_finished(const struct run_arguments *a, const struct cas
     if (a->force || !result_is_current(path, fingerprint)) continue;
     progress_say(progress, "%-10s is there already, for the same inputs: %s", r->name, path);
     chosen[i] = false;
+    const int judged = a->no_report ? judge_file(path) : EXIT_FINE;
+    if (judged != EXIT_FINE) *exit_code = judged;
   }
   return OK;
 }
@@ -300,20 +272,22 @@ done:
 static int run_case(const struct run_arguments *a, const struct case_file *c,
                     struct progress *progress) {
   char folder[PATH_MAX];
-  int exit_code = EXIT_FINE, lock = -1;
+  int exit_code = EXIT_FINE, found = EXIT_FINE, lock = -1;
   enum status status;
   bool *chosen = NULL;
-  name_folder(a, c, folder);
+  command_name_folder(a->out, c, folder);
   chosen = calloc(c->n_runs, sizeof *chosen);
   ATTEMPT(chosen ? OK : status_raise(ERR_MEMORY, "no memory for %zu runs", c->n_runs));
-  ATTEMPT(choose_runs(c, a->only, chosen));
-  ATTEMPT(command_lock_folder(folder, a->wait, progress, &lock));
-  ATTEMPT(skip_finished(a, c, folder, chosen, progress));
+  ATTEMPT(command_choose_runs(c, a->only, chosen));
+  ATTEMPT(command_lock_folder(folder, a->no_report ? COMMAND_SHARED : COMMAND_ALONE, a->wait,
+                              progress, &lock));
+  ATTEMPT(skip_finished(a, c, folder, chosen, progress, &found));
   exit_code = command_check_room(c, chosen, a->set.n, a->set.item);
   if (exit_code != EXIT_FINE) goto done;
+  exit_code = found;
   ATTEMPT(room_take_for_blas());
   ATTEMPT(run_chosen(a, &(struct running){c, folder, progress}, chosen, &exit_code));
-  if (c->compare.reference < c->n_runs) {
+  if (!a->no_report && c->compare.reference < c->n_runs) {
     int compared = report(c, folder, progress);
     if (exit_code == EXIT_FINE) exit_code = compared;
   }
@@ -335,6 +309,8 @@ int command_run(int argc, char **argv) {
        "so many runs side by side, if there is memory (default: as is estimated to be fastest)", 0},
       {"force", 'f', NULL, 0, "run again even what is there for the same inputs", 0},
       {"quiet", 'q', NULL, 0, "no progress; errors and the verdict only", 0},
+      {"no-report", 'n', NULL, 0,
+       "no comparison: others may do so with other runs in the same folder at the same time", 0},
       {"wait", 'w', NULL, 0, "wait for another plunge that is at work in the folder", 0},
       {0}};
   static const struct argp argp = {

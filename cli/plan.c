@@ -1,0 +1,223 @@
+#include "cli/plan.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+#include "common/base/text.h"
+
+const char *const plan_engines[PLAN_N_ENGINES] = {
+#define X(name, help) #name,
+    PLAN_ENGINES(X)
+#undef X
+};
+
+/* ---- words ---- */
+
+/* As the shell reads it back; for make, whose own sign is the dollar, with that doubled. */
+static void word(FILE *out, const char *text, bool make) {
+  static const char plain[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=:,+@";
+  const bool quoted = !*text || text[strspn(text, plain)];
+  if (quoted) fputc('\'', out);
+  for (const char *c = text; *c; c++) {
+    if (*c == '\'')
+      fputs("'\\''", out);
+    else if (*c == '$' && make)
+      fputs("$$", out);
+    else
+      fputc(*c, out);
+  }
+  if (quoted) fputc('\'', out);
+}
+
+static enum status check_word(const char *what, const char *text) {
+  for (const char *c = text; *c; c++)
+    CHECK(!iscntrl((unsigned char)*c), ERR_USAGE,
+          "%s %s: found a control character; allowed: any others, since a plan has a line for each "
+          "run; rename it",
+          what, text);
+  return OK;
+}
+
+enum status plan_check(const struct plan *p) {
+  TRY(check_word("the program", p->program));
+  TRY(check_word("the case", p->case_path));
+  TRY(check_word("--results", p->folder));
+  for (size_t i = 0; i < p->n_set; i++) TRY(check_word("--set", p->set[i]));
+  return OK;
+}
+
+/* ---- commands ---- */
+
+static void run_command(FILE *out, const struct plan *p, const struct case_run *r, bool make) {
+  char only[CASE_LONGEST_NAME + 16], threads[16];
+  snprintf(only, sizeof only, "--only=%s", r->name);
+  snprintf(threads, sizeof threads, "%d", p->threads);
+  word(out, p->program, make);
+  fputs(" run ", out);
+  word(out, p->case_path, make);
+  fputc(' ', out);
+  word(out, only, make);
+  fputs(" --no-report --quiet --threads ", out);
+  word(out, threads, make);
+  fputs(" --out ", out);
+  word(out, p->folder, make);
+  for (size_t i = 0; i < p->n_set; i++) {
+    fputs(" --set ", out);
+    word(out, p->set[i], make);
+  }
+}
+
+static bool is_compared(const struct plan *p, size_t run) {
+  return run != p->c->compare.reference && p->chosen[run];
+}
+
+static bool has_comparison(const struct plan *p) {
+  bool any = false;
+  for (size_t i = 0; i < p->c->n_runs; i++) any |= is_compared(p, i);
+  return any && p->c->compare.reference < p->c->n_runs;
+}
+
+/* In the folder itself: a line with the paths of a thousand files would be longer than one may be.
+ */
+static void compare_command(FILE *out, const struct plan *p, bool make) {
+  fputs("cd ", out);
+  word(out, p->folder, make);
+  fputs(" && ", out);
+  word(out, p->program, make);
+  fprintf(out, " compare --out . -- %s.h5", p->c->runs[p->c->compare.reference].name);
+  for (size_t i = 0; i < p->c->n_runs; i++)
+    if (is_compared(p, i)) fprintf(out, " %s.h5", p->c->runs[i].name);
+}
+
+/* ---- engines ---- */
+
+struct needs {
+  size_t runs;
+  double seconds, bytes; /* of the longest, of the largest */
+};
+
+static struct solver_estimate estimate_of(const struct plan *p, size_t i) {
+  struct solver_estimate e = {0};
+  p->c->runs[i].solver->estimate(p->c, &p->c->runs[i], &e);
+  return e;
+}
+
+static struct needs needs_of(const struct plan *p) {
+  struct needs n = {0};
+  for (size_t i = 0; i < p->c->n_runs; i++) {
+    if (!p->chosen[i]) continue;
+    const struct solver_estimate e = estimate_of(p, i);
+    n.runs++;
+    n.seconds = fmax(n.seconds, solver_seconds(&e, p->threads));
+    n.bytes = fmax(n.bytes, e.bytes);
+  }
+  return n;
+}
+
+/* Estimates of memory are right within a third or so. */
+static double megabytes(double bytes) {
+  return ceil(1.5 * bytes / 1e6);
+}
+
+static void comment(FILE *out, const char *lead, const char *text) {
+  fprintf(out, "# %s", lead);
+  text_show(out, text, "");
+  fputc('\n', out);
+}
+
+static void write_make(const struct plan *p, FILE *out) {
+  comment(out, "Runs of ", p->case_path);
+  fputs(
+      "# make -j N -f THIS FILE: what is missing or changed, so many at a time, then the report.\n"
+      "# After a run that failed: make -k, then make compare.\n"
+      "SHELL = /bin/sh\n.PHONY: all compare",
+      out);
+  for (size_t i = 0; i < p->c->n_runs; i++)
+    if (p->chosen[i]) fprintf(out, " run-%s", p->c->runs[i].name);
+  fputs("\n\nall:", out);
+  for (size_t i = 0; i < p->c->n_runs; i++)
+    if (p->chosen[i]) fprintf(out, " run-%s", p->c->runs[i].name);
+  fputc('\n', out);
+  if (has_comparison(p)) {
+    fputc('\t', out);
+    compare_command(out, p, true);
+    fputs("\n\ncompare:\n\t", out);
+    compare_command(out, p, true);
+    fputc('\n', out);
+  } else
+    fputs("\ncompare:\n\t@echo nothing to compare\n", out);
+  for (size_t i = 0; i < p->c->n_runs; i++) {
+    if (!p->chosen[i]) continue;
+    fprintf(out, "\nrun-%s:\n\t", p->c->runs[i].name);
+    run_command(out, p, &p->c->runs[i], true);
+    fputc('\n', out);
+  }
+}
+
+static void write_slurm(const struct plan *p, FILE *out) {
+  const struct needs needs = needs_of(p);
+  size_t task = 0;
+  fputs("#!/bin/bash\n#SBATCH --job-name=plunge\n", out);
+  fprintf(out, "#SBATCH --array=0-%zu\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=%d\n",
+          needs.runs - 1, p->threads);
+  fprintf(out, "#SBATCH --mem=%.0fM\n", megabytes(needs.bytes));
+  comment(out, "Runs of ", p->case_path);
+  fprintf(out, "# The longest takes roughly %.0f s: add --time where the cluster wants one.\n",
+          ceil(needs.seconds));
+  fputs("# sbatch THIS FILE: the runs alone. bash THIS FILE: the runs, and the comparison when all "
+        "have ended.\n"
+        "if [ -z \"${SLURM_ARRAY_TASK_ID:-}\" ]; then\n"
+        "  job=$(sbatch --parsable \"$0\") || exit\n"
+        "  echo \"runs: job ${job%%;*}\"\n",
+        out);
+  if (has_comparison(p)) {
+    fprintf(out,
+            "  sbatch --job-name=plunge-compare --cpus-per-task=%d --mem=%.0fM "
+            "--dependency=afterany:\"${job%%%%;*}\" <<'PLUNGE'\n#!/bin/bash\n",
+            p->threads, fmax(1024, megabytes(needs.bytes)));
+    compare_command(out, p, false);
+    fputs("\nPLUNGE\n", out);
+  }
+  fputs("  exit\nfi\ncase $SLURM_ARRAY_TASK_ID in\n", out);
+  for (size_t i = 0; i < p->c->n_runs; i++) {
+    if (!p->chosen[i]) continue;
+    fprintf(out, "%zu) exec ", task++);
+    run_command(out, p, &p->c->runs[i], false);
+    fputs(" ;;\n", out);
+  }
+  fputs("esac\n", out);
+}
+
+static void write_tsv(const struct plan *p, FILE *out) {
+  fputs("step\trun\tseconds\tMB\tcommand\n", out);
+  for (size_t i = 0; i < p->c->n_runs; i++) {
+    if (!p->chosen[i]) continue;
+    const struct solver_estimate e = estimate_of(p, i);
+    fprintf(out, "run\t%s\t%.3g\t%.0f\t", p->c->runs[i].name, solver_seconds(&e, p->threads),
+            megabytes(e.bytes));
+    run_command(out, p, &p->c->runs[i], false);
+    fputc('\n', out);
+  }
+  if (!has_comparison(p)) return;
+  fputs("compare\t\t\t\t", out);
+  compare_command(out, p, false);
+  fputc('\n', out);
+}
+
+void plan_write(const struct plan *p, enum plan_engine engine, FILE *out) {
+  switch (engine) {
+  case PLAN_make:
+    write_make(p, out);
+    return;
+  case PLAN_slurm:
+    write_slurm(p, out);
+    return;
+  case PLAN_tsv:
+    write_tsv(p, out);
+    return;
+  case PLAN_N_ENGINES:
+    return;
+  }
+}
