@@ -15,7 +15,7 @@ enum exit_code { EXIT_FINE = 0, EXIT_VERDICT = 1, EXIT_BAD_INPUT = 2, EXIT_RUN_F
   X(plan, "CASE.yaml", "the runs of a case for make, Slurm or any other engine")                   \
   X(check, "CASE.yaml...", "validate case files: every problem with file, line and key")           \
   X(compare, "REF.h5 RUN.h5...", "report from existing result files")                              \
-  X(diff, "A.h5 B.h5", "do two results agree? 0 yes, 1 no, 2 trouble")                             \
+  X(diff, "A B", "do two results, or two folders of them, agree? 0 yes, 1 no, 2 trouble")          \
   X(info, "FILE.h5...", "what is in a result file")                                                \
   X(theory, "[TOPIC]", "theory without a run: dispersion, stability, waves; numbers and figures")  \
   X(list, "", "solvers, their parameters and the measures: what a case may name")

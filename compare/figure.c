@@ -149,8 +149,9 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
       (struct cmp_figure){.section = section, .raster = raster, .width = width, .height = height};
   if (*f->target) snprintf(fig->only, sizeof fig->only, "%s", format_of(f->target));
   va_list args;
+  const int used = snprintf(fig->name, sizeof fig->name, "%s", f->prefix);
   va_start(args, name);
-  vsnprintf(fig->name, sizeof fig->name, name, args);
+  vsnprintf(fig->name + used, sizeof fig->name - (size_t)used, name, args);
   va_end(args);
   name_distinct(f, fig->name, sizeof fig->name);
   TRY(stream_open(f, fig->name, ".gp", &fig->script));

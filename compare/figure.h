@@ -22,6 +22,7 @@ struct cmp_figure {
 struct cmp_figures {
   char dir[PATH_MAX], temporary[PATH_MAX];
   char target[PATH_MAX]; /* the one file that is wanted; "": all, in `dir` */
+  char prefix[48];       /* of the names of figures from now on */
   int lock;              /* on `temporary`, held while it is in use; -1: none */
   size_t n, room;
   struct cmp_figure *figure;

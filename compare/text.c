@@ -47,5 +47,6 @@ void cmp_slug(const char *text, char *out, size_t room) {
   size_t n = 0;
   for (; *text && n + 1 < room; text++)
     out[n++] = isalnum((unsigned char)*text) || *text == '_' ? *text : '-';
+  if (*out == '-') *out = '_'; /* a file of that name would be an option */
   out[n] = 0;
 }

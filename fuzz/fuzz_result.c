@@ -82,10 +82,15 @@ static enum status try_points(void) {
 }
 
 static enum status try_diff(void) {
-  static const struct tolerance rule = {"*", false, 0, 0};
+  static const struct tolerance rule = {.pattern = "*"};
   static const struct result_tolerances exact = {1, 1, (struct tolerance *)&rule};
-  bool same;
-  return result_diff(GOOD_PATH, FUZZ_PATH, &exact, false, nowhere, &same);
+  struct result_diff *d;
+  enum status status = result_diff_create(GOOD_PATH, FUZZ_PATH, &exact, 4, &d);
+  if (status != OK) return status;
+  result_diff_print(d, nowhere);
+  status = result_diff_draft(1, &d, &exact, nowhere);
+  result_diff_destroy(d);
+  return status;
 }
 
 static enum status try_read(void) {

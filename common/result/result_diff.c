@@ -2,165 +2,62 @@
 
 #include <hdf5.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/base/text.h"
-#include "common/result/result.h"
+#include "common/base/array.h"
 #include "common/result/result_carry.h"
+#include "common/result/result_differ.h"
 #include "common/result/result_hdf.h"
 #include "common/result/result_layout.h"
 #include "common/result/result_open.h"
 
-enum { BLOCK = 65536 }; /* rows that are compared at a time */
+/* ---- quantities ---- */
 
-struct diff {
-  const char *path[2];
-  const struct result_tolerances *tolerances;
-  hid_t file[2];
-  int turn;          /* which of them is being read */
-  double time_scale; /* sqrt(H/g), s */
-  bool draft;
-  FILE *out; /* into `text` */
-  char *text;
-  size_t size;
-  size_t n_same, n_differ, n_ignored;
-};
-
-/* The file to be read from now on, which is to blame for what goes wrong. */
-static hid_t turn_to(struct diff *d, int k) {
-  d->turn = k;
-  result_blame((size_t)k);
-  return d->file[k];
+/* A new one, with the rules for it. */
+static enum status begin(struct differ *d, const char *name, struct result_quantity **out) {
+  struct result_diff *r = d->d;
+  TRY(array_grow(&r->quantity, &d->room, r->n + 1, "differences"));
+  struct result_quantity *q = &r->quantity[r->n];
+  const struct result_spot nowhere = {.time = NAN, .place = {NAN, NAN}};
+  *q = (struct result_quantity){.what_time = NAN, .first = nowhere, .worst = nowhere};
+  q->name = strdup(name);
+  q->units = strdup("");
+  r->n++;
+  CHECK(q->name && q->units, ERR_MEMORY, "no memory for differences");
+  d->n_rules = result_tolerances_match(d->tolerances, name, d->rule);
+  for (size_t i = 0; i < d->n_rules; i++) r->matched[d->rule[i] - d->tolerances->rule] = 1;
+  TRY(array_create(&q->used, d->n_rules, "rules"));
+  *out = q;
+  return OK;
 }
 
-/* ---- where in a dataset a row is ---- */
-
-/* The last k with first[k] <= row. */
-static size_t find_part(size_t n, const int64_t *first, size_t row) {
-  size_t k = 0;
-  while (k + 1 < n && first[k + 1] <= (int64_t)row) k++;
-  return k;
+/* What has no time, and what is not looked at whatever its times are. */
+static bool ignored(const struct differ *d, struct result_quantity *q) {
+  q->ignored = result_diff_rule(d, NAN)->ignore;
+  return q->ignored;
 }
 
-static bool look_up(hid_t file, const char *name, size_t *n, int64_t **values) {
-  return hdf_get_all(file, name, H5T_NATIVE_INT64, 0, n, values) == OK;
+static bool ignored_always(const struct differ *d, struct result_quantity *q) {
+  size_t i = 0;
+  while (i < d->n_rules && d->rule[i]->ignore) i++;
+  q->ignored = i == d->n_rules;
+  return q->ignored;
 }
 
-/* The time of a row of `name`, NaN when it has none. */
-static double row_time(hid_t file, const char *name, size_t row) {
-  char times[512];
-  const char *slash = strrchr(name, '/');
-  int64_t *first = NULL;
-  size_t n = 0;
-  double *t = NULL, time = NAN;
-  snprintf(times, sizeof times, "%.*stime", slash ? (int)(slash - name) + 1 : 0, name);
-  if (!strcmp(name, "surface/points")) {
-    if (look_up(file, "surface/first_point", &n, &first)) row = find_part(n, first, row);
-    free(first);
-    first = NULL;
-    if (look_up(file, "surface/first_piece", &n, &first)) row = find_part(n, first, row);
-  } else if (!strcmp(name, "VTKHDF/Points") || !strncmp(name, "VTKHDF/PointData/", 17)) {
-    snprintf(times, sizeof times, "VTKHDF/Steps/Values");
-    if (look_up(file, "VTKHDF/Steps/PointOffsets", &n, &first)) row = find_part(n, first, row);
-  } else if (strncmp(name, "series/", 7) && strncmp(name, "surface/time", 12)) {
-    return NAN;
-  }
-  free(first);
-  if (hdf_get_all(file, times, H5T_NATIVE_DOUBLE, 0, &n, &t) == OK && row < n) time = t[row];
-  free(t);
-  return time;
+static void count(struct differ *d, const struct result_quantity *q) {
+  d->d->n_ignored += q->ignored;
+  d->d->n_differ += q->differs;
+  d->d->n_same += !q->differs && !q->ignored;
 }
 
-/* ---- reporting: what comes from the files shows what it holds, and stays on its line ---- */
-
-static void show_name(struct diff *d, const char *name) {
-  int n = (int)strlen(name);
-  text_show(d->out, name, "");
-  fprintf(d->out, "%*s", d->draft && n < 40 ? 40 - n : 0, "");
-}
-
-/* What is different in `name` by no number. */
-static void report_text(struct diff *d, const char *name, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-static void report_text(struct diff *d, const char *name, const char *format, ...) {
-  va_list args;
-  d->n_differ++;
-  show_name(d, name);
-  if (d->draft) {
-    fputs(" ignore\n", d->out);
-    return;
-  }
-  char *text = NULL;
-  va_start(args, format);
-  if (vasprintf(&text, format, args) < 0) text = NULL;
-  va_end(args);
-  fputs(": ", d->out);
-  text_show(d->out, text ? text : "differs", "");
-  fputc('\n', d->out);
-  free(text);
-}
+/* ---- a dataset ---- */
 
 struct shape {
   int rank;
   hsize_t dims[2];
   H5T_class_t class;
 };
-
-struct worst {
-  double difference, scale; /* largest difference; largest magnitude in both */
-  double value[2];
-  size_t row, component;
-};
-
-static void report_number(struct diff *d, const char *name, const char *units,
-                          const struct shape *shape, const struct worst *w) {
-  d->n_differ++;
-  double relative = w->scale > 0 ? w->difference / w->scale : 0;
-  show_name(d, name);
-  if (d->draft) {
-    if (isfinite(relative))
-      fprintf(d->out, " %.1e 0\n", 1.1 * relative);
-    else
-      fputs(" ignore\n", d->out);
-    return;
-  }
-  fprintf(d->out, ": %.10g against %.10g%s", w->value[0], w->value[1], *units ? " " : "");
-  text_show(d->out, units, "");
-  fprintf(d->out, ", differs by %.3g (relative %.3g)", w->difference, relative);
-  double t = shape->rank ? row_time(turn_to(d, 0), name, w->row) : NAN;
-  if (isfinite(t)) fprintf(d->out, " at t = %.6g s (t sqrt(g/H) = %.4g)", t, t / d->time_scale);
-  if (shape->rank) fprintf(d->out, ", row %zu", w->row);
-  if (shape->rank == 2) fprintf(d->out, ", %c", "xyzw"[w->component % 4]);
-  fputc('\n', d->out);
-}
-
-/* Judges a finished comparison of numbers. */
-static void judge(struct diff *d, const char *name, const char *units, const struct shape *shape,
-                  const struct worst *w) {
-  const struct tolerance *t = result_tolerances_find(d->tolerances, name);
-  if (w->difference == 0 || w->difference <= t->absolute + t->relative * w->scale)
-    d->n_same++;
-  else
-    report_number(d, name, units, shape, w);
-}
-
-static void compare_value(struct worst *w, double a, double b, size_t row, size_t component) {
-  if (isfinite(a)) w->scale = fmax(w->scale, fabs(a));
-  if (isfinite(b)) w->scale = fmax(w->scale, fabs(b));
-  double difference = a == b || (isnan(a) && isnan(b)) ? 0 : fabs(a - b);
-  if (isnan(difference)) difference = INFINITY;
-  if (difference > w->difference) {
-    w->difference = difference;
-    w->value[0] = a;
-    w->value[1] = b;
-    w->row = row;
-    w->component = component;
-  }
-}
-
-/* ---- comparing ---- */
 
 static bool get_shape(hid_t file, const char *name, struct shape *s) {
   hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
@@ -175,115 +72,102 @@ static bool get_shape(hid_t file, const char *name, struct shape *s) {
   return good;
 }
 
-static enum status compare_texts(struct diff *d, const char *name) {
+static enum status compare_texts(struct differ *d, struct result_quantity *q) {
   char *text[2] = {NULL, NULL};
   enum status status = OK;
-  for (int k = 0; k < 2; k++) ATTEMPT(hdf_get_text(turn_to(d, k), name, &text[k]));
+  for (int k = 0; k < 2; k++) ATTEMPT(hdf_get_text(result_diff_turn(d, k), q->name, &text[k]));
   size_t line = 1, at = 0;
   for (; text[0][at] && text[0][at] == text[1][at]; at++) line += text[0][at] == '\n';
-  if (text[0][at] == text[1][at])
-    d->n_same++;
-  else if (strchr(text[0], '\n'))
-    report_text(d, name, "the texts differ from line %zu on", line);
-  else
-    report_text(d, name, "'%s' against '%s'", text[0], text[1]);
+  if (text[0][at] != text[1][at])
+    status = strchr(text[0], '\n') ? result_diff_say(q, "the texts differ from line %zu on", line)
+                                   : result_diff_say(q, "'%s' against '%s'", text[0], text[1]);
 done:
   free(text[0]);
   free(text[1]);
   return status;
 }
 
-static enum status compare_rows(struct diff *d, const char *name, const struct shape *s,
-                                struct worst *w) {
-  size_t width = s->rank == 2 ? (size_t)s->dims[1] : 0, wide = width ? width : 1;
-  if (s->rank == 0) {
-    double value[2];
-    for (int k = 0; k < 2; k++)
-      TRY(hdf_get_scalar(turn_to(d, k), name, H5T_NATIVE_DOUBLE, &value[k]));
-    compare_value(w, value[0], value[1], 0, 0);
-    return OK;
-  }
-  for (hsize_t first = 0; first < s->dims[0]; first += BLOCK) {
-    hsize_t n = s->dims[0] - first < BLOCK ? s->dims[0] - first : BLOCK;
-    double *rows[2] = {NULL, NULL};
-    enum status status = OK;
-    for (int k = 0; k < 2 && status == OK; k++)
-      status = hdf_get_rows(turn_to(d, k), name, H5T_NATIVE_DOUBLE, width, first, n, &rows[k]);
-    for (size_t i = 0; status == OK && i < (size_t)n * wide; i++)
-      compare_value(w, rows[0][i], rows[1][i], (size_t)first + i / wide, i % wide);
-    free(rows[0]);
-    free(rows[1]);
-    TRY(status);
-  }
-  return OK;
-}
-
-static enum status compare_set(struct diff *d, const char *name) {
-  struct shape s[2];
-  if (result_tolerances_find(d->tolerances, name)->ignore) {
-    d->n_ignored++;
-    return OK;
-  }
-  for (int k = 0; k < 2; k++)
-    CHECK(get_shape(turn_to(d, k), name, &s[k]), ERR_INPUT, "its dataset %s is damaged", name);
-  if (s[0].class != s[1].class || s[0].rank != s[1].rank || s[0].dims[1] != s[1].dims[1]) {
-    report_text(d, name, "is of another kind");
-    return OK;
-  }
-  if (s[0].dims[0] != s[1].dims[0]) {
-    report_text(d, name, "%llu rows against %llu", (unsigned long long)s[0].dims[0],
-                (unsigned long long)s[1].dims[0]);
-    return OK;
-  }
-  if (s[0].class == H5T_STRING) return compare_texts(d, name);
-
-  struct worst w = {0};
-  TRY(compare_rows(d, name, &s[0], &w));
+static enum status take_units(struct differ *d, struct result_quantity *q) {
   char *units = NULL;
-  hid_t set = H5Dopen2(turn_to(d, 0), name, H5P_DEFAULT);
+  hid_t set = H5Dopen2(result_diff_turn(d, 0), q->name, H5P_DEFAULT);
   if (set >= 0) (void)hdf_get_string(set, "units", &units);
   if (set >= 0) H5Dclose(set);
-  judge(d, name, units && strcmp(units, "1") ? units : "", &s[0], &w);
-  free(units);
+  if (units && strcmp(units, "1")) {
+    free(q->units);
+    q->units = units;
+  } else {
+    free(units);
+  }
   return OK;
 }
 
-static enum status compare_attributes(struct diff *d) {
+static enum status compare_set(struct differ *d, const char *name) {
+  struct shape s[2];
+  struct result_quantity *q;
+  TRY(begin(d, name, &q));
+  if (ignored_always(d, q)) return OK;
+  for (int k = 0; k < 2; k++)
+    CHECK(get_shape(result_diff_turn(d, k), name, &s[k]), ERR_INPUT, "its dataset %s is damaged",
+          name);
+  if (s[0].class != s[1].class || s[0].rank != s[1].rank || s[0].dims[1] != s[1].dims[1])
+    return ignored(d, q) ? OK : result_diff_say(q, "is of another kind");
+  if (s[0].class == H5T_STRING) return ignored(d, q) ? OK : compare_texts(d, q);
+  q->rank = s[0].rank;
+  TRY(take_units(d, q));
+  if (!s[0].rank) return result_diff_scalars(d, q);
+  if (s[0].rank == 2 && !s[0].dims[1]) return OK; /* rows of nothing */
+  return result_diff_tables(d, q, (hsize_t[]){s[0].dims[0], s[1].dims[0]}, (size_t)s[0].dims[1]);
+}
+
+static enum status compare_alone(struct differ *d, const char *name, int owner) {
+  struct result_quantity *q;
+  TRY(begin(d, name, &q));
+  return ignored(d, q) ? OK : result_diff_say(q, "only in %s", d->d->path[owner]);
+}
+
+/* ---- attributes ---- */
+
+static enum status compare_words(struct differ *d, const char *attribute) {
+  struct result_quantity *q;
+  char name[64], *text[2] = {NULL, NULL};
+  snprintf(name, sizeof name, "@%s", attribute);
+  TRY(begin(d, name, &q));
+  if (ignored(d, q)) return OK;
+  enum status status = OK;
+  for (int k = 0; k < 2 && status == OK; k++)
+    if (H5Aexists(result_diff_turn(d, k), attribute) > 0)
+      status = hdf_get_string(result_diff_turn(d, k), attribute, &text[k]);
+  const char *const is[2] = {text[0] ? text[0] : "", text[1] ? text[1] : ""};
+  if (status == OK && strcmp(is[0], is[1]))
+    status = result_diff_say(q, "'%s' against '%s'", is[0], is[1]);
+  free(text[0]);
+  free(text[1]);
+  return status;
+}
+
+static enum status compare_number(struct differ *d, const char *attribute, const char *units) {
+  struct result_quantity *q;
+  char name[64];
+  double value[2] = {NAN, NAN}; /* two that are not there are the same */
+  snprintf(name, sizeof name, "@%s", attribute);
+  TRY(begin(d, name, &q));
+  for (int k = 0; k < 2; k++)
+    if (H5Aexists(result_diff_turn(d, k), attribute) > 0)
+      TRY(hdf_get_number(result_diff_turn(d, k), attribute, &value[k]));
+  free(q->units);
+  q->units = strdup(units);
+  CHECK(q->units, ERR_MEMORY, "no memory for differences");
+  result_diff_numbers(d, q, value, NAN);
+  return OK;
+}
+
+static enum status compare_attributes(struct differ *d) {
   static const char *const names[] = {"solver",   "run",         "title",  "version",
                                       "revision", "fingerprint", "created"};
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-    char name[64], *text[2] = {NULL, NULL};
-    snprintf(name, sizeof name, "@%s", names[i]);
-    if (result_tolerances_find(d->tolerances, name)->ignore) {
-      d->n_ignored++;
-      continue;
-    }
-    enum status status = OK;
-    for (int k = 0; k < 2 && status == OK; k++)
-      if (H5Aexists(turn_to(d, k), names[i]) > 0)
-        status = hdf_get_string(turn_to(d, k), names[i], &text[k]);
-    const char *const is[2] = {text[0] ? text[0] : "", text[1] ? text[1] : ""};
-    if (status == OK && strcmp(is[0], is[1]))
-      report_text(d, name, "'%s' against '%s'", is[0], is[1]);
-    else
-      d->n_same++;
-    free(text[0]);
-    free(text[1]);
-    TRY(status);
-  }
-  for (int i = -1; i < RESULT_SCALES; i++) {
-    const char *attribute = i < 0 ? "complete" : result_scales[i].name;
-    char name[64];
-    double value[2] = {NAN, NAN}; /* two that are not there are the same */
-    snprintf(name, sizeof name, "@%s", attribute);
-    if (result_tolerances_find(d->tolerances, name)->ignore) continue;
-    for (int k = 0; k < 2; k++)
-      if (H5Aexists(turn_to(d, k), attribute) > 0)
-        TRY(hdf_get_number(turn_to(d, k), attribute, &value[k]));
-    struct worst w = {0};
-    compare_value(&w, value[0], value[1], 0, 0);
-    judge(d, name, i < 0 ? "" : result_scales[i].units, &(struct shape){.rank = 0}, &w);
-  }
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) TRY(compare_words(d, names[i]));
+  TRY(compare_number(d, "complete", ""));
+  for (int i = 0; i < RESULT_SCALES; i++)
+    TRY(compare_number(d, result_scales[i].name, result_scales[i].units));
   return OK;
 }
 
@@ -295,17 +179,12 @@ static herr_t add_set(hid_t object, const char *name, const H5O_info_t *info, vo
   return hdf_names_add(data, name) == OK ? 0 : -1;
 }
 
-static enum status compare_sets(struct diff *d, const struct hdf_names s[2]) {
+static enum status compare_sets(struct differ *d, const struct hdf_names s[2]) {
   size_t i = 0, j = 0; /* both lists are in the order of their names */
   while (i < s[0].n || j < s[1].n) {
     int order = i == s[0].n ? 1 : j == s[1].n ? -1 : strcmp(s[0].name[i], s[1].name[j]);
     const char *name = order > 0 ? s[1].name[j] : s[0].name[i];
-    if (!order)
-      TRY(compare_set(d, name));
-    else if (result_tolerances_find(d->tolerances, name)->ignore)
-      d->n_ignored++;
-    else
-      report_text(d, name, "only in %s", d->path[order > 0]);
+    TRY(order ? compare_alone(d, name, order > 0) : compare_set(d, name));
     i += order <= 0;
     j += order >= 0;
   }
@@ -316,15 +195,15 @@ static int by_name(const void *a, const void *b) {
   return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-static enum status compare_files(struct diff *d) {
+static enum status compare_files(struct differ *d) {
   struct hdf_names sets[2] = {{0}, {0}};
   double H, g;
   enum status status = OK;
-  ATTEMPT(hdf_get_number(turn_to(d, 0), "H", &H));
-  ATTEMPT(hdf_get_number(turn_to(d, 0), "g", &g));
-  d->time_scale = sqrt(H / g);
+  ATTEMPT(hdf_get_number(result_diff_turn(d, 0), "H", &H));
+  ATTEMPT(hdf_get_number(result_diff_turn(d, 0), "g", &g));
+  d->d->time_scale = sqrt(H / g);
   for (int k = 0; k < 2; k++) {
-    if (H5Ovisit(turn_to(d, k), H5_INDEX_NAME, H5_ITER_NATIVE, add_set, &sets[k]) < 0) {
+    if (H5Ovisit(result_diff_turn(d, k), H5_INDEX_NAME, H5_ITER_NATIVE, add_set, &sets[k]) < 0) {
       status = hdf_raise(ERR_INPUT, "its datasets cannot be listed");
       goto done;
     }
@@ -332,57 +211,60 @@ static enum status compare_files(struct diff *d) {
   }
   ATTEMPT(compare_attributes(d));
   ATTEMPT(compare_sets(d, sets));
+  for (size_t i = 0; i < d->d->n; i++) count(d, &d->d->quantity[i]);
+  if (d->shown) ATTEMPT(result_diff_curves(d));
 done:
   for (int k = 0; k < 2; k++) hdf_list_destroy(sets[k].n, sets[k].name);
   return status;
 }
 
 /* Says what is wrong with a file better than the walk through its datasets. */
-static enum status check_one(struct diff *d, int k) {
+static enum status check_one(struct differ *d, int k) {
   struct result_file *f = calloc(1, sizeof *f);
   CHECK(f, ERR_MEMORY, "no memory to read it");
-  f->path = strdup(d->path[k]);
-  enum status status = result_read_all(turn_to(d, k), f);
-  result_file_destroy(f);
+  f->path = strdup(d->d->path[k]);
+  enum status status = f->path ? result_read_all(result_diff_turn(d, k), f)
+                               : status_raise(ERR_MEMORY, "no memory to read it");
+  if (d->shown && status == OK)
+    d->d->file[k] = f;
+  else
+    result_file_destroy(f);
   return status;
 }
 
-/* In a process that may not print: into memory, and the caller prints. */
+/* In the child process. */
 static enum status read_both(const hid_t *file, void *data) {
-  struct diff *d = data;
+  struct differ *d = data;
   for (int k = 0; k < 2; k++) d->file[k] = file[k];
   for (int k = 0; k < 2; k++) TRY(check_one(d, k));
-  d->out = open_memstream(&d->text, &d->size);
-  CHECK(d->out, ERR_MEMORY, "no memory for a report");
   enum status status = compare_files(d);
-  bool good = !ferror(d->out);
-  fclose(d->out);
-  if (status != OK) return status_context(status, "%s: ", d->path[d->turn]);
-  CHECK(good, ERR_MEMORY, "no memory for a report");
-  return OK;
+  return status == OK ? OK : status_context(status, "%s: ", d->d->path[d->turn]);
 }
 
-static enum status carry_report(struct carrier *c, void *data) {
-  struct diff *d = data;
-  TRY(carry_text(c, &d->text));
-  TRY(carry_number(c, &d->n_same));
-  TRY(carry_number(c, &d->n_differ));
-  return carry_number(c, &d->n_ignored);
-}
+/* ---- all of it ---- */
 
-enum status result_diff(const char *a, const char *b, const struct result_tolerances *tolerances,
-                        bool draft, FILE *out, bool *same) {
-  struct diff d = {.path = {a, b}, .tolerances = tolerances, .draft = draft};
-  enum status status = result_read_safely(
-      &(struct result_request){2, {a, b}, .data = &d, .read = read_both, .carry = carry_report});
-  if (status == OK) {
-    if (draft) fprintf(out, "# worst differences between %s and %s, and a tenth more\n", a, b);
-    fputs(d.text ? d.text : "", out);
-    if (!draft)
-      fprintf(out, "%zu of %zu quantities differ, %zu ignored\n", d.n_differ, d.n_differ + d.n_same,
-              d.n_ignored);
-    *same = d.n_differ == 0;
+enum status result_diff_create(const char *a, const char *b,
+                               const struct result_tolerances *tolerances, size_t shown,
+                               struct result_diff **out) {
+  struct result_diff *r = *out = calloc(1, sizeof *r);
+  CHECK(r, ERR_MEMORY, "no memory to compare %s", a);
+  struct differ d = {.d = r, .tolerances = tolerances, .shown = shown};
+  enum status status = OK;
+  r->n_rules = tolerances->n;
+  ATTEMPT(array_create(&r->matched, r->n_rules, "tolerances"));
+  ATTEMPT(array_create(&d.rule, r->n_rules, "tolerances"));
+  for (int k = 0; k < 2; k++) {
+    r->path[k] = strdup(k ? b : a);
+    if (!r->path[k]) status = status_raise(ERR_MEMORY, "no memory to compare %s", a);
   }
-  free(d.text);
+  if (status == OK)
+    status = result_read_safely(&(struct result_request){
+        2, {a, b}, .data = &d, .read = read_both, .carry = result_diff_carry});
+done:
+  free(d.rule);
+  if (status != OK) {
+    result_diff_destroy(r);
+    *out = NULL;
+  }
   return status;
 }

@@ -1,22 +1,25 @@
 #include "common/result/result_tolerance.h"
 
+#include <ctype.h>
 #include <fnmatch.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "common/base/array.h"
 #include "common/base/text.h"
 
 enum { MOST_BYTES = 1 << 20 };
 
-static enum status add(struct result_tolerances *t, const char *pattern, bool ignore,
-                       double relative, double absolute) {
+static enum status add(struct result_tolerances *t, const char *pattern,
+                       const struct tolerance *rule) {
   TRY(array_grow(&t->rule, &t->room, t->n + 1, "tolerances"));
-  char *copy = strdup(pattern);
-  CHECK(copy, ERR_MEMORY, "no memory for a tolerance");
-  t->rule[t->n++] = (struct tolerance){copy, ignore, relative, absolute};
+  t->rule[t->n] = *rule;
+  t->rule[t->n].pattern = strdup(pattern);
+  CHECK(t->rule[t->n].pattern, ERR_MEMORY, "no memory for a tolerance");
+  t->n++;
   return OK;
 }
 
@@ -29,36 +32,101 @@ enum status result_tolerances_default(struct result_tolerances *t, double relati
                                         "series/run/wall_time",
                                         "statistics/wall_time*"};
   *t = (struct result_tolerances){0};
-  TRY(add(t, "*", false, relative, absolute));
-  for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++) TRY(add(t, ignored[i], true, 0, 0));
+  TRY(add(t, "*", &(struct tolerance){.relative = relative, .absolute = absolute}));
+  for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++)
+    TRY(add(t, ignored[i], &(struct tolerance){.ignore = true}));
+  return OK;
+}
+
+/* ---- a line ---- */
+
+struct line {
+  const char *path;
+  int number;
+  char *rest; /* of strtok_r */
+};
+
+static char *next_word(struct line *l, char *line) {
+  return strtok_r(line, " \t\r\n", &l->rest);
+}
+
+static enum status read_number(const struct line *l, const char *what, const char *word,
+                               double *value) {
+  char *end;
+  *value = strtod(word, &end);
+  CHECK(end != word && !*end && isfinite(*value) && *value >= 0, ERR_INPUT,
+        "%s:%d: the %s tolerance: found %s, allowed: a number of at least 0", l->path, l->number,
+        what, word);
+  return OK;
+}
+
+/* "t>0.5", "t*<=4" */
+static enum status read_bound(const struct line *l, const char *word, struct tolerance_bound *b) {
+  const char *at = word + strspn(word, "t");
+  *b = (struct tolerance_bound){0};
+  if (*at == '*') b->stars = true, at++;
+  const char *sign = at;
+  b->below = *sign == '<';
+  at += *sign == '<' || *sign == '>';
+  b->equal = at > sign && *at == '=';
+  at += b->equal;
+  char *end;
+  b->at = strtod(at, &end);
+  CHECK(word[0] == 't' && word[1] != 't' && at > sign && end != at && !*end && isfinite(b->at),
+        ERR_INPUT,
+        "%s:%d: a time: found %s, allowed: t>T, t>=T, t<T, t<=T with T in s, or t* in place of t "
+        "with T in sqrt(H/g), without spaces",
+        l->path, l->number, word);
+  return OK;
+}
+
+static enum status read_bounds(struct line *l, struct tolerance *rule) {
+  for (char *word; (word = next_word(l, NULL));) {
+    CHECK(rule->n_bounds < 2, ERR_INPUT,
+          "%s:%d: found %s after two times, allowed: at most two, as in t>1 t<=2", l->path,
+          l->number, word);
+    TRY(read_bound(l, word, &rule->bound[rule->n_bounds++]));
+  }
+  if (rule->n_bounds < 2) return OK;
+  const struct tolerance_bound *a = &rule->bound[0], *b = &rule->bound[1];
+  CHECK(a->stars == b->stars && a->below != b->below, ERR_INPUT,
+        "%s:%d: two times: allowed: one with > and one with <, both with t or both with t*",
+        l->path, l->number);
+  const struct tolerance_bound *from = a->below ? b : a, *to = a->below ? a : b;
+  CHECK(from->at < to->at || (from->at == to->at && from->equal && to->equal), ERR_INPUT,
+        "%s:%d: no time is after %g and before %g; exchange them", l->path, l->number, from->at,
+        to->at);
   return OK;
 }
 
 static enum status read_line(struct result_tolerances *t, const char *path, int number,
                              char *line) {
-  static const char space[] = " \t\r\n";
+  struct line l = {path, number, NULL};
+  struct tolerance rule = {.line = number};
   CHECK(strlen(line) <= TEXT_LONGEST_LINE, ERR_INPUT,
         "%s:%d: a line of %zu bytes; at most %d are allowed", path, number, strlen(line),
         TEXT_LONGEST_LINE);
   line[strcspn(line, "#")] = 0;
-  char *rest, *word[4];
-  int n = 0;
-  for (char *w = strtok_r(line, space, &rest); w && n < 4; w = strtok_r(NULL, space, &rest))
-    word[n++] = w;
-  if (n == 0) return OK;
-  if (n == 2 && !strcmp(word[1], "ignore")) return add(t, word[0], true, 0, 0);
-  double value[2] = {0, 0};
-  bool good = n == 3;
-  for (int k = 0; k < 2 && good; k++) {
-    char *end;
-    value[k] = strtod(word[k + 1], &end);
-    good = !*end && isfinite(value[k]) && value[k] >= 0;
+  const char *pattern = next_word(&l, line), *word = pattern ? next_word(&l, NULL) : NULL;
+  if (!pattern) return OK;
+  CHECK(word, ERR_INPUT,
+        "%s:%d: found %s alone; a tolerance is 'PATTERN RELATIVE ABSOLUTE' or 'PATTERN ignore', "
+        "then times, if any",
+        path, number, pattern);
+  rule.ignore = !strcmp(word, "ignore");
+  if (!rule.ignore) {
+    const char *absolute = next_word(&l, NULL);
+    CHECK(isdigit((unsigned char)*word) || *word == '.' || *word == '-' || *word == '+' ||
+              !strcasecmp(word, "nan") || !strcasecmp(word, "inf"),
+          ERR_INPUT, "%s:%d: found %s after the pattern %s, allowed: a number, or ignore", path,
+          number, word, pattern);
+    TRY(read_number(&l, "relative", word, &rule.relative));
+    CHECK(absolute, ERR_INPUT,
+          "%s:%d: the absolute tolerance is missing; write 0 where there is none", path, number);
+    TRY(read_number(&l, "absolute", absolute, &rule.absolute));
   }
-  CHECK(good, ERR_INPUT,
-        "%s:%d: a tolerance is 'PATTERN RELATIVE ABSOLUTE' or 'PATTERN ignore', with "
-        "numbers of at least 0",
-        path, number);
-  return add(t, word[0], false, value[0], value[1]);
+  TRY(read_bounds(&l, &rule));
+  return add(t, pattern, &rule);
 }
 
 enum status result_tolerances_read(struct result_tolerances *t, const char *path) {
@@ -81,9 +149,44 @@ void result_tolerances_destroy(struct result_tolerances *t) {
   *t = (struct result_tolerances){0};
 }
 
-const struct tolerance *result_tolerances_find(const struct result_tolerances *t,
-                                               const char *name) {
-  for (size_t i = t->n; i-- > 0;)
-    if (!fnmatch(t->rule[i].pattern, name, 0)) return &t->rule[i];
+/* ---- which rule ---- */
+
+size_t result_tolerances_match(const struct result_tolerances *t, const char *name,
+                               const struct tolerance **rule) {
+  size_t n = 0;
+  for (size_t i = t->n; i-- > 0;) {
+    if (fnmatch(t->rule[i].pattern, name, 0)) continue;
+    rule[n++] = &t->rule[i];
+    if (!t->rule[i].n_bounds) break;
+  }
+  return n;
+}
+
+static bool holds(const struct tolerance *rule, double time, double scale) {
+  for (int k = 0; k < rule->n_bounds; k++) {
+    const struct tolerance_bound *b = &rule->bound[k];
+    const double at = b->stars ? b->at * scale : b->at;
+    if (!(b->equal && time == at) && !(b->below ? time < at : time > at)) return false;
+  }
+  return true;
+}
+
+const struct tolerance *result_tolerance_at(size_t n, const struct tolerance *const *rule,
+                                            double time, double scale) {
+  for (size_t i = 0; i < n; i++)
+    if (holds(rule[i], time, scale)) return rule[i];
   return NULL;
+}
+
+void result_tolerance_when(const struct tolerance *rule, char *out, size_t room) {
+  size_t n = 0;
+  *out = 0;
+  for (int k = 0; k < rule->n_bounds; k++) {
+    const struct tolerance_bound *b = &rule->bound[k];
+    char at[32];
+    snprintf(at, sizeof at, "%.15g", b->at);
+    if (strtod(at, NULL) != b->at) snprintf(at, sizeof at, "%.17g", b->at);
+    n += (size_t)snprintf(out + n, n < room ? room - n : 0, " t%s%s%s%s", b->stars ? "*" : "",
+                          b->below ? "<" : ">", b->equal ? "=" : "", at);
+  }
 }

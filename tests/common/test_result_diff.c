@@ -53,7 +53,12 @@ static const char *diff(const char *rules, double relative, double absolute, boo
     EXPECT_OK(result_tolerances_read(&t, tolerance_path));
   }
   *same = false;
-  EXPECT_OK(result_diff(path[0], path[1], &t, draft, out, same));
+  struct result_diff *d = NULL;
+  EXPECT_OK(result_diff_create(path[0], path[1], &t, 0, &d));
+  if (d && draft) EXPECT_OK(result_diff_draft(1, &d, &t, out));
+  if (d && !draft) result_diff_print(d, out);
+  if (d) *same = !d->n_differ;
+  result_diff_destroy(d);
   result_tolerances_destroy(&t);
   fclose(out);
   return report;
@@ -136,37 +141,186 @@ static void test_lengths_and_missing_sets_are_reported(void) {
   bool same;
   write_result(path[1], 4);
   const char *report = diff(NULL, 1, 1, false, &same);
-  EXPECT(!same && strstr(report, "series/energy/total: 50 rows against 40\n"));
+  EXPECT(!same);
+  EXPECT(strstr(report, "series/energy/total: 50 rows against 40, from t = 0.4 s (t sqrt(g/H) = "
+                        "1.617) on\n"));
+  EXPECT(strstr(report, "VTKHDF/NumberOfPoints: 5 rows against 4, from t = 0.4 s"));
+  EXPECT(strstr(report, "surface/first_piece: 6 rows against 5, from t = 0.4 s"));
+  EXPECT(strstr(report, "first difference at t = 0.4 s"));
   EXPECT(strstr(report, "events/touchdown_5/x: only in "));
 }
 
-static void test_wrong_tolerances_are_refused(void) {
-  static const char *const wrong[] = {"a\n",       "a 1\n",     "a 1 x\n",  "a 1 -1\n",
-                                      "a 1 nan\n", "a 1 1 1\n", "a never\n"};
-  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+/* What both have is compared all the same. */
+static void test_rows_before_others_are_missing_are_compared(void) {
+  bool same;
+  write_result(path[1], 4);
+  change("series/energy/kinetic", 3, 0.5);
+  const char *report = diff(NULL, 0, 0, false, &same);
+  EXPECT(strstr(report, "series/energy/kinetic: 50 rows against 40, from t = 0.4 s (t sqrt(g/H) = "
+                        "1.617) on; of those that both have 0.3333333333 against 0.8333333333"));
+  EXPECT(strstr(report, "first difference at t = 0.03 s (t sqrt(g/H) = 0.1213): "
+                        "series/energy/kinetic\n"));
+}
+
+static void test_tolerances_are_of_times(void) {
+  static const struct {
+    const char *rules;
+    bool same;
+  } tries[] = {
+      {"series/energy/* 0 1 t>0.02", true},
+      {"series/energy/* 0 1 t>0.031", false},
+      {"series/energy/* ignore t>=0.03", true},
+      {"series/energy/* ignore t<0.03", false},
+      {"series/energy/* ignore t<=0.031", true},
+      {"series/energy/* 0 1 t>0.02 t<0.04", true},
+      {"series/energy/* 0 1 t<0.04 t>0.02", true},
+      {"series/energy/* 0 1 t>0.04 t<0.06", false},
+      {"series/energy/* 0 1 t*>0.12", true},
+      {"series/energy/* 0 1 t*>0.122", false},
+      {"series/energy/* 0 1\nseries/energy/* 0 0 t>0.02", false}, /* the last that is for it */
+      {"series/energy/* 0 1\nseries/energy/* 0 0 t>0.04", true},
+      {"* 0 1 t<0.01\n* 0 1 t>0.02", true},
+  };
+  write_result(path[1], 5);
+  change("series/energy/kinetic", 3, 0.5); /* at 0.03 s */
+  for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
+    bool same;
+    const char *report = diff(tries[i].rules, 0, 0, false, &same);
+    if (same != tries[i].same) TEST_FAIL("with %s: %s", tries[i].rules, report);
+  }
+}
+
+/* Also rows that one file has not: a run that ended earlier is the same until then. */
+static void test_missing_rows_can_be_ignored(void) {
+  bool same;
+  write_result(path[1], 4);
+  const char *report =
+      diff("* ignore\nseries/energy/* 0 0\nsurface/* 0 0\nVTKHDF/Point* 0 0\n* ignore t>=0.39\n", 0, 0,
+           false, &same);
+  if (!same) TEST_FAIL("the report is: %s", report);
+  report =
+      diff("* ignore\nseries/energy/* 0 0\nsurface/* 0 0\n* ignore t>=0.41\n", 0, 0, false, &same);
+  EXPECT(!same && strstr(report, "series/energy/total: 50 rows against 40, from t = 0.4 s"));
+}
+
+/* What has no time has no rule with one. */
+static void test_a_time_is_asked_for(void) {
+  bool same;
+  write_result(path[1], 5);
+  change("statistics/steps", 0, 1);
+  diff("* ignore t>-1", 0, 0, false, &same);
+  EXPECT(!same);
+  change("statistics/steps", 0, -1);
+  change("events/touchdown/x", 0, 1); /* an event has one */
+  diff("events/* ignore t>-1", 0, 0, false, &same);
+  EXPECT(same);
+}
+
+static void test_drafts_keep_times(void) {
+  bool same;
+  write_result(path[1], 5);
+  change("series/energy/kinetic", 3, 0.5);
+  change("series/energy/kinetic", 40, 1e-6);
+  const char *rules = "series/energy/* 0 1e-9 t>0.2\n";
+  char *draft = strdup(diff(rules, 0, 0, true, &same));
+  EXPECT(strstr(draft, " t>0.2\n"));
+  diff(draft, 0, 0, false, &same);
+  EXPECT(same);
+  change("series/energy/kinetic", 40, 1e-5); /* which the draft allows earlier, but not then */
+  diff(draft, 0, 0, false, &same);
+  EXPECT(!same);
+  free(draft);
+}
+
+static void test_places_are_known(void) {
+  static const struct {
+    const char *set;
+    hsize_t row;
+    double x, y;
+  } at[] = {{"VTKHDF/PointData/pressure", 1, 1.0 / 3 + 0.1, 0.33341},
+            {"series/probes/P_1/pressure", 13, 3.2196, 0.1596},
+            {"events/touchdown/time", 0, 2.385, 0.01}};
+  for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
     struct result_tolerances t;
-    FILE *f = fopen(tolerance_path, "w");
-    fprintf(f, "# first\n%s", wrong[i]);
-    fclose(f);
+    struct result_diff *d = NULL;
+    write_result(path[1], 5);
+    change(at[i].set, at[i].row, 1);
     EXPECT_OK(result_tolerances_default(&t, 0, 0));
-    EXPECT(result_tolerances_read(&t, tolerance_path) == ERR_INPUT);
-    EXPECT(strstr(status_message(), "tolerances:2: a tolerance is"));
+    EXPECT_OK(result_diff_create(path[0], path[1], &t, 0, &d));
+    for (size_t k = 0; d && k < d->n; k++) {
+      const struct result_quantity *q = &d->quantity[k];
+      if (!q->differs) continue;
+      EXPECT(!strcmp(q->name, at[i].set));
+      EXPECT(fabs(q->worst.place[0] - at[i].x) < 1e-9);
+      EXPECT(i == 0 || fabs(q->worst.place[1] - at[i].y) < 1e-9);
+    }
+    result_diff_destroy(d);
     result_tolerances_destroy(&t);
   }
 }
 
-static void test_trouble_is_not_a_difference(void) {
-  bool same;
+static void test_wrong_tolerances_are_refused(void) {
+  static const struct {
+    const char *line, *says;
+  } wrong[] = {
+      {"a",
+       "2: found a alone; a tolerance is 'PATTERN RELATIVE ABSOLUTE' or 'PATTERN ignore', then "
+       "times, if any"},
+      {"a 1", "2: the absolute tolerance is missing; write 0 where there is none"},
+      {"a never", "2: found never after the pattern a, allowed: a number, or ignore"},
+      {"a 1x 0", "2: the relative tolerance: found 1x, allowed: a number of at least 0"},
+      {"a -1 0", "2: the relative tolerance: found -1, allowed: a number of at least 0"},
+      {"a nan 0", "2: the relative tolerance: found nan, allowed: a number of at least 0"},
+      {"a 1 x", "2: the absolute tolerance: found x, allowed: a number of at least 0"},
+      {"a 1 -1", "2: the absolute tolerance: found -1, allowed: a number of at least 0"},
+      {"a 1 inf", "2: the absolute tolerance: found inf, allowed: a number of at least 0"},
+      {"a 1 t>5", "2: the absolute tolerance: found t>5, allowed: a number of at least 0"},
+      {"a 1 1 1", "2: a time: found 1, allowed: t>T, t>=T, t<T, t<=T with T in s, or t* in place "
+                  "of t with T in sqrt(H/g), without spaces"},
+      {"a ignore t=5", "2: a time: found t=5, allowed: t>T"},
+      {"a ignore t > 5", "2: a time: found t, allowed: t>T"},
+      {"a ignore t>5s", "2: a time: found t>5s, allowed: t>T"},
+      {"a ignore tt>5", "2: a time: found tt>5, allowed: t>T"},
+      {"a ignore t>nan", "2: a time: found t>nan, allowed: t>T"},
+      {"a ignore x>5", "2: a time: found x>5, allowed: t>T"},
+      {"a 0 0 t>1 t<2 t<3", "2: found t<3 after two times, allowed: at most two, as in t>1 t<=2"},
+      {"a 0 0 t>1 t>2", "2: two times: allowed: one with > and one with <, both with t or both "
+                        "with t*"},
+      {"a 0 0 t>1 t*<2", "2: two times: allowed: one with > and one with <"},
+      {"a 0 0 t>3 t<2", "2: no time is after 3 and before 2; exchange them"},
+      {"a 0 0 t<2 t>=2", "2: no time is after 2 and before 2; exchange them"},
+  };
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    struct result_tolerances t;
+    char says[400];
+    FILE *f = fopen(tolerance_path, "w");
+    fprintf(f, "# first\n%s\n", wrong[i].line);
+    fclose(f);
+    EXPECT_OK(result_tolerances_default(&t, 0, 0));
+    EXPECT(result_tolerances_read(&t, tolerance_path) == ERR_INPUT);
+    snprintf(says, sizeof says, "%s:%s", tolerance_path, wrong[i].says);
+    if (strncmp(status_message(), says, strlen(says)))
+      TEST_FAIL("of '%s' the message is: %s", wrong[i].line, status_message());
+    result_tolerances_destroy(&t);
+  }
+}
+
+static void expect_trouble(const char *a, const char *b, const char *says) {
   struct result_tolerances t;
+  struct result_diff *d;
   EXPECT_OK(result_tolerances_default(&t, 0, 0));
-  EXPECT(result_diff(path[0], "/nonexistent.h5", &t, false, stderr, &same) == ERR_INPUT);
-  EXPECT(result_diff(tolerance_path, path[0], &t, false, stderr, &same) == ERR_INPUT);
+  EXPECT(result_diff_create(a, b, &t, 4, &d) == ERR_INPUT && !d);
+  if (!strstr(status_message(), says)) TEST_FAIL("the message is: %s", status_message());
+  result_tolerances_destroy(&t);
+}
+
+static void test_trouble_is_not_a_difference(void) {
+  expect_trouble(path[0], "/nonexistent.h5", "cannot read /nonexistent.h5");
+  expect_trouble(tolerance_path, path[0], "tolerances is not a result file");
   write_result(path[1], 5);
   change("VTKHDF/NumberOfPoints", 4, -100);
-  EXPECT(result_diff(path[0], path[1], &t, false, stderr, &same) == ERR_INPUT);
-  EXPECT(
-      strstr(status_message(), "b.h5 is not a usable result: its dataset /VTKHDF/NumberOfPoints"));
-  result_tolerances_destroy(&t);
+  expect_trouble(path[0], path[1],
+                 "b.h5 is not a usable result: its dataset /VTKHDF/NumberOfPoints");
 }
 
 static void test_a_text_cannot_forge_a_line(void) {
@@ -256,6 +410,12 @@ int main(void) {
   RUN(test_tolerances_are_obeyed);
   RUN(test_drafted_tolerances_pass);
   RUN(test_lengths_and_missing_sets_are_reported);
+  RUN(test_rows_before_others_are_missing_are_compared);
+  RUN(test_tolerances_are_of_times);
+  RUN(test_missing_rows_can_be_ignored);
+  RUN(test_a_time_is_asked_for);
+  RUN(test_drafts_keep_times);
+  RUN(test_places_are_known);
   RUN(test_wrong_tolerances_are_refused);
   RUN(test_trouble_is_not_a_difference);
   RUN(test_a_text_cannot_forge_a_line);

@@ -49,14 +49,14 @@ static void expect_refused(const char *says) {
   struct result_file *f = NULL;
   FILE *nowhere = fopen("/dev/null", "w");
   struct result_tolerances t;
-  bool same;
   EXPECT(result_read(path, &f) == ERR_INPUT && !f);
   if (!strstr(status_message(), says)) TEST_FAIL("the message is: %s", status_message());
   EXPECT(result_info(path, nowhere) == ERR_INPUT);
   EXPECT(!result_is_current(path, "x"));
   EXPECT_OK(result_tolerances_default(&t, 0, 0));
   for (int k = 0; k < 2; k++) { /* whichever of the two it is, it is blamed */
-    EXPECT(result_diff(k ? other : path, k ? path : other, &t, false, nowhere, &same) == ERR_INPUT);
+    struct result_diff *d;
+    EXPECT(result_diff_create(k ? other : path, k ? path : other, &t, 4, &d) == ERR_INPUT && !d);
     if (!strstr(status_message(), says) || strncmp(status_message(), path, strlen(path)))
       TEST_FAIL("the message is: %s", status_message());
   }

@@ -1,0 +1,30 @@
+/* XML and HTML through libxml2's text writer: tags close in order, all text is escaped by
+ * construction, and what a text holds that neither can show is made visible. Errors are remembered
+ * and reported once, at the end. */
+#pragma once
+#include <stdbool.h>
+#include <stdio.h>
+
+struct markup;
+
+/* Writes to `stream`, which stays the caller's. `xml`: begins as XML does, a tag a line. NULL: no
+ * memory. */
+struct markup *cmp_markup_create(FILE *stream, bool xml);
+/* Closes what is open; false when anything could not be written. */
+bool cmp_markup_finish(struct markup *m);
+void cmp_markup_destroy(struct markup *m);
+
+void cmp_markup_open(struct markup *m, const char *tag, const char *class); /* class may be NULL */
+void cmp_markup_attribute(struct markup *m, const char *name, const char *value); /* after open */
+void cmp_markup_number(struct markup *m, const char *name, size_t n);             /* likewise */
+void cmp_markup_close(struct markup *m);
+void cmp_markup_text(struct markup *m, const char *text);
+void cmp_markup_raw(struct markup *m, const char *markup); /* ours only, never from a file */
+
+/* <tag class="class">text</tag>, the text printf style */
+void cmp_markup_element(struct markup *m, const char *tag, const char *class, const char *format,
+                        ...) __attribute__((format(printf, 4, 5)));
+
+/* A picture inside the page, as a data: URI. `type` is "image/png" or "image/svg+xml". */
+void cmp_markup_image(struct markup *m, const char *type, const char *bytes, size_t n,
+                      const char *alt, int width, int height);
