@@ -15,6 +15,7 @@ enum exit_code { EXIT_FINE = 0, EXIT_VERDICT = 1, EXIT_BAD_INPUT = 2, EXIT_RUN_F
   X(plan, "CASE.yaml", "the runs of a case for make, Slurm or any other engine")                   \
   X(check, "CASE.yaml...", "validate case files: every problem with file, line and key")           \
   X(compare, "REF.h5 RUN.h5...", "report from existing result files")                              \
+  X(import, "SIDECAR.yaml", "a result from the files of another program")                          \
   X(diff, "A B", "do two results, or two folders of them, agree? 0 yes, 1 no, 2 trouble")          \
   X(info, "FILE.h5...", "what is in a result file")                                                \
   X(theory, "[TOPIC]", "theory without a run: dispersion, stability, waves; numbers and figures")  \

@@ -56,6 +56,7 @@ enum result_cells { RESULT_VERTICES, RESULT_LINE }; /* loose particles, or one p
 struct result_about {
   const char *solver, *run, *title;
   const char *version, *revision;                          /* of the program; "" as below */
+  const char *imported; /* how it was made of another program's files; NULL: it was not */
   const char *case_text, *fingerprint, *water_fingerprint; /* "": there is none */
   bool floats;                                             /* a body without gravity */
   double H, g, density;                                    /* m, m s^-2, kg m^-3 */
@@ -186,6 +187,7 @@ struct result_file {
   char *path, *solver, *run, *title, *version, *revision, *case_text, *fingerprint;
   char *water_fingerprint; /* case_water_fingerprint of its case; "" in files of before it */
   char *created;           /* UTC, 2026-11-22T19:24:21Z */
+  char *imported; /* how it was made of another program's files; "" when it was not */
   char *ended;  /* why it ended before the end of its case, one sentence; "" when it did not */
   char *health; /* verdict when it ended: sound, doubtful or failed; "" before that, or older */
   bool complete;

@@ -20,9 +20,10 @@ static enum status write_attributes(hid_t file, const struct result_about *about
                                  {"revision", about->revision},
                                  {"fingerprint", about->fingerprint},
                                  {"water", about->water_fingerprint},
+                                 {"imported", about->imported},
                                  {"created", created}};
   for (size_t i = 0; i < sizeof text / sizeof *text; i++)
-    if (*text[i][1]) TRY(hdf_set_string(file, text[i][0], text[i][1]));
+    if (text[i][1] && *text[i][1]) TRY(hdf_set_string(file, text[i][0], text[i][1]));
   TRY(hdf_set_integers(file, "format_version", 1, (int64_t[]){RESULT_FORMAT_VERSION}));
   TRY(hdf_set_integers(file, "complete", 1, (int64_t[]){0}));
   TRY(hdf_set_integers(file, "floats", 1, (int64_t[]){about->floats}));

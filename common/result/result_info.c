@@ -211,6 +211,7 @@ enum status result_info(const char *path, FILE *out) {
       : result_store_is_written(path) ? "under way"
                                       : "stopped before its end");
   if (*f->ended) say_text(out, "ended", f->ended);
+  if (*f->imported) say_text(out, "imported", f->imported);
   say_health(out, f);
   if (*f->version)
     say(out, "program", "plunge %s, revision %s, run at %s", f->version, f->revision, f->created);
