@@ -12,7 +12,7 @@ size_t cmp_cloud_output(const struct comparison *c, const struct result_file *f,
   return SIZE_MAX;
 }
 
-static bool has_field(const struct result_file *f, const char *name) {
+bool cmp_cloud_has_field(const struct result_file *f, const char *name) {
   for (size_t i = 0; i < f->n_fields; i++)
     if (!strcmp(f->fields[i], name)) return true;
   return false;
@@ -23,7 +23,7 @@ double cmp_cloud_spacing(const struct cmp_data *d, size_t n) {
   const double area = (double)n * d->dx * d->dx;
   if (!n) return 0;
   if (!(volume->n && fabs(area / volume->value[0] - 1) > 0.5)) return d->dx;
-  return has_field(d->file, "volume") ? sqrt(volume->value[0] / (double)n) : 0;
+  return cmp_cloud_has_field(d->file, "volume") ? sqrt(volume->value[0] / (double)n) : 0;
 }
 
 /* Sorts the pressures of `points`, which are done with then. */

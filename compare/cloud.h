@@ -18,6 +18,9 @@ enum status cmp_clouds_write(const struct comparison *c, size_t r, struct cmp_fi
 /* The output of points at t, SIZE_MAX for none. */
 size_t cmp_cloud_output(const struct comparison *c, const struct result_file *f, double t);
 
+/* Whether the points of a file have a field of that name, scalar or vector. */
+bool cmp_cloud_has_field(const struct result_file *f, const char *name);
+
 /* Of n points that fill the water, particles of the run's spacing or others that say which volume
  * they stand for: their spacing, H; 0 of boundary nodes. */
 double cmp_cloud_spacing(const struct cmp_data *d, size_t n);

@@ -165,22 +165,25 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
 }
 
 void cmp_figure_formats(struct cmp_figure *fig) {
-  fprintf(fig->script,
-          "do for [fmt in '%s'] {\n"
-          "if (fmt eq 'svg') { set terminal svg size %d,%d dynamic font 'sans-serif,14' "
-          "background '#ffffff' linewidth 1.3 }\n"
-          "if (fmt eq 'pdf') { set terminal pdfcairo size %.3fin,%.3fin font 'sans,10' "
-          "linewidth 1.3 background '#ffffff' }\n"
-          "if (fmt eq 'png') { set terminal pngcairo size %d,%d font 'sans,21' linewidth 2.6 "
-          "pointscale 2 background '#ffffff' }\n"
-          "small = fmt eq 'svg' ? ',11' : fmt eq 'pdf' ? ',8' : ',16.5'\n"
-          "set output '%s.'.fmt\n"
-          "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n"
-          "set border linewidth 0.7 linecolor '#444444'\n"
-          "set tics nomirror scale 0.6 textcolor '#222222'\n"
-          "set grid linetype 1 linecolor '#e4e4e4' linewidth 0.5\n",
-          *fig->only ? fig->only : "svg pdf png", fig->width, fig->height, fig->width / 100.0,
-          fig->height / 100.0, 2 * fig->width, 2 * fig->height, fig->name);
+  const double fine = fig->raster ? 1.3 : 2; /* px a px of a screen: heavy ones stand in the page */
+  fprintf(
+      fig->script,
+      "do for [fmt in '%s'] {\n"
+      "if (fmt eq 'svg') { set terminal svg size %d,%d dynamic font 'sans-serif,14' "
+      "background '#ffffff' linewidth 1.3 }\n"
+      "if (fmt eq 'pdf') { set terminal pdfcairo size %.3fin,%.3fin font 'sans,10' "
+      "linewidth 1.3 background '#ffffff' }\n"
+      "if (fmt eq 'png') { set terminal pngcairo size %.0f,%.0f font 'sans,%.4g' linewidth %.4g "
+      "pointscale %.4g background '#ffffff' }\n"
+      "small = fmt eq 'svg' ? ',11' : fmt eq 'pdf' ? ',8' : ',%.4g'\n"
+      "set output '%s.'.fmt\n"
+      "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n"
+      "set border linewidth 0.7 linecolor '#444444'\n"
+      "set tics nomirror scale 0.6 textcolor '#222222'\n"
+      "set grid linetype 1 linecolor '#e4e4e4' linewidth 0.5\n",
+      *fig->only ? fig->only : "svg pdf png", fig->width, fig->height, fig->width / 100.0,
+      fig->height / 100.0, fine * fig->width, fine * fig->height, 10.5 * fine, 1.3 * fine, fine,
+      8.25 * fine, fig->name);
 }
 
 enum status cmp_figure_end(struct cmp_figure *fig) {

@@ -2,7 +2,9 @@
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "compare/about.h"
 #include "compare/absent.h"
 #include "compare/chart.h"
 #include "compare/convergence/json.h"
@@ -16,6 +18,7 @@ static json_t *instant(struct maker *m, const struct cmp_instant *i) {
   json_t *object = json_object();
   set_value(m, object, "t_star", &i->time);
   set(m, object, "error", number(i->error));
+  set(m, object, "located_by_solver", json_boolean(i->located));
   set(m, object, "at", point(m, i->at));
   return object;
 }
@@ -77,6 +80,7 @@ static json_t *health(struct maker *m, const struct health *h) {
   set(m, object, "verdict", text(health_word(h)));
   set(m, object, "reasons", text(h->reasons));
   set(m, object, "not_told", text(h->missing));
+  set(m, object, "facts", text(h->facts));
   for (size_t k = 0; k < HEALTH_N; k++)
     set(m, measures, health_measures[k].name, number(h->value[k]));
   set(m, object, "measures", measures);
@@ -118,6 +122,10 @@ static json_t *provenance(struct maker *m, const struct comparison *c, const str
   for (size_t k = 0; k < f->n_statistics; k++)
     set_named(m, statistics, f->statistics[k].name, f->statistics[k].value);
   set(m, object, "statistics", statistics);
+  set(m, object, "case",
+      f == c->ref.data.file || strcmp(f->case_text, c->ref.data.file->case_text)
+          ? text(f->case_text)
+          : json_null()); /* that of the reference */
   set(m, object, "wall_impact", instant(m, &d->impact));
   set(m, object, "overturning", instant(m, &d->overturning));
   set(m, object, "touchdown", instant(m, &d->touchdown));
@@ -229,6 +237,9 @@ static json_t *filters(struct maker *m, const struct comparison *c, const struct
     if (kind == CASE_FILTER_low_pass)
       set(m, object, "period", number(f->filter->period / c->scales.T));
     if (kind == CASE_FILTER_wall) set(m, object, "length", number(f->filter->length / c->scales.H));
+    char says[96];
+    cmp_filter_say(f->filter, c->scales.T, c->scales.H, says, sizeof says);
+    set(m, object, "says", text(says));
     set(m, object, "units", text(f->units));
     set(m, object, "raw", alone(m, &f->before));
     set(m, object, "filtered", alone(m, &f->after));
@@ -369,9 +380,9 @@ static json_t *scales(struct maker *m, const struct comparison *c) {
   return object;
 }
 
-enum status cmp_json_write(const struct comparison *c, const struct cmp_rows *rows,
-                           const struct cmp_convergence *convergence, const char *sentence,
-                           const char *path) {
+enum status cmp_json_create(const struct comparison *c, const struct cmp_rows *rows,
+                            const struct cmp_convergence *convergence, const char *sentence,
+                            json_t **out) {
   struct maker maker = {true}, *m = &maker;
   json_t *root = json_object(), *runs = json_array(), *measures = json_array();
   json_t *window = json_array(), *events = json_array();
@@ -402,14 +413,19 @@ enum status cmp_json_write(const struct comparison *c, const struct cmp_rows *ro
   set(m, root, "events", events);
   set(m, root, "convergence", cmp_convergence_json(m, c, convergence));
 
+  set(m, root, "about", cmp_about_json(m, c));
+  *out = root;
+  if (root && m->ok) return OK;
+  json_decref(root);
+  *out = NULL;
+  return status_raise(ERR_MEMORY, "no memory for the report");
+}
+
+enum status cmp_json_save(const json_t *report, const char *path) {
   enum status status = OK;
   struct cmp_output out = {0};
-  if (!m->ok || !root) {
-    status = status_raise(ERR_MEMORY, "no memory for %s", path);
-    goto done;
-  }
   ATTEMPT(cmp_output_open(path, &out));
-  if (json_dumpf(root, out.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) != 0)
+  if (json_dumpf(report, out.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) != 0)
     status = status_raise(ERR_IO, "cannot write %s; is the disk full?", path);
   if (status == OK) {
     fputc('\n', out.stream);
@@ -417,6 +433,5 @@ enum status cmp_json_write(const struct comparison *c, const struct cmp_rows *ro
   }
 done:
   cmp_output_abandon(&out);
-  json_decref(root);
   return status;
 }

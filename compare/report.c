@@ -6,10 +6,10 @@
 #include "compare/convergence/figures.h"
 #include "compare/currents.h"
 #include "compare/drawing.h"
-#include "compare/html.h"
 #include "compare/json.h"
 #include "compare/output.h"
 #include "compare/overlays.h"
+#include "compare/page/page.h"
 #include "compare/pick.h"
 #include "compare/spectra.h"
 #include "compare/stacks.h"
@@ -23,6 +23,7 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   struct cmp_rows rows = {0};
   struct cmp_convergence convergence = {0};
   struct cmp_figures figures = {.lock = -1};
+  json_t *report = NULL;
   char html[PATH_MAX], json[PATH_MAX];
   memset(verdict, 0, sizeof *verdict);
   TRY(cmp_path_join(out_dir, "report.html", html));
@@ -36,7 +37,8 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   ATTEMPT(cmp_summary_sentence(c, &rows, verdict->sentence, sizeof verdict->sentence));
   verdict->passed = rows.passed;
   verdict->failed = rows.failed;
-  ATTEMPT(cmp_json_write(c, &rows, &convergence, verdict->sentence, json));
+  ATTEMPT(cmp_json_create(c, &rows, &convergence, verdict->sentence, &report));
+  ATTEMPT(cmp_json_save(report, json));
   ATTEMPT(cmp_figures_open(out_dir, &figures));
   ATTEMPT(cmp_charts_write(c, &figures));
   ATTEMPT(cmp_overlays_write(c, &figures));
@@ -46,11 +48,13 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   ATTEMPT(cmp_convergence_draw(c, &convergence, &figures));
   enum status drawn = cmp_figures_draw(&figures, CMP_DRAWING_LIMITS);
   if (drawn == INTERRUPTED) ATTEMPT(drawn);
-  ATTEMPT(cmp_html_write(c, &rows, &figures, verdict->sentence, html)); /* the numbers at least */
+  /* the numbers at least */
+  ATTEMPT(cmp_page_write(c, &rows, &figures, verdict->sentence, report, html));
   status = drawn;
 done:
   cmp_figures_close(&figures);
   cmp_convergence_destroy(&convergence);
+  json_decref(report);
   cmp_rows_destroy(&rows);
   cmp_comparison_destroy(c);
   return status;

@@ -31,13 +31,13 @@ printf 'compare:\n  times: [0.2]\n  tolerances: [{measure: mean_distance, max: 1
 compare 1
 printf 'compare: {}\n' >settings.yaml
 compare 0
-! grep -q "(mean over" own/report.html || fail "a mean nobody asked for"
+! grep -q '"averaged_over": 0.1' own/report.json || fail "a mean nobody asked for"
 printf 'compare: {averages: [{probe: P, over: 0.1 sqrt(H/g)}]}\n' >settings.yaml
 compare 0
-grep -q "P (mean over 0.1) against a" own/report.html || fail "the probe is not averaged"
+grep -q '"averaged_over": 0.1' own/report.json || fail "the probe is not averaged"
 printf 'compare:\n  filters: [{probe: P, kind: low_pass, period: 0.1}, {probe: P, kind: wall, length: 1}]\n  spectra: [{series: P}]\n' >settings.yaml
 compare 0
-grep -q "P: low pass at periods of 0.2215" own/report.html || fail "the probe is not filtered"
+grep -q '"says": "low pass at periods of 0.2215' own/report.json || fail "the probe is not filtered"
 grep -q '"mean_square": [0-9]' own/report.json || fail "the probe has no spectrum"
 printf 'compare:\n  filters: [{probe: Q, kind: impulse}, {probe: P, kind: low_pass, period: 1}]\n  spectra: [{series: P.p}]\n' >settings.yaml
 compare 2

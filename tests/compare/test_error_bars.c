@@ -51,7 +51,10 @@ static void test_error_bars_are_shown(void) {
   EXPECT(strstr(script, "using ($1==1?$3:NaN):5:6 with filledcurves"));
   EXPECT(!strstr(script, "using ($1==0?$3:NaN):5:6"));
   EXPECT(strstr(page, "Bands: the standard error that a run states of itself."));
-  EXPECT(strstr(page, "3.00000 ± 0.01"));
+  json_t *turns = json_object_get(json_object_get(report, "reference"), "overturning");
+  EXPECT_NEAR(json_number_value(json_object_get(turns, "t_star")), 3, 1e-9);
+  EXPECT_NEAR(json_number_value(json_object_get(turns, "error")), TIME_ERROR, 1e-9);
+  EXPECT(json_is_true(json_object_get(turns, "located_by_solver")));
   free(table);
   free(script);
   free(page);

@@ -49,7 +49,11 @@ static void test_distance_is_that_of_the_points(void) {
   EXPECT(d <= 0.1 + 1e-12 && d >= 0.95 * 0.1);
   EXPECT(isnan(value_of("profile_distance", "b", 4)));
   EXPECT(file_says("report.html", "Circles: seen &lt;b&gt;; mean distance from b 0."));
-  EXPECT(file_says("report.html", "seen &lt;b&gt; (surface): a &amp; b"));
+  json_t *sources = json_object_get(json_object_get(report, "about"), "sources"),
+         *source = json_array_get(sources, 0);
+  EXPECT_STR(json_string_value(json_object_get(source, "label")), "seen <b>");
+  EXPECT_STR(json_string_value(json_object_get(source, "target")), "surface");
+  EXPECT_STR(json_string_value(json_object_get(source, "source")), "a & b");
   settings_free(&c);
   result_file_destroy(a);
   result_file_destroy(b);

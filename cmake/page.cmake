@@ -1,0 +1,18 @@
+# The report's page: what compare/page/ is made of, and the library that draws its charts.
+set(PAGE ${PROJECT_SOURCE_DIR}/compare/page)
+find_file(PLUNGE_D3 d3.min.js PATHS /usr/share/nodejs/d3/dist NO_DEFAULT_PATH)
+find_file(PLUNGE_D3_LICENCE copyright PATHS /usr/share/doc/node-d3 NO_DEFAULT_PATH)
+if(PLUNGE_D3 AND PLUNGE_D3_LICENCE)
+  set(library ${PLUNGE_D3})
+  set(licence ${PLUNGE_D3_LICENCE})
+else()
+  message(STATUS "node-d3 is not installed: reports show their fixed figures in place of charts to explore")
+  set(library "")
+  set(licence "")
+endif()
+embed(plunge_compare cmp_page_template ${PAGE}/template.html)
+embed(plunge_compare cmp_page_style ${PAGE}/style.css)
+embed(plunge_compare cmp_page_script ${PAGE}/data.js ${PAGE}/text.js ${PAGE}/tables.js ${PAGE}/sections.js
+  ${PAGE}/method.js ${PAGE}/colours.js ${PAGE}/water.js ${PAGE}/stage.js ${PAGE}/convergence.js ${PAGE}/charts.js ${PAGE}/chips.js ${PAGE}/app.js)
+embed(plunge_compare cmp_page_library ${library})
+embed(plunge_compare cmp_page_licence ${licence})

@@ -1,0 +1,335 @@
+/* The packed data of the page. Lengths in H, times in sqrt(H/g), as in report.json.
+ *
+ * runs: the reference and then the runs: {"label", "colour", "dashes", "named", "noise", "dx",
+ * "spacing", "surfaces": [{"t", "tip": [x, y] or null, "pieces": [n], "closed": [0/1], "planes": x,
+ * y}], "points": [{"t", "every", "fields": ["p", "u", "v", "rho"], "planes": x, y, fields}]}
+ * charts: [{"section", "title", "unit", "x", "y" of a sensor, "curves": [{"run" or "experiment",
+ * "raw", "planes": t, value, error}]}]
+ */
+#include "compare/page/pack.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/base/array.h"
+#include "compare/cloud.h"
+#include "compare/page/packing.h"
+
+/* Characters of base64 that surfaces, particles and series may have together: with the figures the
+ * page then stays below 10 MB. What a number of each costs, measured on dam breaks. */
+static const double SURFACES_ROOM = 1.2e6, POINTS_ROOM = 3.3e6;
+static const double CHARACTERS_SURFACE = 2.5, CHARACTERS_POINT = 5.6;
+/* Positions of particles in steps of a fraction of their spacing, and fields as finely as a colour
+ * can tell: what is below that does not get smaller by packing. */
+static const uint16_t coarse[6] = {8191, 8191, 1023, 1023, 1023, 1023};
+enum { POINTS_AT_ONCE = 2000000 };
+
+/* ---- which outputs there is room for ---- */
+
+static bool is_compared(const struct comparison *c, double t) {
+  for (size_t k = 0; k < c->n_times; k++)
+    if (fabs(t - c->times[k]) < 1e-6) return true;
+  return false;
+}
+
+/* Every so many outputs, those at comparison times, and the last. */
+static bool is_packed(const struct comparison *c, size_t stride, size_t i, size_t n, double t) {
+  return i % stride == 0 || i + 1 == n || is_compared(c, t);
+}
+
+static bool has_points(const struct cmp_run *run, size_t output) {
+  const int64_t n = run->data.file->output_points[output];
+  return n > 0 && cmp_cloud_spacing(&run->data, (size_t)n) > 0;
+}
+
+static double surface_cost(const struct pack *p, size_t stride) {
+  double cost = 0;
+  for (size_t i = 0; i <= p->c->n_runs; i++) {
+    const struct cmp_data *d = &cmp_packed_run(p, i)->data;
+    for (size_t k = 0; k < d->n; k++)
+      if (is_packed(p->c, stride, k, d->n, d->t[k]))
+        cost += CHARACTERS_SURFACE * (double)d->surface[k].points;
+  }
+  return cost;
+}
+
+static double point_cost(const struct pack *p, size_t stride) {
+  double cost = 0;
+  for (size_t i = 0; i <= p->c->n_runs; i++) {
+    const struct cmp_run *run = cmp_packed_run(p, i);
+    const struct result_file *f = run->data.file;
+    for (size_t k = 0; k < f->n_outputs; k++)
+      if (has_points(run, k) &&
+          is_packed(p->c, stride, k, f->n_outputs, f->output_time[k] / p->c->scales.T))
+        cost += CHARACTERS_POINT * (double)f->output_points[k];
+  }
+  return cost;
+}
+
+static size_t stride_for(const struct pack *p, double (*cost)(const struct pack *p, size_t stride),
+                         double room) {
+  size_t stride = 1;
+  while (stride < 16 && cost(p, stride) > room) stride++;
+  return stride;
+}
+
+/* ---- surfaces ---- */
+
+static enum status lines_pack(struct pack *p, const struct geo_lines *l, json_t *object) {
+  enum status status = OK;
+  double *x = NULL, *y = NULL;
+  json_t *planes = NULL, *pieces = json_array(), *closed = json_array();
+  set(&p->m, object, "pieces", pieces);
+  set(&p->m, object, "closed", closed);
+  for (size_t k = 0; k < l->pieces; k++) {
+    add(&p->m, pieces, json_integer((json_int_t)(l->first[k + 1] - l->first[k])));
+    add(&p->m, closed, json_integer(l->closed[k]));
+  }
+  ATTEMPT(array_create(&x, l->points, "a surface"));
+  ATTEMPT(array_create(&y, l->points, "a surface"));
+  for (size_t i = 0; i < l->points; i++) x[i] = l->p[i][0], y[i] = l->p[i][1];
+  ATTEMPT(cmp_planes_pack(p->packer, l->points, 2, (const double *[]){x, y}, cmp_fine, &planes));
+  set(&p->m, object, "planes", planes);
+done:
+  free(x);
+  free(y);
+  return status;
+}
+
+static enum status surfaces_pack(struct pack *p, const struct cmp_data *d, json_t *list) {
+  for (size_t k = 0; k < d->n; k++) {
+    if (!is_packed(p->c, p->surface_stride, k, d->n, d->t[k])) continue;
+    json_t *object = json_object();
+    add(&p->m, list, object);
+    set(&p->m, object, "t", number(d->t[k]));
+    set(&p->m, object, "tip",
+        d->jet[k].found ? place(d->jet[k].tip[0], d->jet[k].tip[1]) : json_null());
+    TRY(lines_pack(p, &d->surface[k], object));
+  }
+  return OK;
+}
+
+/* ---- particles ---- */
+
+/* The cell of a lattice of 1024 times 1024 along a curve that keeps neighbours near each other
+ * (Morton's): neighbours have like numbers, which take less room. */
+struct sorted {
+  uint32_t key, index;
+};
+
+static uint32_t spread(uint32_t v) {
+  v = (v | v << 8) & 0x00ff00ff;
+  v = (v | v << 4) & 0x0f0f0f0f;
+  v = (v | v << 2) & 0x33333333;
+  return (v | v << 1) & 0x55555555;
+}
+
+static int by_key(const void *a, const void *b) {
+  const struct sorted *x = a, *y = b;
+  return x->key != y->key ? (x->key > y->key) - (x->key < y->key)
+                          : (x->index > y->index) - (x->index < y->index);
+}
+
+static void sort(size_t n, const double *x, const double *y, struct sorted *order) {
+  double low[2] = {INFINITY, INFINITY}, high = 0;
+  for (size_t i = 0; i < n; i++) low[0] = fmin(low[0], x[i]), low[1] = fmin(low[1], y[i]);
+  for (size_t i = 0; i < n; i++) high = fmax(high, fmax(x[i] - low[0], y[i] - low[1]));
+  for (size_t i = 0; i < n; i++) {
+    const double scale = high > 0 ? 1023 / high : 0;
+    order[i] = (struct sorted){spread((uint32_t)((x[i] - low[0]) * scale)) |
+                                   spread((uint32_t)((y[i] - low[1]) * scale)) << 1,
+                               (uint32_t)i};
+  }
+  qsort(order, n, sizeof *order, by_key);
+}
+
+enum { FIELDS = 4 };
+static const char *const field_names[FIELDS] = {"p", "u", "v", "rho"};
+
+struct clouds { /* of some outputs of a run: what its file has of them */
+  size_t n;
+  struct result_cloud *pressure, *velocity, *density; /* [n], empty: it has none */
+};
+
+/* The value of a field at a point, dimensionless; density over that of the case. */
+static double value_of(const struct pack *p, const struct clouds *s, size_t k, size_t field,
+                       size_t i, double density) {
+  const double speed = p->c->scales.H / p->c->scales.T;
+  if (field == 0) return s->pressure[k].value[i] / p->c->scales.p;
+  if (field == 3) return s->density[k].value[i] / density;
+  return s->velocity[k].value[2 * i + field - 1] / speed;
+}
+
+static enum status cloud_pack(struct pack *p, const struct result_file *f, const struct clouds *s,
+                              size_t k, json_t *object) {
+  enum status status = OK;
+  const struct result_cloud *all[] = {&s->pressure[k], &s->velocity[k], &s->density[k]},
+                            *any = NULL;
+  const bool known[FIELDS] = {all[0]->n > 0, all[1]->n > 0, all[1]->n > 0, all[2]->n > 0};
+  double *column[2 + FIELDS] = {NULL}, *moved = NULL;
+  struct sorted *order = NULL;
+  json_t *fields = json_array(), *planes = NULL;
+  size_t n = 0, columns = 2;
+  set(&p->m, object, "fields", fields);
+  for (size_t i = 0; i < 3; i++)
+    if (all[i]->n) any = all[i];
+  if (!any) return OK;
+  for (size_t i = 0; i < 2 + FIELDS; i++) ATTEMPT(array_create(&column[i], any->n, "particles"));
+  ATTEMPT(array_create(&order, any->n, "particles"));
+  ATTEMPT(array_create(&moved, any->n, "particles"));
+  for (size_t i = 0; i < any->n; i += p->point_every, n++) {
+    column[0][n] = any->p[i][0] / p->c->scales.H;
+    column[1][n] = any->p[i][1] / p->c->scales.H;
+  }
+  for (size_t field = 0; field < FIELDS; field++) {
+    if (!known[field]) continue;
+    for (size_t i = 0, m = 0; i < any->n; i += p->point_every)
+      column[columns][m++] = value_of(p, s, k, field, i, f->density);
+    add(&p->m, fields, json_string(field_names[field]));
+    columns++;
+  }
+  sort(n, column[0], column[1], order);
+  for (size_t i = 0; i < columns; i++) {
+    for (size_t m = 0; m < n; m++) moved[m] = column[i][order[m].index];
+    memcpy(column[i], moved, n * sizeof *moved);
+  }
+  ATTEMPT(cmp_planes_pack(p->packer, n, columns, (const double *const *)column, coarse, &planes));
+  set(&p->m, object, "planes", planes);
+done:
+  for (size_t i = 0; i < 2 + FIELDS; i++) free(column[i]);
+  free(order);
+  free(moved);
+  return status;
+}
+
+typedef enum status read_field(const char *path, const char *field, size_t n, const size_t *output,
+                               struct result_cloud *cloud);
+
+static enum status field_read(const struct result_file *f, const char *name, read_field *read,
+                              size_t n, const size_t *output, struct result_cloud **out) {
+  *out = calloc(n + 1, sizeof **out);
+  CHECK(*out, ERR_MEMORY, "no memory for particles");
+  return cmp_cloud_has_field(f, name) ? read(f->path, name, n, output, *out) : OK;
+}
+
+static void clouds_free(struct clouds *s) {
+  struct result_cloud *all[] = {s->pressure, s->velocity, s->density};
+  for (size_t i = 0; i < 3; i++) {
+    for (size_t k = 0; all[i] && k < s->n; k++) result_cloud_free(&all[i][k]);
+    free(all[i]);
+  }
+}
+
+/* Some outputs, which are in memory together. */
+static enum status batch_pack(struct pack *p, const struct cmp_run *run, size_t n,
+                              const size_t *output, json_t *list) {
+  const struct result_file *f = run->data.file;
+  enum status status = OK;
+  struct clouds s = {.n = n};
+  ATTEMPT(field_read(f, "pressure", result_read_points, n, output, &s.pressure));
+  ATTEMPT(field_read(f, "velocity", result_read_vectors, n, output, &s.velocity));
+  ATTEMPT(field_read(f, "density", result_read_points, n, output, &s.density));
+  for (size_t k = 0; k < n; k++) {
+    json_t *object = json_object();
+    add(&p->m, list, object);
+    set(&p->m, object, "t", number(f->output_time[output[k]] / p->c->scales.T));
+    set(&p->m, object, "every", json_integer((json_int_t)p->point_every));
+    ATTEMPT(cloud_pack(p, f, &s, k, object));
+  }
+done:
+  clouds_free(&s);
+  return status;
+}
+
+static enum status points_pack(struct pack *p, const struct cmp_run *run, json_t *list) {
+  const struct result_file *f = run->data.file;
+  enum status status = OK;
+  size_t *output = NULL, n = 0;
+  int64_t points = 0;
+  TRY(array_create(&output, f->n_outputs, "outputs"));
+  for (size_t k = 0; k < f->n_outputs && status == OK; k++) {
+    if (!has_points(run, k) ||
+        !is_packed(p->c, p->point_stride, k, f->n_outputs, f->output_time[k] / p->c->scales.T))
+      continue;
+    if (n && points + f->output_points[k] > POINTS_AT_ONCE) {
+      status = batch_pack(p, run, n, output, list);
+      n = 0, points = 0;
+    }
+    output[n++] = k;
+    points += f->output_points[k];
+  }
+  if (n && status == OK) status = batch_pack(p, run, n, output, list);
+  free(output);
+  return status;
+}
+
+/* ---- all of it ---- */
+
+static enum status run_pack(struct pack *p, size_t i, json_t *runs) {
+  const struct cmp_run *run = cmp_packed_run(p, i);
+  const size_t r = i ? i - 1 : SIZE_MAX;
+  const struct cmp_style style = cmp_run_style(p->c, r);
+  json_t *object = json_object(), *surfaces = json_array(), *points = json_array();
+  add(&p->m, runs, object);
+  set(&p->m, object, "label", text(run->data.label));
+  set(&p->m, object, "colour", json_string(style.colour));
+  set(&p->m, object, "dashes", json_integer(style.dashes));
+  set(&p->m, object, "named", json_boolean(!i || cmp_run_is_picked(p->c, r, CMP_NAMED)));
+  set(&p->m, object, "noise", number(run->noise));
+  set(&p->m, object, "dx", number(run->data.dx));
+  set(&p->m, object, "surfaces", surfaces);
+  set(&p->m, object, "points", points);
+  if (json_is_true(json_object_get(object, "named"))) TRY(surfaces_pack(p, &run->data, surfaces));
+  return points_pack(p, run, points);
+}
+
+static json_t *thinned_say(const struct pack *p) {
+  char surfaces[96] = "of every output", points[160] = "of every output", every[64] = "";
+  if (p->surface_stride > 1)
+    snprintf(surfaces, sizeof surfaces, "of one in %zu outputs and of the comparison times",
+             p->surface_stride);
+  if (p->point_stride > 1)
+    snprintf(points, sizeof points, "of one in %zu outputs and of the comparison times",
+             p->point_stride);
+  if (p->point_every > 1) snprintf(every, sizeof every, ", one in %zu of them", p->point_every);
+  return json_sprintf(
+      "In this page: surfaces %s; particles %s%s; of series longer than %d rows the lowest and "
+      "highest value of each stretch (%zu series). Numbers of the drawing have 10 to 16 bits, "
+      "those of "
+      "tables all that report.json has.",
+      surfaces, points, every, CMP_SERIES_ROWS, p->rows_thinned);
+}
+
+enum status cmp_pack_create(const struct comparison *c, json_t **out) {
+  enum status status = OK;
+  struct pack pack = {.c = c, .packer = cmp_packer_create(), .m = {true}}, *p = &pack;
+  json_t *root = json_object(), *runs = json_array(), *charts = json_array(),
+         *walls = json_object();
+  set(&p->m, root, "runs", runs);
+  set(&p->m, root, "charts", charts);
+  set(&p->m, root, "walls", walls);
+  if (!p->packer || !p->m.ok) {
+    status = status_raise(ERR_MEMORY, "no memory for the data of the page");
+    goto done;
+  }
+  p->surface_stride = stride_for(p, surface_cost, SURFACES_ROOM);
+  p->point_stride = stride_for(p, point_cost, POINTS_ROOM);
+  p->point_every = (size_t)fmax(1, ceil(point_cost(p, p->point_stride) / POINTS_ROOM));
+  set(&p->m, root, "window",
+      json_pack("[[f,f],[f,f]]", c->window.min[0], c->window.min[1], c->window.max[0],
+                c->window.max[1]));
+  ATTEMPT(lines_pack(p, &c->ref.data.walls, walls));
+  for (size_t i = 0; i <= c->n_runs; i++) ATTEMPT(run_pack(p, i, runs));
+  ATTEMPT(cmp_charts_pack(p, charts));
+  set(&p->m, root, "thinned", thinned_say(p));
+  if (!p->m.ok) status = status_raise(ERR_MEMORY, "no memory for the data of the page");
+done:
+  cmp_packer_destroy(p->packer);
+  if (status != OK) {
+    json_decref(root);
+    root = NULL;
+  }
+  *out = root;
+  return status;
+}
