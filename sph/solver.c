@@ -27,6 +27,7 @@
 #include "sph/theory/stability.h"
 #include "sph/time/integrator.h"
 #include "sph/time/timestep.h"
+#include "sph/tips.h"
 #include "sph/treat/treat.h"
 
 static enum status march(const struct case_file *c, struct sph *s, struct sph_output *output,
@@ -356,6 +357,7 @@ static void check_tank(const struct case_file *c, const struct case_run *r,
                  "lines 'x, eta' of water at rest; take solver: bem, or kind: curve",
                  r->name);
   if (sph_walls[o->walls]->moving) check_corners(c, r, problems);
+  sph_tips_check(c, r, problems);
   if (sph_walls[o->walls] == &sph_wall_dynamic)
     problems_add(
         problems, case_run_line(r, "walls"),

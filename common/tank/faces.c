@@ -133,42 +133,73 @@ static enum face_end end_of(const struct face *f) {
   return f->turn > -edge + same_angle ? FACE_END_BLUNT : FACE_END_EDGE;
 }
 
-/* Of a thin wall, whose faces two blunt corners near each other part, both are edges. */
-static void part_thin(struct faces *f, double thin) {
-  for (uint32_t k = 0; k < f->n; k++) {
-    const struct face *top = &f->face[k];
-    if (top->length > thin || top->end[0] != FACE_END_BLUNT || top->end[1] != FACE_END_BLUNT)
-      continue;
-    if (f->face[top->before].turn + top->turn > -edge + same_angle) continue;
-    f->face[top->before].end[1] = f->face[k].end[0] = FACE_END_EDGE;
-    f->face[k].end[1] = f->face[top->next].end[0] = FACE_END_EDGE;
-  }
+/* Whether it is the end of a thin wall: between two blunt corners that turn the wall back. */
+static bool is_end(const struct faces *f, const struct face *k, double thin) {
+  if (k->length > thin || k->end[0] != FACE_END_BLUNT || k->end[1] != FACE_END_BLUNT) return false;
+  const struct face *before = &f->face[k->before], *next = &f->face[k->next];
+  const double least = k->length * (1 - same_place);
+  return before->turn + k->turn <= -edge + same_angle && before->length >= least &&
+         next->length >= least && before->end[0] != FACE_END_HALF && next->end[1] != FACE_END_HALF;
+}
+
+static void middle(const double a[2], const double b[2], double m[2]) {
+  for (int axis = 0; axis < 2; axis++) m[axis] = (a[axis] + b[axis]) / 2;
+}
+
+static enum status halve(struct faces *f, uint32_t k) {
+  const struct face whole = f->face[k];
+  const uint32_t other = (uint32_t)f->n;
+  double m[2];
+  middle(whole.a, whole.b, m);
+  TRY(add(f, m, whole.b, FACE_NO_POINT, whole.point[1]));
+  struct face *first = &f->face[k], *last = &f->face[other];
+  put(first, whole.a, m);
+  first->point[1] = FACE_NO_POINT;
+  first->turn = 0;
+  first->next = other;
+  last->before = k;
+  last->next = whole.next;
+  last->turn = whole.turn;
+  f->face[whole.next].before = other;
+  first->end[1] = last->end[0] = FACE_END_HALF;
+  last->end[1] = whole.end[1];
+  return OK;
+}
+
+static enum status part_thin(struct faces *f, double thin) {
+  for (uint32_t k = 0; k < f->n; k++)
+    if (is_end(f, &f->face[k], thin)) TRY(halve(f, k));
+  return OK;
+}
+
+static bool parts(enum face_end end) {
+  return end == FACE_END_TOP || end == FACE_END_EDGE || end == FACE_END_HALF;
 }
 
 static void number_chain(struct faces *f, uint32_t first, uint32_t chain) {
   for (uint32_t k = first; k != FACE_NONE && f->face[k].chain == FACE_NONE;) {
     struct face *face = &f->face[k];
     face->chain = chain;
-    k = face->end[1] == FACE_END_TOP || face->end[1] == FACE_END_EDGE ? FACE_NONE : face->next;
+    k = parts(face->end[1]) ? FACE_NONE : face->next;
   }
 }
 
-static void join(struct faces *f, double near, double thin) {
+static enum status join(struct faces *f, double near, double thin) {
   for (uint32_t k = 0; k < f->n; k++) link(f, k, near);
   for (uint32_t k = 0; k < f->n; k++) {
     f->face[k].end[1] = end_of(&f->face[k]);
-    f->face[k].chain = FACE_NONE;
     if (f->face[k].next == FACE_NONE) continue;
     f->face[f->face[k].next].before = k;
     f->face[f->face[k].next].end[0] = f->face[k].end[1];
   }
-  part_thin(f, thin);
+  TRY(part_thin(f, thin));
+  for (uint32_t k = 0; k < f->n; k++) f->face[k].chain = FACE_NONE;
   uint32_t chain = 0;
   for (uint32_t k = 0; k < f->n; k++)
-    if (f->face[k].end[0] == FACE_END_TOP || f->face[k].end[0] == FACE_END_EDGE)
-      number_chain(f, k, chain++);
+    if (parts(f->face[k].end[0])) number_chain(f, k, chain++);
   for (uint32_t k = 0; k < f->n; k++) /* those without an end */
     if (f->face[k].chain == FACE_NONE) number_chain(f, k, chain++);
+  return OK;
 }
 
 static enum status list_tops(struct faces *f) {
@@ -193,7 +224,7 @@ enum status faces_set(struct faces *f, const struct geo_lines *walls, double thi
     if (piece != vessel && !walls->closed[piece]) TRY(add_backs(f, from));
   }
   TRY(divide(f, near));
-  join(f, near, thin);
+  TRY(join(f, near, thin));
   return list_tops(f);
 }
 

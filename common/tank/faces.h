@@ -2,14 +2,18 @@
  * each of which knows what follows it. A wall that neither makes the tank nor is closed has water
  * on both sides and is two faces, to and fro.
  *
- * Faces form chains. A chain ends where a wall does, and at edges: corners of the solid of 30
- * degrees or less, and those at the end of a wall that is thin. Within a chain there are corners of
- * the water, of less than 180 degrees, and blunt corners of the solid. The water on both sides of a
- * blunt corner is one water, as it is around the corner of a step. What is on the other side of an
- * edge is hidden: there each side has a solid of its own, without an end behind it. That shakes
- * the water next to the edge, at a tenth of sqrt(gH) where it should rest. As one water it rests,
- * to 0.7 % around a step of 90 degrees (H/dx = 20, 20 sqrt(H/g)), to 3 and 4 % around a wedge of 44
- * and 30 degrees that it covers; one of 44 degrees that holds it on one side only, to 2 %. */
+ * Faces form chains. A chain ends where a wall does, at edges, which are corners of the solid of 30
+ * degrees or less, and in the middle of the end of a wall that is thin. Within a chain there are
+ * corners of the water, of less than 180 degrees, and blunt corners of the solid. The water on both
+ * sides of a blunt corner is one water, as it is around the corner of a step. What is on the other
+ * side of an edge is hidden: there each side has a solid of its own, without an end behind it. That
+ * shakes the water next to the edge, at a tenth of sqrt(gH) where it should rest. As one water it
+ * rests, to 0.7 % around a step of 90 degrees (H/dx = 20, 20 sqrt(H/g)), to 3 and 4 % around a
+ * wedge of 44 and 30 degrees that it covers; one of 44 degrees that holds it on one side only, to 2
+ * %.
+ *
+ * The two sides of a thin wall, each with its half of the end, have solids of their own, too; but
+ * water before the end is one with that on either side (sight.h). */
 #pragma once
 #include <math.h>
 #include <stdbool.h>
@@ -22,7 +26,8 @@ enum face_end {
   FACE_END_TOP,    /* nothing follows: water may pass over it */
   FACE_END_CORNER, /* of the water; or a straight one, where another wall meets this one */
   FACE_END_BLUNT,  /* of the solid */
-  FACE_END_EDGE    /* of the solid, where a chain ends */
+  FACE_END_EDGE,   /* of the solid, where a chain ends */
+  FACE_END_HALF /* of the end of a thin wall, whose other half goes on straight in another chain */
 };
 
 #define FACE_NONE     UINT32_MAX

@@ -225,15 +225,16 @@ static enum status add_cells(struct sites *all, const struct strip *t, const str
   return OK;
 }
 
-/* What is seen through a face may be beyond its edge, as far as the support. */
-static enum status add_beyond(struct sites *all, const struct strip *whole, int end) {
+/* What is seen through a face may be beyond its edge, or half an end, as far as the support. */
+static enum status add_beyond(struct sites *all, const struct strip *whole, int end,
+                              const struct side *sides, int n_sides) {
   const struct face *f = &all->faces->face[whole->face];
   struct strip t = *whole;
-  if (f->end[end] != FACE_END_EDGE) return OK;
+  if (f->end[end] != FACE_END_EDGE && f->end[end] != FACE_END_HALF) return OK;
   t.cells = all->g->division[t.face].beyond;
   const bool first = t.t[0] * f->t[0] + t.t[1] * f->t[1] > 0 ? end == 0 : end == 1;
   t.first = first ? -(double)t.cells : (double)whole->cells;
-  return add_cells(all, &t, NULL, 0);
+  return add_cells(all, &t, sides, n_sides);
 }
 
 static enum status add_strip(struct sites *all, uint32_t face) {
@@ -247,7 +248,7 @@ static enum status add_strip(struct sites *all, uint32_t face) {
   int n = 0;
   for (int end = 0; end < 2; end++) n += side_at(all->faces, f, end, &sides[n]);
   TRY(add_cells(all, &t, sides, n));
-  for (int end = 0; end < 2; end++) TRY(add_beyond(all, &t, end));
+  for (int end = 0; end < 2; end++) TRY(add_beyond(all, &t, end, sides, n));
   return OK;
 }
 

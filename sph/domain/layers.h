@@ -4,8 +4,8 @@
  * Behind each face (faces.h) lies a strip of it, stretched along the face so that it divides that
  * evenly. Corners of the water have between the strips of their faces a square of the same lattice,
  * where they are right angles, and rings about the vertex else. Blunt corners of the solid are
- * divided between their faces along the bisector. At its edges, where each face has particles of
- * its own (sight.h), the strip goes on beyond. The area
+ * divided between their faces along the bisector. At its edges, and in the middle of the end of a
+ * thin wall, where each face has particles of its own (sight.h), the strip goes on beyond. The area
  * of every particle is that of its cell, or of what is left of that.
  *
  * Each particle has a mirror point, that it is the image of by a rigid motion: a reflection in its
@@ -35,7 +35,7 @@
 
 /* How the strip behind a face, and the corner at its end, are divided. */
 struct sph_division {
-  size_t cells, beyond; /* and as many past an edge as its support needs */
+  size_t cells, beyond; /* and as many past an edge, or half an end, as its support needs */
   bool upright, back;   /* steeper than 45 degrees; counted from its end */
   double turn;          /* of the corner, rad */
 };

@@ -136,12 +136,29 @@ static uint32_t chain_of(const struct look *l, uint32_t face) {
   return face == FACE_NONE ? FACE_NONE : l->sight->faces->face[face].chain;
 }
 
-/* Around a blunt corner of the solid water sees water. */
+/* Whether p is before a half end of that chain. */
+static bool is_before_end(const struct look *l, const double p[2], uint32_t chain) {
+  size_t n;
+  const uint32_t *near = sph_sight_faces(l->sight, p[0], p[1], &n);
+  for (size_t k = 0; k < n; k++) {
+    const struct face *f = &l->sight->faces->face[near[k]];
+    if (f->chain == chain && (f->end[0] == FACE_END_HALF || f->end[1] == FACE_END_HALF) &&
+        face_distance(f, p[0], p[1]) > 0)
+      return true;
+  }
+  return false;
+}
+
+/* Around a blunt corner of the solid water sees water. From before the end of a thin wall it sees
+ * all water, and of wall particles those in the solid. */
 static bool is_hidden(const struct look *l, const double p[2], const double q[2], uint32_t j) {
   double part;
-  const uint32_t through = chain_of(l, sph_sight_first(l->sight, p, q, l->slack, &part));
-  if (l->chain) return through != l->chain[j];
-  return through != chain_of(l, sph_sight_first(l->sight, q, p, l->slack, &part));
+  const uint32_t in = chain_of(l, sph_sight_first(l->sight, p, q, l->slack, &part));
+  if (l->chain && in != l->chain[j]) return true;
+  if (l->chain && !is_before_end(l, p, in)) return false;
+  const uint32_t out = chain_of(l, sph_sight_first(l->sight, q, p, l->slack, &part));
+  if (l->chain) return out != FACE_NONE;
+  return in != out && !is_before_end(l, p, in) && !is_before_end(l, q, out);
 }
 
 static unsigned char lanes_blind_to(const struct look *l, const double p[][2], size_t n,

@@ -4,7 +4,8 @@
  * Belytschko, Lu & Gu, Int. J. Numer. Meth. Engng 37, 1994, for cracks). So what a wall does fades
  * as the water rises above its top and vanishes where the water passes over, and the two sides of a
  * thin wall know nothing of each other: each has wall particles of its own, as many as there were
- * if the solid behind it had no end.
+ * if the solid behind it had no end. From before the end of such a wall all water is seen, and from
+ * everywhere what is before it; of wall particles those inside the solid.
  *
  * Nearly everywhere all that is near is seen. A grid knows where: there nobody asks. */
 #pragma once
