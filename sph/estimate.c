@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "common/flow/flow.h"
 #include "sph/pair/kernel.h"
 #include "sph/scheme.h"
 #include "sph/time/integrator.h"
@@ -35,7 +36,9 @@ void sph_estimate(const struct case_file *c, const struct case_run *r, struct so
   e->unit = "particles";
   e->bytes = BYTES_ALONE + BYTES_OF_PARTICLE * (e->points + wall) + BYTES_OF_CELL * cells;
   e->seconds = evaluations * e->points * SECONDS_OF_EVALUATION;
-  e->shared = 1;
   e->joining = evaluations * SECONDS_OF_JOINING;
   if (o->precision == SPH_PRECISION_double) e->seconds *= 2;
+  const double start = c->flow->seconds ? c->flow->seconds(c, dx) : 0;
+  e->shared = e->seconds / (e->seconds + start);
+  e->seconds += start;
 }

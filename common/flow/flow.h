@@ -85,6 +85,8 @@ struct flow {
    * destroy is called, too. */
   enum status (*create)(struct flow_water *w);
   void (*destroy)(struct flow_water *w);
+  /* What create takes of one processor for points `spacing` (m) apart, s; NULL: next to nothing. */
+  double (*seconds)(const struct case_file *c, double spacing);
 
   /* Of waves, which fill a tank from wall to wall below a surface that is a function of x, and of
    * bodies `scale`, which needs nothing but form and walls. Regions have neither: their outline is

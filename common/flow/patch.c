@@ -56,6 +56,10 @@ static enum status create(struct flow_water *w) {
   return OK;
 }
 
+static double seconds(const struct case_file *c, double spacing) {
+  return release_seconds(&c->water, spacing);
+}
+
 static void destroy(struct flow_water *w) {
   release_destroy(w->own);
 }
@@ -82,6 +86,7 @@ const struct flow flow_patch = {
     .check = check,
     .create = create,
     .destroy = destroy,
+    .seconds = seconds,
     .scale = scale,
     .outline = outline,
     .velocity = velocity,

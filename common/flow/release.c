@@ -73,6 +73,21 @@ done:
   return status;
 }
 
+static double area_of(const struct geo_lines *water) {
+  double area = 0;
+  for (size_t k = 0; k < water->pieces; k++) area += fabs(geo_piece_area(water, k));
+  return area;
+}
+
+static double node_spacing(const struct geo_lines *water, double spacing) {
+  return fmax(spacing, sqrt(area_of(water) / MOST_NODES));
+}
+
+double release_seconds(const struct geo_lines *water, double spacing) {
+  const double size = node_spacing(water, spacing);
+  return 2.7 * pow(area_of(water) / (size * size) / 102400, 1.4);
+}
+
 enum status release_create(const struct geo_lines *water, const struct geo_lines *walls,
                            double spacing, double near, const struct release_drive *drive,
                            struct release **out) {
@@ -80,10 +95,8 @@ enum status release_create(const struct geo_lines *water, const struct geo_lines
   const double weight = hypot(drive->weight[0], drive->weight[1]);
   enum status status = OK;
   struct release *r = NULL;
-  double area = 0;
   *out = NULL;
-  for (size_t k = 0; k < water->pieces; k++) area += fabs(geo_piece_area(water, k));
-  const double size = 2 * fmax(spacing, sqrt(area / MOST_NODES)); /* with nodes half way, too */
+  const double size = 2 * node_spacing(water, spacing); /* with nodes half way, too */
   ATTEMPT(array_create(&r, 1, "the released pressure"));
   r->suction = drive->source < 0;
   for (int k = 0; k < 2; k++) {

@@ -30,5 +30,9 @@ enum status release_create(const struct geo_lines *water, const struct geo_lines
                            struct release **out);
 void release_destroy(struct release *r); /* NULL is fine */
 
+/* What release_create takes of one processor, s. Measured on columns at a wall, H/dx = 80 to 620:
+ * 0.07, 0.43, 2.7 s for 6,400, 25,600 and 102,400 nodes, 28 s on a busy machine for 384,400. */
+double release_seconds(const struct geo_lines *water, double spacing);
+
 /* At a point of the water; beside it, that of the nearest triangle there. */
 double release_at(const struct release *r, double x, double y);

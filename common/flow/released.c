@@ -41,6 +41,10 @@ static enum status create(struct flow_water *w) {
   return OK;
 }
 
+static double seconds(const struct case_file *c, double spacing) {
+  return c->gravity > 0 ? release_seconds(&c->water, spacing) : 0;
+}
+
 static void destroy(struct flow_water *w) {
   release_destroy(w->own);
 }
@@ -55,6 +59,7 @@ const struct flow flow_released = {
     .check = check,
     .create = create,
     .destroy = destroy,
+    .seconds = seconds,
     .velocity = flow_regions_velocity,
     .head = head,
 };

@@ -447,6 +447,29 @@ static void test_width_of_lists_changes_nothing(void) {
   EXPECT_NEAR(speed[1] / speed[0], 1, 1e-12);
 }
 
+/* What the pressure of let-go water takes before the first step, which threads do not share: more
+ * than in proportion to the particles. */
+static void test_estimates_count_the_start(void) {
+  double more[2];
+  for (int fine = 0; fine < 2; fine++) {
+    struct solver_estimate e[2];
+    for (int released = 0; released < 2; released++) {
+      char head[500];
+      snprintf(head, sizeof head,
+               "title: column\nscales: {H: 1}\ntank: {walls: [[[0, 2], [0, 0], [3, 0], [3, 2]]]}\n"
+               "water: {regions: [[[0, 0], [1, 0], [1, 1], [0, 1]]], pressure: %s}\n" POOL_TIMES,
+               released ? "released" : "hydrostatic");
+      struct case_file *c = pool_case(head, fine ? "resolution: 320" : "resolution: 160");
+      sph_solver.estimate(c, &c->runs[0], &e[released]);
+      case_destroy(c);
+    }
+    EXPECT(e[0].shared == 1);
+    more[fine] = e[1].seconds - e[0].seconds;
+    EXPECT_NEAR(e[1].seconds * (1 - e[1].shared), more[fine], 1e-9 * e[1].seconds);
+  }
+  EXPECT(more[0] > 0.1 && more[1] > 4 * more[0]);
+}
+
 int main(void) {
   RUN(test_released_pressure_solves_its_problem);
   RUN(test_water_fills_its_region_exactly);
@@ -464,5 +487,6 @@ int main(void) {
   RUN(test_water_outside_the_tank_is_removed_and_counted);
   RUN(test_a_step_starts_again_beside_walls);
   RUN(test_width_of_lists_changes_nothing);
+  RUN(test_estimates_count_the_start);
   return TEST_RESULT;
 }
