@@ -58,18 +58,19 @@ static enum status find_engine(const char *name, enum plan_engine *engine) {
       return OK;
     }
   const char *near = param_nearest(name, PLAN_N_ENGINES, plan_engines);
-  return status_raise(ERR_USAGE, "--for %s: found '%s'; allowed: one of make, slurm, tsv%s%s%s",
-                      name, name, near ? "; did you mean '" : "", near ? near : "",
-                      near ? "'?" : "");
+  return status_raise(ERR_USAGE, "--for: found '%s'; allowed: one of make, slurm, tsv%s%s%s", name,
+                      near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
 }
 
 /* `path` from the root, which need not exist. */
 static enum status make_absolute(const char *what, const char *path, char out[PATH_MAX]) {
   char here[PATH_MAX] = "";
+  CHECK(*path, ERR_USAGE, "%s: found ''; allowed: a folder", what);
   if (*path != '/')
     CHECK(getcwd(here, sizeof here), ERR_IO, "cannot tell the current folder: %s", strerror(errno));
   const int n = snprintf(out, PATH_MAX, "%s%s%s", here, *here ? "/" : "", path);
-  CHECK(n > 0 && n < PATH_MAX, ERR_USAGE, "%s %s: the path is too long", what, path);
+  CHECK(n > 0 && n < PATH_MAX, ERR_USAGE,
+        "%s: found a path of more than %d bytes; allowed: a shorter one", what, PATH_MAX - 1);
   return OK;
 }
 
@@ -105,10 +106,10 @@ static enum status plan_case(const struct plan_arguments *a, const struct case_f
   chosen = calloc(c->n_runs, sizeof *chosen);
   ATTEMPT(chosen ? OK : status_raise(ERR_MEMORY, "no memory for %zu runs", c->n_runs));
   ATTEMPT(command_choose_runs(c, a->only, chosen));
-  command_name_folder(a->results, c, results);
+  command_name_folder(NULL, c, results);
   ATTEMPT(find_program(program));
   ATTEMPT(make_absolute("the case", a->case_path, case_path));
-  ATTEMPT(make_absolute("--results", results, folder));
+  ATTEMPT(make_absolute("--results", a->results ? a->results : results, folder));
   const struct plan plan = {.program = program,
                             .case_path = case_path,
                             .folder = folder,

@@ -34,8 +34,8 @@ static void word(FILE *out, const char *text, bool make) {
 static enum status check_word(const char *what, const char *text) {
   for (const char *c = text; *c; c++)
     CHECK(!iscntrl((unsigned char)*c), ERR_USAGE,
-          "%s %s: found a control character; allowed: any others, since a plan has a line for each "
-          "run; rename it",
+          "%s: found a control character in %s; allowed: any others, since a plan has a line for "
+          "each run; rename it",
           what, text);
   return OK;
 }

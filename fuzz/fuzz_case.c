@@ -13,7 +13,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   text[size] = 0;
   if (case_parse("case.yaml", text, &registry, &problems, &c) == OK) {
     char fingerprint[33];
-    for (size_t i = 0; i < c->n_runs; i++) case_fingerprint(c, &c->runs[i], fingerprint);
+    for (size_t i = 0; i < c->n_runs; i++) {
+      char *settings = NULL;
+      case_fingerprint(c, &c->runs[i], fingerprint);
+      if (case_run_settings(text, c->runs[i].name, &settings) == OK && !settings)
+        abort(); /* a run of a sound case has them */
+      free(settings);
+    }
     case_water_fingerprint(c, fingerprint);
     if (c->gravity > 0 && !(case_rest_potential(c) > 0))
       abort(); /* what the result file promises */

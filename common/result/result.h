@@ -186,6 +186,7 @@ struct result_term_read { /* of the budget of energy; its values: energy[].term 
 struct result_file {
   char *path, *solver, *run, *title, *version, *revision, *case_text, *fingerprint;
   char *water_fingerprint; /* case_water_fingerprint of its case; "" in files of before it */
+  char *settings; /* of the solver, but for its resolution, in the words of whoever wrote them; "" */
   char *created;           /* UTC, 2026-11-22T19:24:21Z */
   char *imported; /* how it was made of another program's files; "" when it was not */
   char *ended;  /* why it ended before the end of its case, one sentence; "" when it did not */

@@ -117,7 +117,8 @@ static enum status carry_field(struct carrier *c, void *element) {
 static enum status carry_header(struct carrier *c, struct result_file *f) {
   char **text[] = {&f->solver,   &f->run,       &f->title,       &f->version,
                    &f->revision, &f->case_text, &f->fingerprint, &f->water_fingerprint,
-                   &f->created,  &f->ended,     &f->imported,    &f->health};
+                   &f->created,  &f->ended,     &f->imported,    &f->health,
+                   &f->settings};
   for (size_t i = 0; i < sizeof text / sizeof *text; i++) TRY(carry_word(c, text[i]));
   size_t complete = f->complete, floats = f->floats;
   TRY(carry_number(c, &complete));

@@ -353,15 +353,11 @@ static enum status read_texts(hid_t file, struct result_file *f) {
   const struct {
     const char *name;
     char **to;
-  } text[] = {{"solver", &f->solver},
-              {"title", &f->title},
-              {"ended", &f->ended},
-              {"imported", &f->imported},
-              {"water", &f->water_fingerprint},
-              {"version", &f->version},
-              {"revision", &f->revision},
-              {"fingerprint", &f->fingerprint},
-              {"created", &f->created}};
+  } text[] = {
+      {"solver", &f->solver},     {"title", &f->title},       {"ended", &f->ended},
+      {"imported", &f->imported}, {"settings", &f->settings}, {"water", &f->water_fingerprint},
+      {"version", &f->version},   {"revision", &f->revision}, {"fingerprint", &f->fingerprint},
+      {"created", &f->created}};
   for (size_t k = 0; k < sizeof text / sizeof *text; k++)
     TRY(read_optional(file, text[k].name, text[k].to));
   if (H5Aexists(file, "run") > 0)
@@ -480,6 +476,7 @@ void result_file_destroy(struct result_file *f) {
   free(f->fingerprint);
   free(f->created);
   free(f->water_fingerprint);
+  free(f->settings);
   free(f->ended);
   free(f->imported);
   free(f->health);

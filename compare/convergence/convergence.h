@@ -28,7 +28,7 @@ struct cmp_left_out {
 
 struct cmp_group {
   char name[96];
-  char *settings;    /* of the case, in words; NULL: no case says; owned */
+  char *settings;    /* in words; NULL: no file says; owned */
   size_t n;          /* 2 or more */
   size_t *member;    /* index in comparison.run, SIZE_MAX: the reference; coarsest first, owned */
   double *spacing;   /* H, falling, [n], owned */

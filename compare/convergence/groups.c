@@ -11,18 +11,26 @@
 struct candidate {
   size_t member;
   const struct cmp_data *data;
-  char *settings; /* owned; NULL: no case says */
+  char *settings; /* owned; NULL: no file says */
   bool taken;
 };
 
 /* ---- candidates ---- */
+
+/* What the file itself says, else its case. */
+static enum status settings_take(const struct result_file *f, char **settings) {
+  if (!f->settings || !*f->settings) return case_run_settings(f->case_text, f->run, settings);
+  *settings = strdup(f->settings);
+  CHECK(*settings, ERR_MEMORY, "no memory for settings");
+  return OK;
+}
 
 static enum status candidates_make(const struct comparison *c, struct candidate *candidate) {
   for (size_t i = 0; i <= c->n_runs; i++) {
     const size_t member = i < c->n_runs ? i : SIZE_MAX;
     const struct cmp_data *d = &cmp_run_or_ref(c, member)->data;
     candidate[i] = (struct candidate){.member = member, .data = d};
-    TRY(case_run_settings(d->file->case_text, d->file->run, &candidate[i].settings));
+    TRY(settings_take(d->file, &candidate[i].settings));
   }
   return OK;
 }

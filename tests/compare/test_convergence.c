@@ -196,6 +196,22 @@ static void give_case(struct result_file *r, const char *runs) {
   if (asprintf(&r->case_text, "runs: %s\n", runs) < 0) abort();
 }
 
+/* So does what a file without a case says itself. */
+static void test_settings_of_files_without_a_case(void) {
+  struct result_file *ref = made_up("exact", "convergence", (struct flaws){.until = end});
+  struct result_file *runs[] = {run_of("m10", 10, 0.01), run_of("n10", 10, 0.02),
+                                run_of("m20", 20, 0.0025), run_of("n20", 20, 0.005)};
+  free(ref->solver);
+  ref->solver = text("theory");
+  for (size_t i = 0; i < 4; i++) runs[i]->settings = text(i % 2 ? "implicit <b>" : "explicit");
+  compare(&settings, ref, 4, runs);
+  EXPECT(json_array_size(json_object_get(report, "convergence")) == 2);
+  EXPECT_STR(words_of(group_at(0), "settings"), "explicit");
+  EXPECT_STR(words_of(group_at(0), "name"), "m");
+  EXPECT_STR(words_of(group_at(1), "settings"), "implicit <b>");
+  destroy(ref, 4, runs);
+}
+
 /* Settings in the case tell schemes apart, however the runs are called; other water is another
  * group. */
 static void test_settings_make_groups(void) {
@@ -229,6 +245,7 @@ int main(void) {
   RUN(test_no_order_is_claimed);
   RUN(test_values_that_are_not_there);
   RUN(test_settings_make_groups);
+  RUN(test_settings_of_files_without_a_case);
   settings_free(&settings);
   json_decref(report);
   folder_remove(folder);
