@@ -21,6 +21,7 @@ struct filler {
 
 static void row_destroy(struct cmp_row_of_group *row) {
   free(row->value);
+  free(row->known_to);
   free(row->error);
   free(row->triple);
 }
@@ -34,6 +35,7 @@ static enum status row_begin(struct filler *m, const char *name, const char *uni
   **row = (struct cmp_row_of_group){.name = name, .units = units, .time = SIZE_MAX};
   g->n_rows++;
   TRY(array_create(&(*row)->value, g->n, "values"));
+  TRY(array_create(&(*row)->known_to, g->n, "values"));
   TRY(array_create(&(*row)->error, g->n, "errors"));
   return array_create(&(*row)->triple, g->n, "triples of values");
 }
@@ -47,13 +49,14 @@ static void triples_take(const struct cmp_group *g, struct cmp_row_of_group *row
     last[2] = i;
     if (++known < 3) continue;
     struct cmp_neighbours *t = &row->triple[row->n_triples++];
-    double h[3], f[3];
+    double h[3], f[3], known_to[3];
     for (int k = 0; k < 3; k++) {
       t->member[k] = last[k];
       h[k] = g->spacing[last[k]];
       f[k] = row->value[last[k]].value;
+      known_to[k] = row->known_to[last[k]];
     }
-    t->triple = cmp_triple_of(h, f);
+    t->triple = cmp_triple_of(h, f, known_to);
   }
 }
 
@@ -106,9 +109,10 @@ static enum status measure_row(struct filler *m, size_t measure, size_t time) {
   row->time = time;
   row->is_difference = of == CMP_OF_DIFFERENCE || of == CMP_OF_DEFECT;
   for (size_t i = 0; i < g->n; i++) {
-    row->value[i] = g->member[i] == SIZE_MAX
-                        ? reference
-                        : cmp_rows_find(m->rows, measure, g->member[i], time)->value;
+    row->value[i] = reference;
+    row->known_to[i] = cmp_measure_known_to(m->c, g->member[i], measure);
+    if (g->member[i] != SIZE_MAX)
+      row->value[i] = cmp_rows_find(m->rows, measure, g->member[i], time)->value;
     row->error[i] = row->is_difference ? fabs(row->value[i].value) : NAN;
   }
   if (of == CMP_OF_OWN) errors_from(g, row, &reference);
@@ -155,8 +159,10 @@ static enum status events_add(struct filler *m) {
       TRY(row_begin(m, names[part], part == CASE_EVENT_time ? "sqrt(H/g)" : "H", &row));
       row->of = case_event_names[event];
       row->section = CMP_SECTION_JET;
-      for (size_t i = 0; i < g->n; i++)
+      for (size_t i = 0; i < g->n; i++) {
         row->value[i] = cmp_event_number(m->c, g->member[i], event, part);
+        row->known_to[i] = cmp_event_known_to(m->c, g->member[i], event, part);
+      }
       const struct cmp_value reference = cmp_event_number(m->c, SIZE_MAX, event, part);
       errors_from(g, row, &reference);
       row_end(m, row);
@@ -329,6 +335,10 @@ static int triple_say(const struct cmp_group *g, const struct cmp_row_of_group *
     return snprintf(out, room, "the same for the three finest: %.6g", finest);
   case CMP_TREND_stalled:
     return snprintf(out, room, "the same for the two finest, so no order: %.6g", finest);
+  case CMP_TREND_unresolved:
+    return snprintf(out, room,
+                    "no order: instants are known no better than they differ; finest %.*g +- %.2g",
+                    digits, finest, t->bar);
   case CMP_N_TRENDS:
     break;
   }

@@ -16,6 +16,7 @@ struct cmp_row_of_group {
   size_t time;              /* index in comparison.times; SIZE_MAX: of the whole run */
   bool is_difference;       /* the value itself is the error */
   struct cmp_value *value;  /* [group.n], owned */
+  double *known_to;         /* how far each may be off by the way it was found; [group.n], owned */
   double *error;            /* against the reference, >= 0; NaN: not known; [group.n], owned */
   size_t n_triples;
   struct cmp_neighbours *triple; /* [n_triples], the coarsest first, owned */

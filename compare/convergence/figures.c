@@ -146,6 +146,25 @@ static bool is_first(const struct page *p, size_t group, size_t row) {
   return true;
 }
 
+static bool same_errors(const struct cmp_group *g, const struct cmp_row_of_group *a,
+                        const struct cmp_row_of_group *b) {
+  for (size_t i = 0; i < g->n; i++)
+    if (!(fabs(a->error[i] - b->error[i]) <= 1e-9 * fabs(b->error[i])) &&
+        (isfinite(a->error[i]) || isfinite(b->error[i])))
+      return false;
+  return true;
+}
+
+/* Whether a measure before it is that number's own error, as that of an energy is. */
+static bool is_echo(const struct cmp_group *g, size_t row) {
+  const struct cmp_row_of_group *own = &g->row[row];
+  for (size_t k = 0; k < row; k++)
+    if (g->row[k].is_difference && g->row[k].section == own->section &&
+        g->row[k].time == own->time && same_errors(g, &g->row[k], own))
+      return true;
+  return false;
+}
+
 static enum status section_draw(struct page *p, enum cmp_section section, const char *name,
                                 struct cmp_figures *f) {
   static const char caption[] =
@@ -157,7 +176,7 @@ static enum status section_draw(struct page *p, enum cmp_section section, const 
   for (size_t i = 0; i < groups_shown(p); i++)
     for (size_t k = 0; k < p->v->group[i].n_rows; k++) {
       const struct cmp_row_of_group *row = &p->v->group[i].row[k];
-      if (row->section != section || !is_first(p, i, k)) continue;
+      if (row->section != section || !is_first(p, i, k) || is_echo(&p->v->group[i], k)) continue;
       if (panel_take(p, row, SPACING, true) && row->time != SIZE_MAX) timed = true;
       if (p->n == CMP_GRID_PANELS) TRY(page_write(p, f, name, caption, timed));
     }

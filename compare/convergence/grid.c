@@ -78,10 +78,11 @@ static void slopes_write(FILE *s, const struct range *x, const struct range *y) 
             "set arrow from %.6g, %.6g to %.6g, %.6g nohead back linecolor '#aaaaaa' linewidth 0.8 "
             "dashtype %d\n",
             x->high, y->high, low, y->high * pow(low / x->high, p), p == 1 ? 2 : 3);
+    const double middle = sqrt(low * x->high); /* the ends have other numbers */
     fprintf(s,
-            "set label '%d' at %.6g, %.6g offset character -0.4, 0 right font small textcolor "
+            "set label '%d' at %.6g, %.6g offset 0, character -0.6 center font small textcolor "
             "'#888888'\n",
-            p, low, y->high * pow(low / x->high, p));
+            p, middle, y->high * pow(middle / x->high, p));
   }
 }
 

@@ -91,6 +91,7 @@ static json_t *row_of(struct maker *m, const struct comparison *c, const struct 
   set(m, object, "is_difference", json_boolean(row->is_difference));
   set(m, object, "values", values(m, g, row));
   set(m, object, "values_unavailable", reasons(m, g, row));
+  set(m, object, "known_to", numbers(m, row->known_to, g->n));
   set(m, object, "errors", numbers(m, row->error, g->n));
   set(m, object, "error_orders", error_orders(m, g, row));
   set(m, object, "triples", triples(m, row));

@@ -88,3 +88,20 @@ struct cmp_value cmp_event_number(const struct comparison *c, size_t member, int
   const struct case_event wanted = {.event = event, .part = part};
   return cmp_event_value(c, data_of(c, member), &wanted);
 }
+
+double cmp_event_known_to(const struct comparison *c, size_t member, int event, int part) {
+  const struct cmp_data *d = data_of(c, member);
+  const struct cmp_instant *instant = event == CASE_EVENT_OF_wall_impact   ? &d->impact
+                                      : event == CASE_EVENT_OF_overturning ? &d->overturning
+                                      : event == CASE_EVENT_OF_touchdown   ? &d->touchdown
+                                                                           : NULL;
+  return part == CASE_EVENT_time && instant && isfinite(instant->error) ? instant->error : 0;
+}
+
+double cmp_measure_known_to(const struct comparison *c, size_t member, size_t measure) {
+  return measure == CMP_MEASURE_overturning_time
+             ? cmp_event_known_to(c, member, CASE_EVENT_OF_overturning, CASE_EVENT_time)
+         : measure == CMP_MEASURE_touchdown_time
+             ? cmp_event_known_to(c, member, CASE_EVENT_OF_touchdown, CASE_EVENT_time)
+             : 0;
+}

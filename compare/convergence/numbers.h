@@ -29,3 +29,8 @@ extern const struct cmp_number cmp_numbers[CMP_N_NUMBERS];
 
 /* Time, x or y of the first event of that kind. */
 struct cmp_value cmp_event_number(const struct comparison *c, size_t member, int event, int part);
+
+/* How far an instant may be off that was read off surfaces, or by the standard error that a solver
+ * states; of a measure that is a difference of instants, of the run's own. 0 of all else. */
+double cmp_event_known_to(const struct comparison *c, size_t member, int event, int part);
+double cmp_measure_known_to(const struct comparison *c, size_t member, size_t measure);

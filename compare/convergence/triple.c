@@ -36,17 +36,22 @@ static struct cmp_triple without_order(enum cmp_trend trend, double bar) {
   return (struct cmp_triple){trend, NAN, NAN, NAN, bar};
 }
 
-struct cmp_triple cmp_triple_of(const double h[3], const double f[3]) {
+static double half_range(const double f[3]) {
+  return (fmax(f[0], fmax(f[1], f[2])) - fmin(f[0], fmin(f[1], f[2]))) / 2;
+}
+
+struct cmp_triple cmp_triple_of(const double h[3], const double f[3], const double known_to[3]) {
   const double size = fmax(fabs(f[0]), fmax(fabs(f[1]), fabs(f[2])));
   const double rounding = 8 * DBL_EPSILON * size, coarse = f[0] - f[1], fine = f[1] - f[2];
   const bool same_fine = fabs(fine) <= rounding, same_coarse = fabs(coarse) <= rounding;
   if (same_fine && same_coarse) return without_order(CMP_TREND_constant, 0);
   if (same_fine) return without_order(CMP_TREND_stalled, NAN);
   if (same_coarse) return without_order(CMP_TREND_diverging, NAN);
+  if (fabs(coarse) <= known_to[0] + known_to[1] || fabs(fine) <= known_to[1] + known_to[2])
+    return without_order(CMP_TREND_unresolved, fmax(half_range(f), known_to[2]));
   const struct ratios r = {h[1] / h[2], h[0] / h[1], coarse / fine};
   if (r.change < 0) {
-    const double low = fmin(f[0], fmin(f[1], f[2])), high = fmax(f[0], fmax(f[1], f[2]));
-    if (r.change < -1) return without_order(CMP_TREND_oscillating, (high - low) / 2);
+    if (r.change < -1) return without_order(CMP_TREND_oscillating, half_range(f));
     return without_order(CMP_TREND_diverging, NAN);
   }
   const double p = order_of(&r);

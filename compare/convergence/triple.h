@@ -9,7 +9,8 @@
   X(oscillating, "the differences have opposite signs, and the finer one is smaller")              \
   X(diverging, "the finer difference is too large for a limit")                                    \
   X(constant, "all three are the same but for rounding")                                           \
-  X(stalled, "the finer two are the same but for rounding, the coarsest is another")
+  X(stalled, "the finer two are the same but for rounding, the coarsest is another")               \
+  X(unresolved, "a difference is no larger than what its two values are known to")
 
 enum cmp_trend {
 #define X(name, help) CMP_TREND_##name,
@@ -33,11 +34,13 @@ struct cmp_triple {
                    is 0 */
   double bar;   /* of the finest value: the same not divided, with p at most CMP_BAR_ORDER; of
                    oscillating ones half their range (Stern et al., J. Fluids Eng. 123, 793, 2001);
-                   NaN: none */
+                   of what is unresolved that, or what the finest is known to, if more; NaN:
+                   none */
 };
 
-/* h: spacings, the coarsest first, all different; f: finite values there. */
-struct cmp_triple cmp_triple_of(const double h[3], const double f[3]);
+/* h: spacings, the coarsest first, all different; f: finite values there; known_to: how far they
+ * may be off by the way they were found, 0 where that is exact. */
+struct cmp_triple cmp_triple_of(const double h[3], const double f[3], const double known_to[3]);
 
 /* ln(e0/e1)/ln(h0/h1) of two errors; NaN where one is 0 or not known. */
 double cmp_error_order(const double h[2], const double e[2]);
