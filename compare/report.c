@@ -4,6 +4,7 @@
 
 #include "compare/charts.h"
 #include "compare/convergence/figures.h"
+#include "compare/convergence/table.h"
 #include "compare/currents.h"
 #include "compare/drawing.h"
 #include "compare/json.h"
@@ -24,10 +25,11 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   struct cmp_convergence convergence = {0};
   struct cmp_figures figures = {.lock = -1};
   json_t *report = NULL;
-  char html[PATH_MAX], json[PATH_MAX];
+  char html[PATH_MAX], json[PATH_MAX], table[PATH_MAX];
   memset(verdict, 0, sizeof *verdict);
   TRY(cmp_path_join(out_dir, "report.html", html));
   TRY(cmp_path_join(out_dir, "report.json", json));
+  TRY(cmp_path_join(out_dir, "convergence.csv", table));
   TRY(cmp_directory_make(out_dir));
 
   ATTEMPT(cmp_comparison_create(settings, reference, n, runs, anyway, &c));
@@ -39,6 +41,7 @@ enum status cmp_report(const struct case_file *settings, const struct result_fil
   verdict->failed = rows.failed;
   ATTEMPT(cmp_json_create(c, &rows, &convergence, verdict->sentence, &report));
   ATTEMPT(cmp_json_save(report, json));
+  ATTEMPT(cmp_convergence_table(c, &convergence, table));
   ATTEMPT(cmp_figures_open(out_dir, &figures));
   ATTEMPT(cmp_charts_write(c, &figures));
   ATTEMPT(cmp_overlays_write(c, &figures));

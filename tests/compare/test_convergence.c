@@ -96,6 +96,10 @@ static void test_order_of_a_measure(void) {
   EXPECT_STR(words_of(row, "trend"), "constant");
   EXPECT(isnan(number_of(row, "order")));
   EXPECT(isnan(item_of(row, "error_orders", 0))); /* zero errors */
+  /* the table has a line for every run of every row, and the triple in that of its finest */
+  EXPECT(file_says("convergence.csv", "group,quantity,of,units,"));
+  EXPECT(file_says("convergence.csv", "\"level\",\"gauge_rms\",\"\",\"H\",,\"level-10\",0.1,"));
+  EXPECT(file_says("convergence.csv", "\"monotone\",2"));
   /* figures and their data are there */
   EXPECT(file_says("figures/convergence-levels.csv", "\"highest level"));
   EXPECT(file_says("figures/convergence-cost.csv", "\"mean distance at t* = 4\",\"level\""));
@@ -144,6 +148,9 @@ static void test_two_resolutions_and_equal_ones(void) {
   struct result_file *same[] = {run_of("d", 20, 0.01), run_of("e", 20, 0.02)};
   compare(&settings, ref, 2, same);
   EXPECT(json_array_size(json_object_get(report, "convergence")) == 0);
+  char path[PATH_MAX];
+  path_in("convergence.csv", path);
+  EXPECT(access(path, F_OK) != 0); /* that of the report before has gone */
   destroy(ref, 2, same);
 }
 
