@@ -60,32 +60,48 @@ static bool separates(char c) {
   return c && strchr("-_. ", c);
 }
 
-/* What the names of the members begin with, less digits of the resolution and what separates it;
- * what they end with when they begin with nothing; else the solver. */
+static bool is_of_number(char c) {
+  return isdigit((unsigned char)c) || (c && strchr(".eE+-", c));
+}
+
+/* Without a number at its end that a separator or nothing precedes, and separators. */
+static size_t front_trim(const char *text, size_t n) {
+  size_t number = n;
+  while (number && is_of_number(text[number - 1])) number--;
+  while (number < n && !isdigit((unsigned char)text[number])) number++;
+  if (number < n && (!number || separates(text[number - 1])))
+    n = number;
+  else if (n && !separates(text[n - 1]))
+    while (n && isdigit((unsigned char)text[n - 1])) n--;
+  while (n && separates(text[n - 1])) n--;
+  return n;
+}
+
+/* What the names of the members begin and end with, less what is of their resolution; nothing: the
+ * solver. */
 static void name_group(size_t n, struct candidate *const *member, char *out, size_t room) {
   const char *first = member[0]->data->label;
-  size_t front = strlen(first), back = front;
+  const size_t whole = strlen(first);
+  size_t front = whole, back = whole;
   for (size_t i = 1; i < n; i++) {
     const char *own = member[i]->data->label;
     const size_t length = strlen(own);
     size_t same = 0;
     while (same < front && own[same] == first[same]) same++;
     front = same;
-    same = 0;
-    while (same < back && same < length &&
-           own[length - 1 - same] == first[strlen(first) - 1 - same])
+    for (same = 0; same < back && same < length;) {
+      if (own[length - 1 - same] != first[whole - 1 - same]) break;
       same++;
+    }
     back = same;
   }
-  const char *end = first + strlen(first) - back;
-  while (front && isdigit((unsigned char)first[front - 1])) front--;
-  while (front && separates(first[front - 1])) front--;
-  while (isdigit((unsigned char)*end)) end++;
-  while (separates(*end)) end++;
-  if (front)
-    snprintf(out, room, "%.*s", (int)front, first);
-  else
-    snprintf(out, room, "%s", *end ? end : member[0]->data->file->solver);
+  front = front_trim(first, front);
+  if (back > whole - front) back = whole - front;
+  const char *end = first + whole - back;
+  end += strcspn(end, "-_ "); /* digits before it are of the number */
+  if (!front && *end) end++;
+  snprintf(out, room, "%.*s%s", (int)front, first, end);
+  if (!*out) snprintf(out, room, "%s", member[0]->data->file->solver);
 }
 
 static void names_make_unique(struct cmp_convergence *v) {

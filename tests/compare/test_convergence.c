@@ -98,7 +98,7 @@ static void test_order_of_a_measure(void) {
   EXPECT(isnan(item_of(row, "error_orders", 0))); /* zero errors */
   /* the table has a line for every run of every row, and the triple in that of its finest */
   EXPECT(file_says("convergence.csv", "group,quantity,of,units,"));
-  EXPECT(file_says("convergence.csv", "\"level\",\"gauge_rms\",\"\",\"H\",,\"level-10\",0.1,"));
+  EXPECT(file_says("convergence.csv", "\"level\",\"gauge_rms\",\"\",\"H\",,\"level-10\",0.1"));
   EXPECT(file_says("convergence.csv", "\"monotone\",2"));
   /* figures and their data are there */
   EXPECT(file_says("figures/convergence-levels.csv", "\"highest level"));
@@ -203,6 +203,26 @@ static void give_case(struct result_file *r, const char *runs) {
   if (asprintf(&r->case_text, "runs: %s\n", runs) < 0) abort();
 }
 
+/* A group is called by what its runs share, less what is of their resolution. */
+static void test_names_of_groups(void) {
+  static const char *const tries[][4] = {{"bem-20", "bem-40", "bem-80", "bem"},
+                                         {"acc-1e-3", "acc-1e-4", "acc-1e-5", "acc"},
+                                         {"sph-20-0.01", "sph-28-0.01", "sph-40-0.01", "sph-0.01"},
+                                         {"25-antuono", "50-antuono", "100-antuono", "antuono"},
+                                         {"level10", "level15", "level20", "level"},
+                                         {"v2-10", "v2-15", "v2-100", "v2"},
+                                         {"10", "20", "40", "made up"},
+                                         {"coarse", "middle", "fine", "made up"},
+                                         {"a-12.5", "a-2.5", "a-22.5", "a"}};
+  for (size_t k = 0; k < sizeof tries / sizeof *tries; k++) {
+    struct result_file *ref = run_of(tries[k][2], 40, 0);
+    struct result_file *runs[] = {run_of(tries[k][0], 10, 0.01), run_of(tries[k][1], 20, 0.0025)};
+    compare(&settings, ref, 2, runs);
+    EXPECT_STR(words_of(group_at(0), "name"), tries[k][3]);
+    destroy(ref, 2, runs);
+  }
+}
+
 /* So does what a file without a case says itself. */
 static void test_settings_of_files_without_a_case(void) {
   struct result_file *ref = made_up("exact", "convergence", (struct flaws){.until = end});
@@ -252,6 +272,7 @@ int main(void) {
   RUN(test_no_order_is_claimed);
   RUN(test_values_that_are_not_there);
   RUN(test_settings_make_groups);
+  RUN(test_names_of_groups);
   RUN(test_settings_of_files_without_a_case);
   settings_free(&settings);
   json_decref(report);
