@@ -59,6 +59,21 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   }
 }
 
+/* Where a file has particles alone. Walls: its own, or those of the first that has any; without
+ * any, nothing can be compared. */
+static enum status find_surfaces(size_t n, struct result_file *const *files,
+                                 struct progress *progress) {
+  const struct geo_lines *walls = &files[0]->walls;
+  for (size_t i = 0; i < n && !walls->pieces; i++) walls = &files[i]->walls;
+  for (size_t i = 0; i < n && walls->pieces; i++) {
+    struct result_file *f = files[i];
+    TRY(result_find_surfaces(f, f->walls.pieces ? &f->walls : walls));
+    if (f->surfaces_found)
+      progress_say(progress, "the surface of %s is found from its particles", f->run);
+  }
+  return OK;
+}
+
 int command_compare(int argc, char **argv) {
   static const struct argp_option options[] = {
       {"out", 'o', "DIR", 0, "folder of the report (default: comparison)", 0},
@@ -92,6 +107,11 @@ int command_compare(int argc, char **argv) {
     enum status status = result_read(a.files[i], &files[i]);
     if (status == OK) continue;
     exit_code = command_fail(status);
+    goto done;
+  }
+  const enum status found = find_surfaces(a.n, files, progress);
+  if (found != OK) {
+    exit_code = command_fail(found);
     goto done;
   }
   c = command_settings(a.settings, a.n, files, false, &exit_code);

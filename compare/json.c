@@ -106,6 +106,7 @@ static json_t *provenance(struct maker *m, const struct comparison *c, const str
   set(m, object, "absent", absent(m, c, run));
   set(m, object, "complete", json_boolean(f->complete));
   set(m, object, "ended", text(f->ended));
+  if (f->surfaces_found) set(m, object, "surface", text("found from the particles"));
   if (f->imported && *f->imported) set(m, object, "imported", text(f->imported));
   set(m, object, "program_version", text(f->version));
   set(m, object, "program_revision", text(f->revision));

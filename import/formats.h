@@ -17,13 +17,19 @@ struct import_ask {
   double slice;                      /* place of the plane along the third; NAN: the middle */
 };
 
-/* X(name, grids, help): the functions of each are import_NAME_steps and import_NAME_read; whether
- * its files can have grids. */
-#define IMPORT_FORMATS(X) X(csv, false, "text: a line of names, then lines of numbers")
+/* X(name, grids, timed, help): the functions of each are import_NAME_steps and import_NAME_read;
+ * whether its files can have grids, and times of their own. */
+#define IMPORT_FORMATS(X)                                                                          \
+  X(csv, false, false, "text: a line of names, then lines of numbers")                             \
+  X(npz, false, false, "arrays of numpy")                                                          \
+  X(hdf5, false, false, "datasets of HDF5 by their paths, as PySPH writes them")                   \
+  X(vtkhdf, false, true, "points over time in VTKHDF's layout")                                    \
+  X(vtk, true, true,                                                                               \
+    "by the VTK library: legacy, XML, .pvd, .series, grids of VTKHDF, OpenFOAM's .foam")
 
 /* The times that the file itself has, in its units, for steps that `read` tells apart; *times is
  * the caller's. One time of NAN where it has none. */
-#define X(name, grids, help)                                                                       \
+#define X(name, grids, timed, help)                                                                \
   enum status import_##name##_steps(const struct import_ask *ask, size_t *n, double **times);      \
   enum status import_##name##_read(const struct import_ask *ask, struct import_table *t);
 IMPORT_FORMATS(X)
@@ -31,13 +37,13 @@ IMPORT_FORMATS(X)
 
 struct import_format {
   const char *name, *help;
-  bool grids;
+  bool grids, timed;
   enum status (*steps)(const struct import_ask *ask, size_t *n, double **times);
   /* ERR_INPUT with one sentence that begins with the path; the table is empty then. */
   enum status (*read)(const struct import_ask *ask, struct import_table *t);
 };
 enum { /* IMPORT_FORMAT_csv, ... */
-#define X(name, grids, help) IMPORT_FORMAT_##name,
+#define X(name, grids, timed, help) IMPORT_FORMAT_##name,
        IMPORT_FORMATS(X)
 #undef X
            IMPORT_N_FORMATS

@@ -198,6 +198,16 @@ enum status import_contour(const char *name, size_t n, const double *x, const do
   for (size_t i = 0; i < n; i++)
     CHECK(isfinite(x[i]) && isfinite(y[i]) && isfinite(field[i]), ERR_INPUT,
           "%s: the field is not a number at (%g, %g)", name, x[i], y[i]);
+  double low = INFINITY, high = -INFINITY;
+  for (size_t i = 0; i < n; i++) {
+    low = fmin(low, field[i]);
+    high = fmax(high, field[i]);
+  }
+  CHECK(
+      low < level && high >= level, ERR_INPUT,
+      "%s: the field goes from %g to %g there, so it has no contour at %g; correct the field, the "
+      "level or the axes",
+      name, low, high, level);
   while (c.slots < 4 * mesh->n) c.slots *= 2; /* at most 3 edges for 2 triangles, half full */
   enum status status = array_create(&c.slot, c.slots, "edges of a mesh");
   for (size_t k = 0; k < mesh->n && status == OK; k++)

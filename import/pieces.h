@@ -11,7 +11,8 @@ enum status import_profile(const char *name, double time, size_t n, const double
                            const double *y, const double *piece, struct geo_lines *out);
 
 /* The contour of `field` at `level` on triangles: water is above it, or `below`. Curves end where
- * the mesh does. The longest open piece comes first. ERR_INPUT: values that are not finite. */
+ * the mesh does. The longest open piece comes first. ERR_INPUT: values that are not finite, or
+ * nowhere on one side of the level. */
 enum status import_contour(const char *name, size_t n, const double *x, const double *y,
                            const double *field, const struct import_mesh *mesh, double level,
                            bool below, struct geo_lines *out);

@@ -1,7 +1,9 @@
 #include "import/rows.h"
 
 #include <math.h>
-#include <string.h>
+#include <stdlib.h>
+
+#include "import/lists.h"
 
 struct walk {
   const struct import_sidecar *s;
@@ -99,7 +101,8 @@ static enum status read_step(struct walk *w, struct import_ask *ask, double own)
   return status;
 }
 
-static enum status read_item(struct walk *w) {
+/* `own`: a time that a list of files gives. */
+static enum status read_file(struct walk *w, double own) {
   const struct import_section *section = w->section;
   struct import_ask ask = {.path = w->item->file,
                            .separator = ",;\t "[section->separator],
@@ -118,8 +121,27 @@ static enum status read_item(struct walk *w) {
         status_raise(ERR_INPUT, "%s: %s has %zu times of its own, and the key time beside them",
                      w->item->where, w->item->file, n);
   for (ask.step = 0; ask.step < n && status == OK; ask.step++)
-    status = read_step(w, &ask, times[ask.step]);
+    status = read_step(w, &ask, isnan(own) ? times[ask.step] : own);
   free(times);
+  return status;
+}
+
+/* One file, or all those that a list names. */
+static enum status read_item(struct walk *w) {
+  const struct import_item *item = w->item;
+  struct import_list list;
+  if (w->section->format != IMPORT_FORMAT_vtk || !import_is_list(item->file))
+    return read_file(w, NAN);
+  enum status status = import_list_read(item->file, &list);
+  if (status != OK) return status_context(status, "%s: ", item->where);
+  for (size_t i = 0; i < list.n && status == OK; i++) {
+    struct import_item one = *item;
+    one.file = list.item[i].file;
+    w->item = &one;
+    status = read_file(w, list.item[i].time);
+  }
+  w->item = item;
+  import_list_destroy(&list);
   return status;
 }
 

@@ -249,10 +249,8 @@ static void check_times(struct import_reader *r, int node, const char *path,
   for (size_t i = 0; i < section->n_items; i++) {
     const bool told = !isnan(section->items[i].time);
     char found[CASE_PATH + 64];
-    if (told != inside) {
-      if (inside || section->format != IMPORT_FORMAT_csv) continue;
-    }
-    if (told && !inside) continue;
+    const bool own = import_formats[section->format].timed; /* the file may have one */
+    if (told != inside || (!told && own)) continue;
     snprintf(found, sizeof found, "%s time of file %zu", told ? "more than one" : "no", i);
     import_complain(r, node, path, found,
                     "one of files[i].time, columns.time and time_after for each file",

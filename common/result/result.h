@@ -197,6 +197,7 @@ struct result_file {
   double rest_potential;         /* J/m */
   struct geo_lines walls;
 
+  bool surfaces_found; /* from the particles, by result_find_surfaces */
   size_t n_surfaces;
   double *surface_time;
   struct geo_lines *surface; /* [n_surfaces] */
@@ -241,7 +242,7 @@ struct result_cloud {
   double *value;  /* [n]; of vectors their x and y in turn, [2 n] */
 };
 
-/* The points of some outputs and one scalar field of theirs, for which the file is opened and
+/* The points of some outputs and one scalar field of theirs (NULL: zeros), for which the file is opened and
  * checked once. `cloud` [n] is the caller's to free, and empty after a failure. */
 enum status result_read_points(const char *path, const char *field, size_t n, const size_t *output,
                                struct result_cloud *cloud);
@@ -249,6 +250,11 @@ enum status result_read_points(const char *path, const char *field, size_t n, co
 enum status result_read_vectors(const char *path, const char *field, size_t n, const size_t *output,
                                 struct result_cloud *cloud);
 void result_cloud_free(struct result_cloud *cloud);
+
+/* Finds the surface of a file that has particles and no /surface, by common/cloud, at each output
+ * that it has; those of others stay. `walls` (m) are the file's own or those of its tank, of no
+ * piece: none. ERR_INPUT: particles that are too scattered. */
+enum status result_find_surfaces(struct result_file *f, const struct geo_lines *walls);
 
 /* Whether `path` is a finished result with this fingerprint (never raises). */
 bool result_is_current(const char *path, const char *fingerprint);

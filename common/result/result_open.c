@@ -85,10 +85,10 @@ static enum status check_format(hid_t file) {
   return OK;
 }
 
-static enum status open_file(int fd, hid_t *file) {
+static enum status open_file(int fd, bool any, hid_t *file) {
   *file = result_fd_open(fd);
   if (*file < 0) return hdf_raise(ERR_INPUT, "is damaged");
-  TRY(check_format(*file));
+  if (!any) TRY(check_format(*file));
   enum status status = hdf_check_confined(*file);
   return status == OK ? OK : status_context(status, "is not a usable result: ");
 }
@@ -101,7 +101,7 @@ static enum status read_files(void *data) {
   H5PLset_loading_state(0); /* no code from elsewhere, such as filters */
   for (size_t k = 0; k < r->n; k++) {
     guard_blame(k);
-    enum status status = open_file(open->fd[k], &file[k]);
+    enum status status = open_file(open->fd[k], r->any, &file[k]);
     if (status != OK) return status_context(status, "%s ", r->path[k]);
   }
   guard_blame(0);

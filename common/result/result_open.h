@@ -11,6 +11,7 @@
 struct result_request {
   size_t n;            /* of files, 1 or 2 */
   const char *path[2]; /* [n] */
+  bool any;            /* they need not be results */
   void *data;
   enum status (*read)(const hid_t *file, void *data);  /* in the child; [n] */
   enum status (*carry)(struct carrier *c, void *data); /* in both, see carry.h */

@@ -34,8 +34,11 @@ static enum status read_points(hid_t file, const char *field, size_t width, size
   }
   q->n = (size_t)*count;
   ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first, q->n, &xyz));
-  ATTEMPT(hdf_open_group(file, "VTKHDF/PointData", &data));
-  ATTEMPT(hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, width, (hsize_t)*first, q->n, &q->value));
+  if (field) {
+    ATTEMPT(hdf_open_group(file, "VTKHDF/PointData", &data));
+    ATTEMPT(hdf_get_rows(data, field, H5T_NATIVE_DOUBLE, width, (hsize_t)*first, q->n, &q->value));
+  } else
+    ATTEMPT(array_create(&q->value, q->n, "points"));
   if (width) keep_plane(q);
   q->p = malloc((q->n + 1) * sizeof *q->p);
   if (!q->p) {

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# A result that has particles and no surface is compared by the surface that is found of them: the same as that of
+# a run that found it itself; walls are those of the other file where it has none.
+source "$2/tests/cli/begin"
+/usr/bin/python3 -c 'import h5py' 2>/dev/null || { echo "skipped: no h5py"; exit 77; }
+pretend_gnuplot
+
+cat >dam.yaml <<'E2'
+scales: {H: 0.6}
+tank: {walls: [[[0, 4 H], [0, 0], [5.366 H, 0], [5.366 H, 4 H]]]}
+water: {regions: [[[0, 0], [2 H, 0], [2 H, H], [0, H]]]}
+time: {end: 1 sqrt(H/g), every: 0.5 sqrt(H/g)}
+runs: [{name: dam, solver: sph, resolution: 12}]
+E2
+"$program" run dam.yaml --out out -q >log 2>&1 || fail "no run: $(cat log)"
+cat >strip.py <<'E2'
+import sys, h5py
+name, *drop = sys.argv[1:]
+with h5py.File("out/dam.h5") as a, h5py.File(name + ".h5", "w") as b:
+    for key in ("H", "g", "density", "spacing"): b.attrs[key] = a.attrs[key]
+    for key in ("walls", "VTKHDF"):
+        if key not in drop: a.copy(key, b)
+    for field in drop:
+        if field in b["VTKHDF/PointData"]: del b["VTKHDF/PointData"][field]
+E2
+cat >settings.yaml <<'E2'
+compare:
+  times: [0.5 sqrt(H/g), 1 sqrt(H/g)]
+  tolerances: [{measure: largest_distance, max: 1e-9}]
+E2
+try() { # name, what is left out: the particles of a run have equal areas, so their surface needs none
+  /usr/bin/python3 strip.py "$@" || fail "no $1"
+  "$program" compare out/dam.h5 "$1.h5" -s settings.yaml -o report >log 2>&1 || fail "$1: $(cat log)"
+  grep -q "the surface of $1 is found from its particles" log || fail "$1: not told: $(cat log)"
+  grep -q "2 of 2 checks passed" log || fail "$1: $(cat log)"
+  grep -q '"surface": "found from the particles"' report/report.json || fail "$1: not in report.json"
+}
+try bare pressure density mass volume velocity
+try no-walls walls pressure density mass volume velocity
+# with areas of their own the surface differs by what compression makes of it, a small part of a spacing
+sed -i 's/1e-9/0.002/' settings.yaml
+try areas pressure
+/usr/bin/python3 strip.py reference walls volume mass density
+"$program" compare reference.h5 out/dam.h5 -o report >log 2>&1 || fail "as the reference: $(cat log)"
+
+# particles that have escaped, or are nowhere, do not matter
+/usr/bin/python3 - <<'E2'
+import h5py
+with h5py.File("bare.h5", "a") as f:
+    p, n = f["VTKHDF/Points"], f["VTKHDF/NumberOfPoints"]
+    q = p[:]; q[-1] = [1e5, 0, 0]; q[-2] = [float("nan"), 0, 0]
+    p[:] = q
+E2
+sed -i 's/0.002/1/' settings.yaml
+"$program" compare out/dam.h5 bare.h5 -s settings.yaml -o report >log 2>&1 || fail "escaped particles: $(cat log)"
+# without walls anywhere nothing can be compared
+/usr/bin/python3 strip.py lone walls
+! "$program" compare lone.h5 reference.h5 -o report >log 2>&1 || fail "no walls anywhere"
+grep -q "neither lone.h5 nor any other file has /walls" log || fail "no walls anywhere: $(cat log)"
+exit $failed
