@@ -9,6 +9,7 @@
 #include "common/cloud/surface.h"
 #include "common/result/result.h"
 #include "common/tank/tank.h"
+#include "import/gap.h"
 #include "import/pieces.h"
 #include "import/reader.h"
 #include "import/rows.h"
@@ -24,7 +25,8 @@ struct work {
   struct geo_lines surface;
   struct cloud_surface *finder;
   struct tank tank;
-  double *volume; /* scratch, [volume_room] */
+  struct geo_lines walls; /* behind which the water goes on */
+  double *volume;         /* scratch, [volume_room] */
   size_t volume_room;
   struct import_summary *summary;
 };
@@ -127,8 +129,7 @@ static enum status take_particles(void *data, const struct import_rows *r) {
     const struct cloud cloud = {
         r->n,   r->column[IMPORT_x], r->column[IMPORT_y],
         volume, w->s->spacing,       w->s->scales->walls.pieces ? &w->tank : NULL};
-    enum status status =
-        cloud_surface_extract(w->finder, &cloud, &w->s->scales->walls, &w->surface);
+    enum status status = cloud_surface_extract(w->finder, &cloud, &w->walls, &w->surface);
     if (status != OK) return status_context(status, "%s: ", r->path);
     count(w, r->time, &w->summary->surfaces);
     TRY(result_surface(w->result, r->time, &w->surface));
@@ -226,6 +227,7 @@ static enum status prepare(struct work *w, struct result_about *about) {
   }
   about->probes = w->probes;
   about->gauges = w->gauges;
+  TRY(import_gap(&c->walls, s->particles.gap, &w->walls));
   if (c->walls.pieces) w->tank = tank_of(&c->walls, c->periodic);
   return OK;
 }
@@ -263,14 +265,15 @@ static enum status say_how(const struct import_sidecar *s, char **out) {
     fprintf(text,
             ", whose surface is F = 1/2 of their smoothed volume fraction at a spacing of %g m",
             s->spacing);
+  if (s->particles.gap > 0) fprintf(text, ", %g m from the walls", s->particles.gap);
   for (size_t i = 0; i < s->n_series; i++) {
     const char *const kinds[] = {"energies", "pressure", "water height", "volume"};
     say_files(text, kinds[s->series[i].kind], &s->series[i]);
   }
   fprintf(text, "; unit of length %g m", s->unit.length);
   if (!isnan(s->unit.time)) fprintf(text, ", of time %g s", s->unit.time);
-  fprintf(text, ", times moved by %g s, places by (%g, %g) m; source: %s", s->offset, -s->origin[0],
-          -s->origin[1], s->source);
+  fprintf(text, ", times moved by %g s, places by (%g, %g) m; source: %s", s->offset,
+          0 - s->origin[0], 0 - s->origin[1], s->source);
   if (fclose(text) == 0) return OK;
   return status_raise(ERR_MEMORY, "no memory to describe an import");
 }
@@ -321,6 +324,7 @@ done:
 static void release(struct work *w) {
   cloud_surface_destroy(w->finder);
   geo_lines_destroy(&w->surface);
+  geo_lines_destroy(&w->walls);
   free(w->probes);
   free(w->gauges);
   free(w->volume);

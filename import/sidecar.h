@@ -28,6 +28,7 @@ struct import_section { /* one of profiles, grid, particles, or a series */
   struct import_item *items;    /* [n_items], owned */
   char *column[IMPORT_N_ROLES]; /* owned; NULL: not asked for */
   char *time_after;             /* owned, or NULL */
+  double gap;                   /* between walls and where water ends, m */
   double is;                    /* of the column `only` */
   int along, up, water;         /* axes 0 to 2; 1: water is where the field is below */
   double level, slice;          /* of a grid; slice NAN: the middle; m */

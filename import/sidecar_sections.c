@@ -40,6 +40,10 @@ static const struct param columns_rows[] = {
 static const struct param only_rows[] = {
     REAL(struct import_section, is, QTY_NUMBER, 0, 0, "0",
          "value of the column `only` where a particle is water"),
+    REAL(
+        struct import_section, gap, QTY_LENGTH, 0, 1e6, "0",
+        "how far from the walls the program's water ends; beside them particles are half a spacing "
+        "more away"),
 };
 static const char *const axes[] = {"x", "y", "z", NULL};
 static const struct param grid_rows[] = {
