@@ -32,6 +32,12 @@ for name, outputs, n, gap in (("dualsphysics-50", 7, 5000, 0.015), ("dualsphysic
         assert s["closed"][a] == 0 and abs(p[0][0] - gap) < 1e-9, (name, k, p[0])  # from the left wall, less the gap
         ends = min(abs(p[-1][1] - gap), abs(p[-1][0] - (5.366 * 0.6 - gap)))
         assert ends < 1e-9, (name, k, p[-1])  # on the bed, or on the right wall
+s = h5py.File("interfoam-25.h5")["surface"]
+a, b = s["first_piece"][-2:].tolist(); f, p = s["first_point"][:].tolist(), s["points"][:]
+assert s["closed"][a:b].tolist() == [0, 0, 1]  # of the last surface: the main one, a blob on the wall, the cavity
+q = p[f[b - 1]:f[b]]
+area = sum(u[0] * v[1] - v[0] * u[1] for u, v in zip(q, list(q[1:]) + [q[0]])) / 2
+assert 0.05 < area < 0.0976, area  # m^2, counter-clockwise; most of its box of 0.326 m x 0.299 m
 E2
 fi
 exit $failed
