@@ -302,9 +302,9 @@ static enum status run_take(struct comparison *c, const struct result_file *file
   return OK;
 }
 
-enum status cmp_comparison_create(const struct case_file *settings, const struct result_file *ref,
-                                  size_t n, struct result_file *const *runs, bool anyway,
-                                  struct comparison **out) {
+enum status cmp_comparison_open(const struct case_file *settings, const struct result_file *ref,
+                                size_t n, struct result_file *const *runs, bool anyway,
+                                struct comparison **out) {
   enum status status = OK;
   struct comparison *c = calloc(1, sizeof *c);
   *out = NULL;
@@ -323,19 +323,35 @@ enum status cmp_comparison_create(const struct case_file *settings, const struct
   labels_make_unique(c);
   ATTEMPT(times_set(c));
   window_set(c);
-  ATTEMPT(cmp_surfaces_motion(c));
   c->ref.noise = c->ref.data.dx / 2;
-  budget_measure(c, &c->ref);
-  ATTEMPT(pairs_measure(c, &c->ref));
   for (size_t r = 0; r < n; r++) c->run[r].noise = c->run[r].data.dx / 2;
-  ATTEMPT(cmp_surfaces_measure(c));
-  for (size_t r = 0; r < n; r++) ATTEMPT(run_measure(c, &c->run[r]));
+  ATTEMPT(cmp_surfaces_choose(c));
 done:
   if (status != OK) {
     cmp_comparison_destroy(c);
     c = NULL;
   }
   *out = c;
+  return status;
+}
+
+static enum status measure(struct comparison *c) {
+  TRY(cmp_surfaces_motion(c));
+  budget_measure(c, &c->ref);
+  TRY(pairs_measure(c, &c->ref));
+  TRY(cmp_surfaces_measure(c));
+  for (size_t r = 0; r < c->n_runs; r++) TRY(run_measure(c, &c->run[r]));
+  return OK;
+}
+
+enum status cmp_comparison_create(const struct case_file *settings, const struct result_file *ref,
+                                  size_t n, struct result_file *const *runs, bool anyway,
+                                  struct comparison **out) {
+  TRY(cmp_comparison_open(settings, ref, n, runs, anyway, out));
+  const enum status status = measure(*out);
+  if (status == OK) return OK;
+  cmp_comparison_destroy(*out);
+  *out = NULL;
   return status;
 }
 

@@ -76,6 +76,10 @@ struct comparison {
 enum status cmp_comparison_create(const struct case_file *settings, const struct result_file *ref,
                                   size_t n, struct result_file *const *runs, bool anyway,
                                   struct comparison **out);
+/* The same without measuring anything: outputs are chosen, and can be drawn. */
+enum status cmp_comparison_open(const struct case_file *settings, const struct result_file *ref,
+                                size_t n, struct result_file *const *runs, bool anyway,
+                                struct comparison **out);
 void cmp_comparison_destroy(struct comparison *c);
 
 /* Whether any run has an output at the comparison time. */

@@ -1,21 +1,20 @@
 #include "compare/drawing.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <omp.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "common/base/progress.h"
+#include "compare/child.h"
 #include "compare/output.h"
 
-enum { MOST_WORKERS = 8, NOT_THERE = 127 }; /* gnuplots at a time; the exit code without one */
+enum { MOST_WORKERS = 8 }; /* gnuplots at a time */
 
 struct worker {
   pid_t pid; /* 0: idle; also its process group */
@@ -35,55 +34,15 @@ struct drawing {
 
 /* ---- one gnuplot ---- */
 
-/* In the child: nothing here but system calls. A parent that is killed takes gnuplot with it. */
-static void child_run(const char *dir, const char *script, const char *log, pid_t parent) {
-  setpgid(0, 0);
-  if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent) _exit(126);
-  int null = open("/dev/null", O_RDWR);
-  if (null < 0 || chdir(dir) != 0) _exit(126);
-  int complaints = open(log, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  if (complaints < 0) _exit(126);
-  dup2(null, STDIN_FILENO);
-  dup2(null, STDOUT_FILENO);
-  dup2(complaints, STDERR_FILENO);
-  execlp("gnuplot", "gnuplot", "-d", script, (char *)NULL);
-  _exit(NOT_THERE);
-}
-
 static enum status worker_start(struct drawing *d, struct worker *w, struct cmp_figure *fig) {
   char script[128], log[128];
   snprintf(script, sizeof script, "%s.gp", fig->name);
   snprintf(log, sizeof log, "%s.log", fig->name);
-  pid_t parent = getpid(), pid = fork();
-  CHECK(pid >= 0, ERR_IO, "cannot start gnuplot: %s", strerror(errno));
-  if (pid == 0) child_run(d->figures->temporary, script, log, parent);
-  setpgid(pid, pid); /* here too: whoever comes first */
+  pid_t pid;
+  TRY(cmp_child_start(d->figures->temporary, log, (const char *[]){"gnuplot", "-d", script, NULL},
+                      &pid));
   *w = (struct worker){pid, fig, progress_wall_clock() + d->limits.each};
   return OK;
-}
-
-static void worker_kill(struct worker *w) {
-  if (!w->pid) return;
-  kill(-w->pid, SIGKILL);
-  while (waitpid(w->pid, NULL, 0) < 0 && errno == EINTR) continue;
-  w->pid = 0;
-}
-
-/* gnuplot's first complaint about a figure. */
-static void complaint_read(const struct cmp_figures *f, const struct cmp_figure *fig, char *out,
-                           size_t room) {
-  char name[128], path[PATH_MAX], line[160];
-  snprintf(name, sizeof name, "%s.log", fig->name);
-  snprintf(out, room, "no reason given");
-  if (cmp_path_join(f->temporary, name, path) != OK) return;
-  FILE *log = fopen(path, "r");
-  while (log && fgets(line, sizeof line, log)) {
-    line[strcspn(line, "\r\n")] = 0;
-    if (strspn(line, " \t^") == strlen(line)) continue;
-    snprintf(out, room, "%s", line);
-    if (strstr(line, "line ")) break; /* the one that names the place */
-  }
-  if (log) fclose(log);
 }
 
 /* A full disk does not stop gnuplot: the end of what it wrote tells. */
@@ -113,11 +72,13 @@ static void outcome_note(struct drawing *d, struct cmp_figure *fig, int outcome)
   } else if (WIFSIGNALED(outcome)) {
     snprintf(fig->missing, sizeof fig->missing, "gnuplot was stopped (%s)",
              strsignal(WTERMSIG(outcome)));
-  } else if (WEXITSTATUS(outcome) == NOT_THERE) {
+  } else if (WEXITSTATUS(outcome) == CMP_CHILD_MISSING) {
     snprintf(fig->missing, sizeof fig->missing,
              "gnuplot is not installed (apt install gnuplot-nox)");
   } else {
-    complaint_read(d->figures, fig, why, sizeof why);
+    char log[128];
+    snprintf(log, sizeof log, "%s.log", fig->name);
+    cmp_child_complaint(d->figures->temporary, log, "line ", why, sizeof why); /* the place */
     snprintf(fig->missing, sizeof fig->missing, "gnuplot could not draw it: %s", why);
   }
   d->failed += *fig->missing != 0;
@@ -141,7 +102,7 @@ static bool worker_tend(struct drawing *d, struct worker *w) {
     d->used += seconds(&use.ru_utime) + seconds(&use.ru_stime);
     outcome_note(d, w->figure, outcome);
   } else if (progress_wall_clock() > w->deadline) {
-    worker_kill(w);
+    cmp_child_kill(&w->pid);
     snprintf(w->figure->missing, sizeof w->figure->missing,
              "gnuplot took longer than %g s and was stopped", d->limits.each);
     d->used += d->limits.each;
@@ -199,7 +160,7 @@ enum status cmp_figures_draw(struct cmp_figures *f, struct cmp_drawing_limits li
   const int processors = omp_get_num_procs();
   d.workers = (size_t)(processors < MOST_WORKERS ? processors : MOST_WORKERS);
   enum status status = figures_draw(&d);
-  for (size_t k = 0; k < d.workers; k++) worker_kill(&d.worker[k]);
+  for (size_t k = 0; k < d.workers; k++) cmp_child_kill(&d.worker[k].pid);
   if (status != OK) {
     for (size_t i = 0; i < f->n; i++)
       snprintf(f->figure[i].missing, sizeof f->figure[i].missing, "%.250s", status_message());

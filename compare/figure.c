@@ -100,6 +100,31 @@ enum status cmp_figures_open_file(const char *path, struct cmp_figures *f) {
   return temporary_make(f);
 }
 
+enum status cmp_figures_open_frames(const char *dir, double fine, struct cmp_figures *f) {
+  *f = (struct cmp_figures){.lock = -1, .frames = true, .fine = fine};
+  const int n = snprintf(f->dir, sizeof f->dir, "%s", dir);
+  CHECK(n > 0 && n < PATH_MAX, ERR_IO, "the path %.100s... is too long", dir);
+  return temporary_make(f);
+}
+
+static bool is_frame(const char *name) {
+  const char *format = format_of(name);
+  return format && !strcmp(format, "png") && !strstr(name, ".layer");
+}
+
+enum status cmp_figures_clear(struct cmp_figures *f) {
+  DIR *dir = opendir(f->temporary);
+  CHECK(dir, ERR_IO, "cannot read %s: %s", f->temporary, strerror(errno));
+  for (struct dirent *e; (e = readdir(dir));) {
+    char path[PATH_MAX];
+    if (!is_frame(e->d_name) && cmp_path_join(f->temporary, e->d_name, path) == OK)
+      unlink(path); /* fails for . and .. */
+  }
+  closedir(dir);
+  f->n = 0;
+  return OK;
+}
+
 void cmp_figures_close(struct cmp_figures *f) {
   for (size_t i = 0; i < f->n; i++)
     if (f->figure[i].script) fclose(f->figure[i].script);
@@ -147,6 +172,9 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
   struct cmp_figure *fig = &f->figure[f->n];
   *fig =
       (struct cmp_figure){.section = section, .raster = raster, .width = width, .height = height};
+  fig->fine = f->fine > 0 ? f->fine : raster ? 1.3 : 2; /* heavy ones stand in the page */
+  fig->layer = f->fine > 0 ? f->fine : 2;
+  if (f->frames) snprintf(fig->only, sizeof fig->only, "png");
   if (*f->target) snprintf(fig->only, sizeof fig->only, "%s", format_of(f->target));
   va_list args;
   const int used = snprintf(fig->name, sizeof fig->name, "%s", f->prefix);
@@ -165,25 +193,23 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
 }
 
 void cmp_figure_formats(struct cmp_figure *fig) {
-  const double fine = fig->raster ? 1.3 : 2; /* px a px of a screen: heavy ones stand in the page */
-  fprintf(
-      fig->script,
-      "do for [fmt in '%s'] {\n"
-      "if (fmt eq 'svg') { set terminal svg size %d,%d dynamic font 'sans-serif,14' "
-      "background '#ffffff' linewidth 1.3 }\n"
-      "if (fmt eq 'pdf') { set terminal pdfcairo size %.3fin,%.3fin font 'sans,10' "
-      "linewidth 1.3 background '#ffffff' }\n"
-      "if (fmt eq 'png') { set terminal pngcairo size %.0f,%.0f font 'sans,%.4g' linewidth %.4g "
-      "pointscale %.4g background '#ffffff' }\n"
-      "small = fmt eq 'svg' ? ',11' : fmt eq 'pdf' ? ',8' : ',%.4g'\n"
-      "set output '%s.'.fmt\n"
-      "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n"
-      "set border linewidth 0.7 linecolor '#444444'\n"
-      "set tics nomirror scale 0.6 textcolor '#222222'\n"
-      "set grid linetype 1 linecolor '#e4e4e4' linewidth 0.5\n",
-      *fig->only ? fig->only : "svg pdf png", fig->width, fig->height, fig->width / 100.0,
-      fig->height / 100.0, fine * fig->width, fine * fig->height, 10.5 * fine, 1.3 * fine, fine,
-      8.25 * fine, fig->name);
+  fprintf(fig->script,
+          "do for [fmt in '%s'] {\n"
+          "if (fmt eq 'svg') { set terminal svg size %d,%d dynamic font 'sans-serif,14' "
+          "background '#ffffff' linewidth 1.3 }\n"
+          "if (fmt eq 'pdf') { set terminal pdfcairo size %.3fin,%.3fin font 'sans,10' "
+          "linewidth 1.3 background '#ffffff' }\n"
+          "if (fmt eq 'png') { set terminal pngcairo size %.0f,%.0f font 'sans,%.4g' linewidth "
+          "%.4g pointscale %.4g background '#ffffff' }\n"
+          "small = fmt eq 'svg' ? ',11' : fmt eq 'pdf' ? ',8' : ',%.4g'\n"
+          "set output '%s.'.fmt\n"
+          "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n"
+          "set border linewidth 0.7 linecolor '#444444'\n"
+          "set tics nomirror scale 0.6 textcolor '#222222'\n"
+          "set grid linetype 1 linecolor '#e4e4e4' linewidth 0.5\n",
+          *fig->only ? fig->only : "svg pdf png", fig->width, fig->height, fig->width / 100.0,
+          fig->height / 100.0, fig->fine * fig->width, fig->fine * fig->height, 10.5 * fig->fine,
+          1.3 * fig->fine, fig->fine, 8.25 * fig->fine, fig->name);
 }
 
 enum status cmp_figure_end(struct cmp_figure *fig) {
@@ -256,6 +282,7 @@ static enum status list_publish(const struct cmp_figures *f) {
 }
 
 enum status cmp_figures_publish(struct cmp_figures *f) {
+  if (f->frames) return OK;
   if (*f->target) return target_publish(f);
   for (size_t i = 0; i < f->n; i++)
     if (*f->figure[i].missing) earlier_remove(f, &f->figure[i]);

@@ -15,6 +15,8 @@ struct cmp_figure {
   bool raster;       /* heavy: the report shows the PNG, not the SVG */
   int width, height; /* px of a screen */
   FILE *script;      /* open between begin and end */
+  double fine;       /* px of the PNG for each of a screen */
+  double layer;      /* the same of pictures that stand in it */
   char only[4];      /* the one format that is drawn; "": all */
   char missing[256]; /* why it is not drawn; "" when it is */
 };
@@ -23,6 +25,8 @@ struct cmp_figures {
   char dir[PATH_MAX], temporary[PATH_MAX];
   char target[PATH_MAX]; /* the one file that is wanted; "": all, in `dir` */
   char prefix[48];       /* of the names of figures from now on */
+  bool frames;           /* PNG alone, which stay where they are drawn */
+  double fine;           /* px of a PNG for each of a screen; 0: as is usual */
   int lock;              /* on `temporary`, held while it is in use; -1: none */
   size_t n, room;
   struct cmp_figure *figure;
@@ -32,6 +36,10 @@ struct cmp_figures {
 enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f);
 /* For one figure, which becomes the file `path`: .svg, .pdf or .png. ERR_USAGE when it is none. */
 enum status cmp_figures_open_file(const char *path, struct cmp_figures *f);
+/* For frames of a film: PNG that are left in the temporary folder, in `dir`. */
+enum status cmp_figures_open_frames(const char *dir, double fine, struct cmp_figures *f);
+/* Forgets the figures and removes all files but the frames. */
+enum status cmp_figures_clear(struct cmp_figures *f);
 /* Puts what there is into `dir`; of a figure that is missing, its script and data. */
 enum status cmp_figures_publish(struct cmp_figures *f);
 void cmp_figures_close(struct cmp_figures *f); /* removes what is temporary */

@@ -11,19 +11,54 @@
 #include "compare/profiles.h"
 #include "compare/text.h"
 
+/* ---- colours ---- */
+
 /* The top of the colours, common to all runs: the (lower) median of theirs, so that a run full of
  * noise does not take the contrast from the others. */
-static double colour_top(const struct comparison *c, const struct cmp_cloud *cloud) {
-  double *top = malloc((c->n_runs + 1) * sizeof *top), median = 0;
-  size_t n = 0;
-  for (size_t r = 0; top && r < c->n_runs; r++)
-    if (cloud[r].n) top[n++] = cloud[r].top;
-  if (n) {
-    qsort(top, n, sizeof *top, array_ascending);
-    median = top[(n - 1) / 2];
+static double median_top(size_t n, const struct cmp_cloud *cloud) {
+  double *top = malloc((n + 1) * sizeof *top), median = 0;
+  size_t found = 0;
+  for (size_t r = 0; top && r < n; r++)
+    if (cloud[r].n) top[found++] = cloud[r].top;
+  if (found) {
+    qsort(top, found, sizeof *top, array_ascending);
+    median = top[(found - 1) / 2];
   }
   free(top);
-  return fmax(0.2, ceil(median * 5 - 1e-9) / 5);
+  return median;
+}
+
+static double fifths(double top) {
+  return fmax(0.2, ceil(top * 5 - 1e-9) / 5);
+}
+
+enum status cmp_shades_choose(const struct comparison *c, size_t n, const size_t *time,
+                              struct cmp_shades *s, bool *any) {
+  struct cmp_cloud *cloud;
+  double top = 0, off = 0;
+  *any = false;
+  TRY(array_create(&cloud, n, "colours"));
+  for (size_t r = 0; r < c->n_runs; r++) {
+    const enum status status = cmp_clouds_look(c, r, s->field, n, time, cloud);
+    if (status != OK) {
+      free(cloud);
+      return status;
+    }
+    for (size_t k = 0; k < n; k++) {
+      if (!cloud[k].n) continue;
+      *any = true;
+      top = fmax(top, cloud[k].top);
+      off = fmax(off, fmax(fabs(cloud[k].low - 1), fabs(cloud[k].top - 1)));
+    }
+  }
+  free(cloud);
+  s->low = 0;
+  s->high = fifths(top);
+  if (s->field != CMP_FIELD_density) return OK;
+  off = fmax(0.002, ceil(off * 500 - 1e-9) / 500);
+  s->low = 1 - off;
+  s->high = 1 + off;
+  return OK;
 }
 
 /* ---- overlays ---- */
@@ -32,14 +67,15 @@ static double colour_top(const struct comparison *c, const struct cmp_cloud *clo
  * then share: as vectors twenty thousand discs a panel would make files of a hundred megabytes. */
 static void layers_draw(const struct cmp_figure *fig, const struct cmp_layout *l,
                         const struct geo_box *view, const struct comparison *c,
-                        const struct cmp_cloud *cloud, double top) {
-  int w = (int)lround(2 * l->width), h = (int)lround(2 * l->height);
+                        const struct cmp_cloud *cloud, const struct cmp_shades *shades) {
+  int w = (int)lround(fig->layer * l->width), h = (int)lround(fig->layer * l->height);
   fprintf(fig->script,
-          "%sset cbrange [0:%g]\nset style fill solid 1 noborder\n"
+          "%sset cbrange [%g:%g]\nset style fill solid 1 noborder\n"
           "set terminal pngcairo transparent size %d,%d\nset margins 0,0,0,0\n"
           "unset border\nunset tics\nunset colorbox\nunset key\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n",
-          cmp_panes_palette, top, w, h, view->min[0], view->max[0], view->min[1], view->max[1]);
+          cmp_panes_palette, shades->low, shades->high, w, h, view->min[0], view->max[0],
+          view->min[1], view->max[1]);
   for (size_t r = 0; r < c->n_runs; r++) {
     char table[192];
     if (!cloud[r].n) continue;
@@ -51,10 +87,16 @@ static void layers_draw(const struct cmp_figure *fig, const struct cmp_layout *l
 }
 
 static void panel_title(const struct comparison *c, const struct cmp_run *run, size_t time,
-                        char *title, size_t room) {
+                        const struct cmp_shades *shades, char *title, size_t room) {
   const struct cmp_at *at = &run->at[time];
   const char *label = run->data.label, *ref = c->ref.data.label;
   char when[96] = "";
+  if (shades->film && at->output != SIZE_MAX) {
+    const bool under = !shades->alone && at->ref_output != SIZE_MAX;
+    snprintf(title, room, "%.60s%s%.60s, t* = %.2f", label, under ? " under " : "",
+             under ? ref : "", at->t);
+    return;
+  }
   if (at->output == SIZE_MAX) {
     snprintf(title, room, "%.60s: no output at this time", label);
     return;
@@ -74,14 +116,14 @@ static void panel_title(const struct comparison *c, const struct cmp_run *run, s
 
 static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
                        const struct cmp_layout *l, const struct geo_box *view,
-                       const struct cmp_cloud *cloud, bool particles, size_t time, size_t k,
-                       size_t r) {
+                       const struct cmp_cloud *cloud, const struct cmp_shades *shades,
+                       bool particles, size_t time, size_t k, size_t r) {
   const struct cmp_run *run = &c->run[r];
   const struct cmp_at *at = &run->at[time];
   FILE *s = fig->script;
   cmp_pane_place(fig, l, k);
   char title[256];
-  panel_title(c, run, time, title, sizeof title);
+  panel_title(c, run, time, shades, title, sizeof title);
   cmp_pane_title(fig, title);
   cmp_pane_axes(fig, l, k, cmp_runs_picked(c, CMP_PANELS));
   if (k == 0 && particles)
@@ -95,11 +137,13 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
             ", \\\n  '%s.layer%zu.png' binary filetype=png origin=(%.8g,%.8g) dx=%.8g dy=%.8g with "
             "rgbalpha notitle",
             fig->name, r, view->min[0], view->min[1],
-            (view->max[0] - view->min[0]) / round(2 * l->width),
-            (view->max[1] - view->min[1]) / round(2 * l->height));
+            (view->max[0] - view->min[0]) / round(fig->layer * l->width),
+            (view->max[1] - view->min[1]) / round(fig->layer * l->height));
   cmp_panes_plot(fig, c->n_runs + 1, "linewidth 1.6 linecolor '#666666'");
-  cmp_panes_plot(fig, r, "linewidth 0.8 linecolor '#d55e00'");
-  if (at->ref_output != SIZE_MAX) {
+  cmp_panes_plot(fig, r,
+                 shades->alone ? "linewidth 1 linecolor '#000000'"
+                               : "linewidth 0.8 linecolor '#d55e00'");
+  if (at->ref_output != SIZE_MAX && !shades->alone) {
     cmp_panes_plot(fig, c->n_runs, "linewidth 2.6 linecolor '#ffffff'");
     cmp_panes_plot(fig, c->n_runs, "linewidth 1.2 linecolor '#000000'");
   }
@@ -111,14 +155,8 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
   fputc('\n', s);
 }
 
-struct overlay { /* at one comparison time */
-  size_t figure; /* index of; SIZE_MAX: none */
-  struct geo_box view;
-  struct cmp_layout layout;
-};
-
 static enum status overlay_begin(const struct comparison *c, struct cmp_figures *f, size_t time,
-                                 struct overlay *o) {
+                                 struct cmp_overlay *o) {
   struct cmp_figure *fig;
   o->figure = SIZE_MAX;
   if (!cmp_comparison_has_output(c, time)) return OK;
@@ -178,31 +216,38 @@ static void overlay_caption(const struct comparison *c, size_t time, bool partic
   cmp_picked_say(c, CMP_PANELS, "have no panel", fig->caption + used, sizeof fig->caption - used);
 }
 
-static enum status overlay_draw(const struct comparison *c, struct cmp_figures *f, size_t time,
-                                const struct overlay *o, const struct cmp_cloud *cloud) {
+enum status cmp_overlay_draw(const struct comparison *c, struct cmp_figures *f, size_t time,
+                             const struct cmp_overlay *o, const struct cmp_shades *shades,
+                             const struct cmp_cloud *cloud) {
   struct cmp_figure *fig = &f->figure[o->figure];
   const struct geo_box *view = &o->view;
-  double top = colour_top(c, cloud);
-  bool particles = any_particles(c, cloud);
+  const bool particles = any_particles(c, cloud);
   overlay_caption(c, time, particles, &o->layout, fig);
-  layers_draw(fig, &o->layout, view, c, cloud, top);
+  layers_draw(fig, &o->layout, view, c, cloud, shades);
   cmp_figure_formats(fig);
   fprintf(fig->script,
-          "%sset cbrange [0:%g]\nset cbtics %g\nset cblabel 'p / (ρ g H)'\n"
+          "%sset cbrange [%g:%g]\nset cbtics %g\nset cblabel '%s'\n"
           "unset key\nunset grid\nset tics front\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset ytics 0.5\nset multiplot\n",
-          cmp_panes_palette, top, top / 4, view->min[0], view->max[0], view->min[1], view->max[1]);
+          cmp_panes_palette, shades->low, shades->high, (shades->high - shades->low) / 4,
+          cmp_fields[shades->field].label, view->min[0], view->max[0], view->min[1], view->max[1]);
   for (size_t r = 0, k = 0; r < c->n_runs; r++)
     if (cmp_run_is_picked(c, r, CMP_PANELS))
-      panel_draw(c, fig, &o->layout, view, &cloud[r], particles, time, k++, r);
+      panel_draw(c, fig, &o->layout, view, &cloud[r], shades, particles, time, k++, r);
   fputs("unset multiplot\n", fig->script);
   return cmp_figure_end(fig);
+}
+
+static enum status overlay_draw(const struct comparison *c, struct cmp_figures *f, size_t time,
+                                const struct cmp_overlay *o, const struct cmp_cloud *cloud) {
+  const struct cmp_shades shades = {.high = fifths(median_top(c->n_runs, cloud))};
+  return cmp_overlay_draw(c, f, time, o, &shades, cloud);
 }
 
 /* Run by run, for each file is read once, and one run's particles at a time are in memory. `cloud`
  * [n_times][n_runs]. */
 static enum status clouds_take(const struct comparison *c, struct cmp_figures *f,
-                               const struct overlay *o, struct cmp_cloud *cloud) {
+                               const struct cmp_overlay *o, struct cmp_cloud *cloud) {
   enum status status = OK;
   size_t *figure = calloc(c->n_times + 1, sizeof *figure);
   struct cmp_cloud *own = calloc(c->n_times + 1, sizeof *own);
@@ -210,7 +255,7 @@ static enum status clouds_take(const struct comparison *c, struct cmp_figures *f
   for (size_t k = 0; status == OK && k < c->n_times; k++) figure[k] = o[k].figure;
   for (size_t r = 0; r < c->n_runs && status == OK; r++) {
     if (!cmp_run_is_picked(c, r, CMP_PANELS)) continue;
-    status = cmp_clouds_write(c, r, f, figure, own);
+    status = cmp_clouds_write(c, r, CMP_FIELD_pressure, f, figure, own);
     for (size_t k = 0; k < c->n_times; k++) cloud[k * c->n_runs + r] = own[k];
   }
   free(figure);
@@ -320,7 +365,7 @@ static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, s
 
 enum status cmp_overlays_write(const struct comparison *c, struct cmp_figures *f) {
   enum status status = OK;
-  struct overlay *o = calloc(c->n_times + 1, sizeof *o);
+  struct cmp_overlay *o = calloc(c->n_times + 1, sizeof *o);
   struct cmp_cloud *cloud = calloc(c->n_times * c->n_runs + 1, sizeof *cloud);
   if (!o || !cloud) {
     status = status_raise(ERR_MEMORY, "no memory for the pictures");

@@ -110,16 +110,24 @@ static void at_choose(const struct comparison *c, const struct cmp_run *run, dou
                                         b->label, at->t, b->t[b->n - 1]));
   else
     at->ref_t = b->t[at->ref_output];
+  if (at->ref_output != SIZE_MAX) unavailable(at, cmp_unknown("not computed"));
+}
+
+enum status cmp_surfaces_choose(struct comparison *c) {
+  for (size_t r = 0; r < c->n_runs; r++) {
+    struct cmp_run *run = &c->run[r];
+    TRY(array_create(&run->at, c->n_times, "comparison times"));
+    for (size_t k = 0; k < c->n_times; k++) at_choose(c, run, c->times[k], &run->at[k]);
+  }
+  return OK;
 }
 
 static enum status run_tasks(const struct comparison *c, struct cmp_run *run, struct tasks *tasks) {
   struct cmp_evolution *e = &run->evolution;
   size_t n = run->data.n;
   struct task task = {.run = run, .step = fmax(run->data.dx / 2, 1e-3)};
-  run->at = calloc(c->n_times + 1, sizeof *run->at);
   e->t = calloc(n + 1, sizeof *e->t);
-  CHECK(run->at && e->t, ERR_MEMORY, "no memory for %zu outputs at %zu comparison times", n,
-        c->n_times);
+  CHECK(e->t, ERR_MEMORY, "no memory for %zu outputs", n);
   for (size_t m = 0; m < CMP_N_MEASURES; m++) {
     if (!cmp_measure_always(m)) continue;
     e->value[m] = calloc(n + 1, sizeof *e->value[m]);
@@ -127,7 +135,6 @@ static enum status run_tasks(const struct comparison *c, struct cmp_run *run, st
   }
   for (size_t k = 0; k < c->n_times; k++) {
     task.at = &run->at[k];
-    at_choose(c, run, c->times[k], task.at);
     task.output = task.at->output;
     task.ref_output = task.at->ref_output;
     if (task.ref_output != SIZE_MAX) TRY(task_add(tasks, &task));

@@ -35,8 +35,12 @@ static void quoted(FILE *out, const char *text, char quote) {
   free(copy);
 }
 
+/* gnuplot takes two quotes that begin a string for an empty one: leading ones are another string.
+ */
 void cmp_gnuplot_string(FILE *script, const char *text) {
-  quoted(script, text, '\'');
+  const size_t n = strspn(text, "'");
+  if (n) fprintf(script, "\"%.*s\".", (int)n, text);
+  quoted(script, text + n, '\'');
 }
 
 void cmp_csv_string(FILE *data, const char *text) {

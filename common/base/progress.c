@@ -171,15 +171,34 @@ static void note_publish(struct progress *p, const struct progress_note *note) {
     return; /* the reader has more than enough */
 }
 
-void progress_step(struct progress *p, size_t step, double time, double dt, double units_of_work,
-                   const char *unit, double energy_drift) {
-  if (p->mode == PROGRESS_QUIET) return;
-  double now = progress_wall_clock();
-  if (now - p->last_shown < (p->terminal ? 0.2 : 10)) return;
+/* Whether it is time for a line: a few a second on a terminal, else one every 10 s. */
+static bool is_due(struct progress *p, double now) {
+  if (p->mode == PROGRESS_QUIET || now - p->last_shown < (p->terminal ? 0.2 : 10)) return false;
   if (!p->terminal && p->last_shown == -INFINITY) { /* the first plain line comes after 10 s */
     p->last_shown = p->began;
-    if (now - p->began < 10) return;
+    if (now - p->began < 10) return false;
   }
+  return true;
+}
+
+void progress_count(struct progress *p, size_t done, size_t n, const char *unit) {
+  const double now = progress_wall_clock(), part = n ? (double)done / (double)n : 1;
+  if (!is_due(p, now)) return;
+  p->last_shown = now;
+  struct progress_note note = {.percent = 100 * part,
+                               .left = done ? (now - p->began) * (1 / part - 1) : NAN};
+  char left[32];
+  progress_format_time(left, sizeof left, note.left);
+  memcpy(note.name, p->name, sizeof note.name);
+  snprintf(note.line, sizeof note.line, "%-10s %3.0f%%  %zu of %zu %s  %s left", p->name,
+           note.percent, done, n, unit, left);
+  note_publish(p, &note);
+}
+
+void progress_step(struct progress *p, size_t step, double time, double dt, double units_of_work,
+                   const char *unit, double energy_drift) {
+  double now = progress_wall_clock();
+  if (!is_due(p, now)) return;
   double pace = (now - p->pace_clock) / (time - p->pace_time);
   if (isfinite(pace) && time > p->pace_time) {
     p->pace = isnan(p->pace) ? pace : 0.8 * p->pace + 0.2 * pace;

@@ -19,6 +19,8 @@ void progress_begin(struct progress *p, const char *name, double end, double tim
  * NaN if unknown. */
 void progress_step(struct progress *p, size_t step, double time, double dt, double units_of_work,
                    const char *unit, double energy_drift);
+/* The same of work that is counted: `done` of n, the name of which is `unit`. */
+void progress_count(struct progress *p, size_t done, size_t n, const char *unit);
 void progress_end(struct progress *p, const char *outcome);
 
 /* What a live line is made of. */
