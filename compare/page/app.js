@@ -166,7 +166,7 @@ function listenControls() {
   on('nearer', 'click', () => zoom(1.25));
   on('farther', 'click', () => zoom(0.8));
   on('whole', 'click', whole);
-  on('jet-view', 'click', () => { setJet(!shown.jet); return shown.jet ? redraw() : whole(); });
+  on('jet-view', 'click', () => { setJet(!shown.jet); return shown.jet ? setTime(jetTime(state.t)) : whole(); });
   on('of', 'change', e => { shown.of = Number(e.target.value); redraw(); });
   on('colour', 'change', e => { shown.colour = e.target.value; redraw(); });
   for (const what of ['points', 'surfaces', 'velocity']) on(`show-${what}`, 'change', e => { shown[what] = e.target.checked; redraw(); });
@@ -215,16 +215,27 @@ async function start() {
   listenKeys();
   await makeCharts();
   makeChips();
-  fit(report.about.method.window_is_whole ? wholeBox() : report.window);
+  const seen = report.about.method.window_is_whole ? wholeBox() : report.window;
+  const aspect = (seen[1][1] - seen[0][1]) / (seen[1][0] - seen[0][0]);
+  picture.style.setProperty('--aspect', Math.max(0.25, Math.min(0.5, 1.1 * aspect)));
+  fit(seen);
   await setTime(report.times[report.times.length - 1] ?? times[times.length - 1]);
-  new ResizeObserver(() => redraw()).observe(picture);
+  let last = size();
+  new ResizeObserver(() => { // what is seen stays, as large as there is room
+    view.scale *= size().width / last.width;
+    last = size();
+    redraw();
+  }).observe(picture);
   let width = window.innerWidth;
   window.addEventListener('resize', () => {
     if (window.innerWidth === width) return;
     width = window.innerWidth;
     charts.forEach(c => c.draw());
   });
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', redraw);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+    byId('theme').setAttribute('aria-pressed', darkNow());
+    redraw();
+  });
 }
 
 start().then(() => { document.documentElement.dataset.ready = 'yes'; });

@@ -5,12 +5,14 @@ const HEIGHT = 220, MARGIN = {top: 10, right: 14, bottom: 34, left: 58};
 /* The last time that anything is at. */
 const lastTime = () => Math.max(...pack.runs.flatMap(r => r.surfaces.slice(-1).map(s => s.t)), 1e-9);
 
-/* Curves whose values lie more than eight times beyond those of the others leave the frame. */
-function frameOf(curves) {
+/* Curves whose values lie more than eight times beyond those of the others leave the frame; of pressures, which are
+ * noise there, two and a half times. */
+function frameOf(curves, section) {
+  const most = section === 'pressure' ? 2.5 : 8;
   const spans = curves.filter(c => !c.raw).map(c => [quantile(c.values, 0), quantile(c.values, 1)]).filter(s => Number.isFinite(s[0]));
   if (!spans.length) return [0, 1];
   const sizes = spans.map(s => Math.max(Math.abs(s[0]), Math.abs(s[1]))).sort((a, b) => a - b), usual = sizes[Math.floor((sizes.length - 1) / 2)];
-  const within = spans.filter((_, k) => Math.max(Math.abs(spans[k][0]), Math.abs(spans[k][1])) <= 8 * usual || !usual);
+  const within = spans.filter((_, k) => Math.max(Math.abs(spans[k][0]), Math.abs(spans[k][1])) <= most * usual || !usual);
   const low = Math.min(...within.map(s => s[0])), high = Math.max(...within.map(s => s[1])), room = 0.05 * (high - low || Math.abs(high) || 1);
   return [low >= 0 && low < 0.4 * high ? 0 : low - room, high + room];
 }
@@ -23,7 +25,7 @@ class Chart {
     this.legend = make('div', {class: 'legend'});
     this.drawing = make('div', {class: 'drawing'});
     this.element = make('figure', {class: 'chart'}, make('figcaption', {}, this.title), this.drawing, this.legend);
-    this.frame = frameOf(this.curves);
+    this.frame = frameOf(this.curves, section);
     charts.push(this);
   }
 
@@ -37,14 +39,15 @@ class Chart {
     const svg = d3.select(this.drawing).append('svg').attr('viewBox', `0 0 ${width} ${HEIGHT}`).attr('width', width).attr('height', HEIGHT)
       .attr('role', 'img').attr('aria-label', `${this.title}, ${this.unit}, against time`);
     const id = `clip-${charts.indexOf(this)}`;
-    svg.append('clipPath').attr('id', id).append('rect').attr('x', MARGIN.left).attr('y', 0).attr('width', right - MARGIN.left).attr('height', bottom);
+    svg.append('clipPath').attr('id', id).append('rect').attr('x', MARGIN.left).attr('y', MARGIN.top - 1).attr('width', right - MARGIN.left).attr('height', bottom - MARGIN.top + 2);
     svg.append('g').attr('class', 'axis').attr('transform', `translate(0,${bottom})`).call(d3.axisBottom(this.x).ticks(width / 90));
     svg.append('g').attr('class', 'axis grid').attr('transform', `translate(${MARGIN.left},0)`)
       .call(d3.axisLeft(this.y).ticks(5, Math.max(...this.frame.map(Math.abs)) < 0.01 ? '.0e' : undefined).tickSize(-(right - MARGIN.left)));
     svg.append('text').attr('class', 'label').attr('x', right).attr('y', HEIGHT - 4).attr('text-anchor', 'end').text('t* in √(H/g)');
     svg.append('text').attr('class', 'label').attr('x', -MARGIN.top).attr('y', 12).attr('transform', 'rotate(-90)').attr('text-anchor', 'end').text(this.unit);
     const lines = svg.append('g').attr('clip-path', `url(#${id})`);
-    for (const curve of this.curves) if (this.visible(curve)) this.drawCurve(lines, curve);
+    const far = c => inFrame(c, this.frame) ? 1 : 0; // those that leave the frame lie below the others
+    [...this.curves].sort((a, b) => far(a) - far(b)).filter(c => this.visible(c)).forEach(c => this.drawCurve(lines, c));
     this.levels.forEach(level => lines.append('line').attr('class', 'level').attr('x1', MARGIN.left).attr('x2', right).attr('y1', this.y(level)).attr('y2', this.y(level)));
     this.hoverLine = svg.append('line').attr('class', 'hover').attr('y1', MARGIN.top).attr('y2', bottom).attr('visibility', 'hidden');
     this.timeLine = svg.append('line').attr('class', 'time').attr('y1', MARGIN.top).attr('y2', bottom);
@@ -56,13 +59,14 @@ class Chart {
   drawCurve(lines, curve) {
     const rows = d3.range(curve.ts.length), x = k => this.x(curve.ts[k]), y = k => this.y(curve.values[k]);
     if (curve.run === null && !curve.raw) {
-      lines.append('path').attr('class', 'measured').attr('d', rows.filter(k => Number.isFinite(curve.values[k]))
-        .map(k => `M${x(k) - 2.5},${y(k)}a2.5,2.5 0 1,0 5,0a2.5,2.5 0 1,0 -5,0`).join(''));
+      let last = -Infinity; // circles that would lie on one another are left out
+      const apart = rows.filter(k => Number.isFinite(curve.values[k]) && x(k) - last > 7 && ((last = x(k)), true));
+      lines.append('path').attr('class', 'measured').attr('d', apart.map(k => `M${x(k) - 2},${y(k)}a2,2 0 1,0 4,0a2,2 0 1,0 -4,0`).join(''));
       return;
     }
     if (curve.errors) lines.append('path').attr('fill', colourOf(curve.run)).attr('fill-opacity', 0.2)
       .attr('d', d3.area().defined(k => Number.isFinite(curve.errors[k])).x(x).y0(k => this.y(curve.values[k] - curve.errors[k])).y1(k => this.y(curve.values[k] + curve.errors[k]))(rows));
-    lines.append('path').attr('fill', 'none').style('stroke', curve.run === null ? 'var(--soft)' : colourOf(curve.run)).attr('stroke-width', curve.raw ? 0.6 : curve.run ? 1.4 : 2)
+    lines.append('path').attr('fill', 'none').style('stroke', curve.run === null ? 'var(--soft)' : colourOf(curve.run)).attr('stroke-width', curve.raw || !inFrame(curve, this.frame) ? 0.5 : curve.run ? 1.4 : 2)
       .attr('stroke-dasharray', curve.run ? DASHES[styleOf(curve.run).dashes] : null)
       .attr('d', d3.line().defined(k => Number.isFinite(curve.values[k])).x(x).y(y)(rows));
   }
@@ -96,7 +100,7 @@ class Chart {
 /* The distances of report.json as curves. */
 function distanceCharts() {
   return report.about.measures.filter(m => report.runs.some(r => r.against_time[m.name])).map(m => ({
-    section: live(m.section) ? m.section : 'distance', title: readable(m.name), unit: m.units,
+    section: live(m.section) ? m.section : 'distance', title: readable(m.name), unit: pretty(m.units),
     levels: m.name === 'mean_distance' ? [Math.min(...report.runs.map(r => r.noise_floor))] : [],
     curves: report.runs.map((r, k) => ({run: k + 1, ts: r.against_time.t_star, values: (r.against_time[m.name] || []).map(v => v ?? NaN)}))
       .filter(c => styleOf(c.run).named && c.ts.length)
@@ -105,7 +109,7 @@ function distanceCharts() {
 
 async function packedCharts() {
   return Promise.all(pack.charts.map(async chart => ({
-    section: chart.section, title: readable(chart.title), unit: chart.unit, levels: [], sensor: chart,
+    section: chart.section, title: readable(chart.title), unit: pretty(chart.unit), levels: [], sensor: chart,
     end: chart.section === 'front' && report.reference.wall_impact.t_star ? 1.1 * report.reference.wall_impact.t_star : 0,
     curves: (await Promise.all(chart.curves.filter(c => c.run === null || styleOf(c.run).named).map(async c => {
       const [ts, values, errors] = await columnsOf(c.planes);

@@ -60,7 +60,7 @@ function jumpTo(row) {
   if (pack.runs[i].points.length) byId('of').value = shown.of = i;
   if (at) {
     [view.x, view.y] = at;
-    view.scale = size().width / 1.5;
+    view.scale = size().width / 2.5;
   } else fit(wholeBox());
   state.note = `${readable(row.measure)} of ${row.run}: ${Number.isFinite(row.value) ? g(row.value) : 'n/a'} ${row.units}, limit ${g(row.limit)}${row.detail ? `, ${row.detail}` : ''}.` +
     (at ? '' : ' It is of the whole water.');

@@ -220,7 +220,7 @@ static void links(FILE *out, const struct cmp_figure *fig) {
       {"svg", "SVG"}, {"pdf", "PDF"}, {"png", "PNG"}, {"gp", "script"}};
   fputs("<span class=\"links\">", out);
   for (size_t k = *fig->missing ? 3 : 0; k < sizeof link / sizeof *link; k++)
-    fprintf(out, "%s<a href=\"figures/%s.%s\">%s</a>", k % 3 ? " · " : "", fig->name, link[k][0],
+    fprintf(out, "%s<a href=\"figures/%s.%s\">%s</a>", k && !*fig->missing ? " · " : "", fig->name, link[k][0],
             link[k][1]);
   fputs("</span>", out);
 }

@@ -73,7 +73,7 @@ function drawPoints(c, made) {
       if (side < 6) c.fillRect(list[k] - side / 2, list[k + 1] - side / 2, side, side);
       else {
         c.beginPath();
-        c.arc(list[k], list[k + 1], side / 2, 0, 7);
+        c.arc(list[k], list[k + 1], 0.65 * side, 0, 7); // no gaps between them
         c.fill();
       }
   });
@@ -140,17 +140,19 @@ function drawSurfaces(c, made, ink) {
   });
 }
 
-function drawMark(c, [x, y], ink) {
+function drawMark(c, [x, y], ink, ground) {
   const [px, py] = toScreen(x, y);
-  c.strokeStyle = ink;
-  c.lineWidth = 2;
   c.beginPath();
-  c.arc(px, py, 14, 0, 7);
-  c.moveTo(px - 22, py);
-  c.lineTo(px - 14, py);
-  c.moveTo(px + 14, py);
-  c.lineTo(px + 22, py);
-  c.stroke();
+  c.arc(px, py, 16, 0, 7);
+  for (const way of [-1, 1]) {
+    c.moveTo(px + 26 * way, py);
+    c.lineTo(px + 16 * way, py);
+  }
+  for (const [style, width] of [[ground, 6], [ink, 2.5]]) {
+    c.strokeStyle = style;
+    c.lineWidth = width;
+    c.stroke();
+  }
 }
 
 async function draw(t) {
@@ -173,10 +175,16 @@ async function draw(t) {
     c.stroke();
   }
   if (shown.surfaces) drawSurfaces(c, made, ink);
-  if (shown.mark) drawMark(c, shown.mark, style.getPropertyValue('--accent').trim());
+  if (shown.mark) drawMark(c, shown.mark, ink, style.getPropertyValue('--card').trim());
   byId('scale').hidden = !made.range || !(shown.points || made.distances);
   if (made.range) drawScale(byId('scale'), made.quantity, made.range, ink);
   scene = made;
+}
+
+/* The time nearest to t at which any run has a jet. */
+function jetTime(t) {
+  const having = pack.runs.flatMap(r => r.surfaces.filter(s => s.tip).map(s => s.t));
+  return having.reduce((best, s) => Math.abs(s - t) < Math.abs(best - t) ? s : best, Infinity);
 }
 
 /* The tip of the jet of the run whose particles are shown, or else of any. */

@@ -31,7 +31,7 @@ function table(headings, rows, reasons) {
   const body = rows.map(cells => make('tr', {}, cells));
   const whole = make('table', {}, make('thead', {}, head), make('tbody', {}, body));
   sortable(whole);
-  return [make('div', {class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Table'}, whole), reasons && reasons.say()];
+  return [make('div', {class: 'scroll', tabindex: 0}, whole), reasons && reasons.say()];
 }
 
 function keyOf(row, column) {

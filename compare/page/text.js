@@ -20,6 +20,8 @@ function g(value, digits = 4) {
   return strip(value.toFixed(digits - 1 - e));
 }
 
+/* Units of report.json as people write them. */
+const pretty = unit => unit.replace('rho g H', 'ρgH').replace(/\^2/g, '²').replace(/\^3/g, '³').replace(/sqrt\(([^)]*)\)/g, '√($1)');
 const readable = name => name.replace(/_/g, ' ');
 const styleOf = i => pack.runs[i] || {colour: '#c4c4c4', dashes: 0};
 const colourOf = i => i === 0 ? 'var(--fg)' : styleOf(i).colour;

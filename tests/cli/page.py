@@ -1,0 +1,192 @@
+"""What a browser makes of a report: python3 page.py REPORT.html [AXE.js]. Drives headless Chromium through chromedriver
+(WebDriver, and the DevTools protocol through it); exits 1 with a line for each claim that does not hold."""
+import base64, json, pathlib, re, subprocess, sys, time, urllib.request
+
+report = json.loads((pathlib.Path(sys.argv[1]).parent / "report.json").read_text())
+failed = []
+
+
+def claim(holds, what):
+    if not holds:
+        failed.append(what)
+        print("FAIL", what)
+
+
+class Browser:
+    def __init__(self):
+        self.driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, text=True)
+        for line in self.driver.stdout:
+            found = re.search(r"started successfully on port (\d+)", line)
+            if found:
+                break
+        self.at = f"http://127.0.0.1:{found[1]}"
+        flags = ["--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1400,1000", "--hide-scrollbars"]
+        made = self.ask("POST", "/session", {"capabilities": {"alwaysMatch": {
+            "browserName": "chrome", "goog:chromeOptions": {"args": flags}, "goog:loggingPrefs": {"browser": "ALL"}}}})
+        self.at += f"/session/{made['sessionId']}"
+
+    def ask(self, how, path, body=None):
+        request = urllib.request.Request(self.at + path, method=how, headers={"Content-Type": "application/json"},
+                                         data=None if body is None else json.dumps(body).encode())
+        with urllib.request.urlopen(request, timeout=120) as answer:
+            return json.load(answer)["value"]
+
+    def run(self, script, *arguments):
+        return self.ask("POST", "/execute/sync", {"script": script, "args": list(arguments)})
+
+    def wait(self, script, what):
+        for _ in range(600):
+            if self.run(f"return {script}"):
+                return
+            time.sleep(0.05)
+        claim(False, f"waited for {what}")
+
+    def tell(self, command, **params):
+        return self.ask("POST", "/goog/cdp/execute", {"cmd": command, "params": params})
+
+    def key(self, *keys):
+        actions = [{"type": t, "value": k} for k in keys for t in ("keyDown", "keyUp")]
+        self.ask("POST", "/actions", {"actions": [{"type": "key", "id": "keys", "actions": actions}]})
+
+    def open(self, path):
+        self.ask("POST", "/url", {"url": pathlib.Path(path).resolve().as_uri()})
+
+    def close(self):
+        try:
+            self.ask("DELETE", "")
+        finally:
+            self.driver.terminate()
+
+
+PICTURE = "return document.getElementById('picture').toDataURL()"
+NOW = "return document.getElementById('now').textContent"
+VALUES = "return [...document.querySelectorAll('.legend b')].map(b => b.textContent).join(' ')"
+LEFT, RIGHT, HOME, END = "\ue012", "\ue014", "\ue011", "\ue010"
+
+
+def settled(b):
+    """The picture once it does not change any more."""
+    before = None
+    for _ in range(100):
+        now = b.run(PICTURE)
+        if now == before:
+            return now
+        before = now
+        time.sleep(0.1)
+    return before
+
+
+def check_time(b):
+    first, values, now = settled(b), b.run(VALUES), b.run(NOW)
+    b.run("const s = document.getElementById('time'); s.value = Math.floor(s.max / 3); s.dispatchEvent(new Event('input'))")
+    claim(settled(b) != first and b.run(NOW) != now, "the slider changes the picture and the time")
+    if b.run("return document.querySelectorAll('.chart').length"):
+        claim(b.run(VALUES) != values, "the slider changes the numbers of the charts")
+    b.run("document.getElementById('picture').focus()")
+    b.key(HOME)
+    claim("t* = 0.000" in b.run(NOW), "Home goes to the start")
+    b.key(RIGHT)
+    later = b.run(NOW)
+    claim("t* = 0.000" not in later, "an arrow steps")
+    b.key(LEFT)
+    b.key(" ")
+    b.wait(f"document.getElementById('now').textContent !== {json.dumps('t* = 0.000 · 0.000 s')}", "play")
+    b.key(END)
+    b.wait("document.getElementById('play').textContent === '▶'", "the end of play")
+
+
+def check_controls(b):
+    for key, box in (("v", "show-velocity"), ("u", "show-surfaces"), ("p", "show-points")):
+        before, checked = settled(b), b.run(f"return document.getElementById('{box}').checked")
+        b.key(key)
+        claim(b.run(f"return document.getElementById('{box}').checked") != checked, f"{key} toggles {box}")
+        claim(settled(b) != before, f"{box} changes the picture")
+        b.key(key)
+    for colour in ("speed", "rho", "difference", "p"):
+        before = settled(b)
+        b.run(f"const s = document.getElementById('colour'); s.value = '{colour}'; s.dispatchEvent(new Event('change'))")
+        claim(settled(b) != before, f"colour by {colour} changes the picture")
+    before = settled(b)
+    b.key("+")
+    claim(settled(b) != before, "+ zooms")
+    b.key("0")
+    b.run("document.getElementById('run-1').click()")
+    claim(settled(b) != before, "a run goes off")
+    b.run("document.getElementById('run-1').click()")
+    b.run("""const p = document.getElementById('picture'), at = p.getBoundingClientRect();
+      p.dispatchEvent(new PointerEvent('pointermove', {clientX: at.left + at.width / 2, clientY: at.top + at.height * 0.8}))""")
+    claim("x = " in b.run("return document.getElementById('pointed').textContent"), "the pointer shows where it is")
+
+
+def check_tables(b):
+    rows = b.run("""const t = document.getElementById('summary-table'), sort = t.tHead.querySelectorAll('.sort')[3];
+      sort.click(); sort.click(); return [...t.tBodies[0].rows].map(r => parseFloat(r.cells[3].textContent))""")
+    claim(rows == sorted(rows, reverse=True) and len(rows) == len(report["runs"]), f"the summary sorts: {rows}")
+    shown = b.run("return document.querySelector('main').textContent")
+    for row in report["measures"]:
+        if row["value"] is not None:
+            number = f"{row['value']:.4g}"
+            claim(number in shown, f"{row['measure']} of {row['run']}, {number}, is shown")
+    for words in ("How it is measured", "Scales: lengths in H", "Where the energy went", "Main surface: pieces", report["runs"][0]["file"]):
+        claim(words in shown, f"the page says: {words}")
+    b.run("document.querySelector('.chip').click()")
+    b.wait("document.getElementById('said').textContent.includes('limit')", "a chip's place")
+
+
+def check_text(b):
+    claim(b.run("return document.querySelector('h1').textContent") == report["title"], "the title is text")
+    claim(not b.run("return window.hacked || document.querySelector('main [onerror], main script')"), "no name is a script")
+    claim(b.run("return [...document.images].every(i => i.src.startsWith('data:'))"), "pictures are in the page")
+
+
+def check_looks(b):
+    ground = "return getComputedStyle(document.body).backgroundColor"
+    light = b.run(ground)
+    b.tell("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark"}])
+    dark = b.run(ground)
+    claim(dark != light, "dark follows the system")
+    check_access(b, "dark")
+    b.run("document.getElementById('theme').click()")
+    claim(b.run(ground) == light, "the switch makes it light")
+    b.tell("Emulation.setEmulatedMedia", features=[])
+    for width in (400, 1400, 3840):
+        b.tell("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        settled(b)
+        wide = b.run("return document.documentElement.scrollWidth")
+        claim(wide <= width, f"at {width} px nothing sticks out: {wide}")
+    b.tell("Emulation.clearDeviceMetricsOverride")
+    pdf = base64.b64decode(b.tell("Page.printToPDF", printBackground=False)["data"])
+    pages = len(re.findall(rb"/Type\s*/Page\b", pdf))
+    claim(pdf.startswith(b"%PDF") and pdf.rstrip().endswith(b"%%EOF") and pages >= 3, f"it prints: {pages} pages")
+
+
+def check_access(b, look):
+    if len(sys.argv) < 3:
+        return
+    b.run(pathlib.Path(sys.argv[2]).read_text())
+    found = b.ask("POST", "/execute/async", {"args": [], "script": "const done = arguments[0]; axe.run().then(r => done(r.violations.map(v => "
+        "`${v.id}: ${v.help}: ${v.nodes.slice(0, 3).map(n => n.target.join(' ')).join('; ')}`)))"})
+    for line in found:
+        claim(False, f"accessibility, {look}: {line}")
+
+
+def check_without_scripts(b):
+    b.tell("Emulation.setScriptExecutionDisabled", value=True)
+    b.open(sys.argv[1])
+    visible = "return document.querySelector(arguments[0]).getBoundingClientRect().height > 0"
+    claim(b.run(visible, "#summary-table") and b.run(visible, "#health-table") and b.run(visible, "noscript p"), "tables without scripts")
+    claim(b.run(visible, ".fixed img") and not b.run(visible, "#explore"), "fixed figures without scripts")
+
+
+browser = Browser()
+try:
+    browser.open(sys.argv[1])
+    browser.wait("document.documentElement.dataset.ready === 'yes'", "the page")
+    for check in (check_text, check_time, check_controls, check_tables, lambda b: check_access(b, "light"), check_looks):
+        check(browser)
+    for line in browser.ask("POST", "/se/log", {"type": "browser"}):
+        claim(False, f"console: {line['level']} {line['message']}")
+    check_without_scripts(browser)
+finally:
+    browser.close()
+sys.exit(bool(failed))
