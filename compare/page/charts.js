@@ -1,6 +1,7 @@
 /* Charts against time, drawn by D3, with one cursor through all of them. */
 const charts = [];
-const HEIGHT = 220, MARGIN = {top: 10, right: 14, bottom: 34, left: 58};
+const PX = parseFloat(getComputedStyle(document.documentElement).fontSize) / 16; // of large screens
+const HEIGHT = 220 * PX, MARGIN = {top: 10 * PX, right: 14 * PX, bottom: 34 * PX, left: 58 * PX};
 
 /* The last time that anything is at. */
 const lastTime = () => Math.max(...pack.runs.flatMap(r => r.surfaces.slice(-1).map(s => s.t)), 1e-9);
@@ -40,11 +41,11 @@ class Chart {
       .attr('role', 'img').attr('aria-label', `${this.title}, ${this.unit}, against time`);
     const id = `clip-${charts.indexOf(this)}`;
     svg.append('clipPath').attr('id', id).append('rect').attr('x', MARGIN.left).attr('y', MARGIN.top - 1).attr('width', right - MARGIN.left).attr('height', bottom - MARGIN.top + 2);
-    svg.append('g').attr('class', 'axis').attr('transform', `translate(0,${bottom})`).call(d3.axisBottom(this.x).ticks(width / 90));
+    svg.append('g').attr('class', 'axis').attr('transform', `translate(0,${bottom})`).call(d3.axisBottom(this.x).ticks(width / 90 / PX));
     svg.append('g').attr('class', 'axis grid').attr('transform', `translate(${MARGIN.left},0)`)
       .call(d3.axisLeft(this.y).ticks(5, Math.max(...this.frame.map(Math.abs)) < 0.01 ? '.0e' : undefined).tickSize(-(right - MARGIN.left)));
     svg.append('text').attr('class', 'label').attr('x', right).attr('y', HEIGHT - 4).attr('text-anchor', 'end').text('t* in √(H/g)');
-    svg.append('text').attr('class', 'label').attr('x', -MARGIN.top).attr('y', 12).attr('transform', 'rotate(-90)').attr('text-anchor', 'end').text(this.unit);
+    svg.append('text').attr('class', 'label').attr('x', -MARGIN.top).attr('y', 12 * PX).attr('transform', 'rotate(-90)').attr('text-anchor', 'end').text(this.unit);
     const lines = svg.append('g').attr('clip-path', `url(#${id})`);
     const far = c => inFrame(c, this.frame) ? 1 : 0; // those that leave the frame lie below the others
     [...this.curves].sort((a, b) => far(a) - far(b)).filter(c => this.visible(c)).forEach(c => this.drawCurve(lines, c));

@@ -181,9 +181,10 @@ async function draw(t) {
   scene = made;
 }
 
-/* The time nearest to t at which any run has a jet. */
+/* The time nearest to t at which there is a jet: of the reference or the run whose particles are shown, else of any. */
 function jetTime(t) {
-  const having = pack.runs.flatMap(r => r.surfaces.filter(s => s.tip).map(s => s.t));
+  const tips = list => list.flatMap(r => r.surfaces.filter(s => s.tip).map(s => s.t)), own = tips([pack.runs[0], pack.runs[shown.of]]);
+  const having = own.length ? own : tips(pack.runs);
   return having.reduce((best, s) => Math.abs(s - t) < Math.abs(best - t) ? s : best, Infinity);
 }
 
