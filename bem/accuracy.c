@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "bem/start/basin.h"
+#include "bem/start/start.h"
 #include "common/flow/flow.h"
 
 /* Calibrated (docs/accuracy.md). Columns: by the dam break, column 2 H by H, tank 5.366 H: mean
@@ -35,7 +36,7 @@ static double smooth_nodes(double accuracy, double ka) {
 static double resolution_for(const struct case_file *c, double accuracy) {
   if (!flow_is_wave(c->flow)) {
     const double order = accuracy < COLUMN_AT ? COLUMN_FINE : COLUMN_COARSE;
-    return ceil(COLUMN_NODES * pow(COLUMN_AT / accuracy, 1 / order));
+    return ceil(fmax(COLUMN_NODES * pow(COLUMN_AT / accuracy, 1 / order), bem_start_shallowest(c)));
   }
   const struct flow_scale s = c->flow->scale(c);
   const double length = fmin(s.length, DEPTHS * s.depth), ka = 2 * M_PI * s.amplitude / s.length;

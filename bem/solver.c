@@ -148,14 +148,19 @@ static enum status rescue(struct bem_run *r, enum status status) {
   return status;
 }
 
-/* At an event psi is not of the state, which lies within the step; near a contact it is wrong. */
-static bool runs_away(struct bem_run *r, const int *found) {
+/* What the energy of a step says. At an event psi is not of the state, which lies within the step;
+ * near a contact it is wrong. The budget leaves out some of what moves with a tank or its sides. */
+enum verdict { SOUND, AWAY, LOST };
+static enum verdict judge(struct bem_run *r, const int *found) {
+  const struct bem_budget *b = &r->output.budget;
+  const struct bem_motion *m = &r->flow.motion;
   for (int i = 0; i < bem_events_roots.n; i++)
-    if (found[i]) return false;
-  return bem_pace_runs_away(&r->pace, r->time,
-                            bem_budget_whole(&r->output.budget, &r->flow, r->time),
-                            r->output.budget.first_energy) &&
-         !bem_output_touches(&r->sides, &r->flow.surface);
+    if (found[i]) return SOUND;
+  const double whole = bem_budget_whole(b, &r->flow, r->time);
+  const bool away = bem_pace_runs_away(&r->pace, r->time, whole, b->first_energy),
+             lost = !m->frame && !m->sides && bem_budget_is_lost(b, whole);
+  if ((!away && !lost) || bem_output_touches(&r->sides, &r->flow.surface)) return SOUND;
+  return lost ? LOST : AWAY;
 }
 
 /* Steps shrink with the gap before a contact, which is near then. */
@@ -200,10 +205,11 @@ static enum status step_on(struct bem_run *r, struct progress *progress, size_t 
   *work += (double)r->flow.surface.n;
   TRY(put_out(r, progress, step, *work));
   if (r->time > end) return OK;
-  const bool away = runs_away(r, found);
+  const enum verdict verdict = judge(r, found);
+  if (verdict == LOST) return bem_ending_write(r);
   TRY(act(r, found));
   const bool helped = r->pace.since == 0;
-  if (!r->ended && (is_lost(r) || (away && !helped))) TRY(bem_run_rescue(r));
+  if (!r->ended && (is_lost(r) || (verdict == AWAY && !helped))) TRY(bem_run_rescue(r));
   return OK;
 }
 
@@ -340,9 +346,19 @@ done:
   return status;
 }
 
+static void say_warnings(const struct case_file *c, const struct case_run *cr,
+                         struct progress *progress) {
+  struct problems warnings = {0};
+  bem_start_warn(c, cr, &warnings);
+  for (size_t k = 0; k < warnings.n; k++)
+    progress_say(progress, "%s: %s", cr->name, warnings.text[k]);
+  problems_destroy(&warnings);
+}
+
 static enum status run(const struct case_file *c, const struct case_run *cr, struct result *out,
                        struct progress *progress) {
   const struct bem_options *o = cr->options;
+  say_warnings(c, cr, progress);
   return (o->error_bars ? run_with_errors : run_once)(c, cr, out, progress);
 }
 
@@ -362,6 +378,7 @@ const struct solver bem_solver = {
     .n_terms = sizeof terms / sizeof *terms,
     .settle = bem_accuracy_settle,
     .check = bem_start_check,
+    .warn = bem_start_warn,
     .estimate = bem_estimate,
     .run = run,
 };

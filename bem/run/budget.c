@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+static const double LOST = 0.1; /* of the first energy: no run that gets on comes near it */
+
 void bem_budget_damped(struct bem_budget *b, const struct bem_flow *f, double time, double dt) {
   double start = time - dt,
          loss = -bem_surface_power(&f->surface, f->level, f->psi, f->u, f->v,
@@ -43,6 +45,10 @@ double bem_budget_whole(const struct bem_budget *b, const struct bem_flow *f, do
   const struct bem_totals t = bem_surface_totals(&f->surface, f->psi);
   return t.kinetic + t.potential + damped_until(b, time) + given_until(b, 0, time) +
          given_until(b, 1, time) + b->removed_energy;
+}
+
+bool bem_budget_is_lost(const struct bem_budget *b, double whole) {
+  return fabs(whole - b->first_energy) > LOST * fabs(b->first_energy);
 }
 
 struct result_energy bem_budget_row(struct bem_budget *b, const struct case_file *c, double seconds,

@@ -35,6 +35,10 @@ void bem_budget_cut(struct bem_budget *b, double volume, double energy);
 /* The energy and all that was taken out of it until the end of the last step, with psi of it. */
 double bem_budget_whole(const struct bem_budget *b, const struct bem_flow *f, double time);
 
+/* Whether that is off by so much that the flow is none any more: psi has been wrong, as where a
+ * sheet that the panels do not resolve has crossed itself. */
+bool bem_budget_is_lost(const struct bem_budget *b, double whole);
+
 /* A row of the series, J/m, at a time of the last step. */
 struct result_energy bem_budget_row(struct bem_budget *b, const struct case_file *c, double seconds,
                                     const struct bem_totals *t);

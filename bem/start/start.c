@@ -11,6 +11,7 @@
 #include "common/flow/regions.h"
 
 enum { FEWEST = 8 };                   /* nodes that a surface needs */
+static const double DEEP = 4;          /* nodes over the mean depth of regions */
 static const double MOST_POINTS = 1e5; /* of a lattice: each costs as much as an equation */
 
 /* `length` of the surface in H. */
@@ -155,6 +156,23 @@ void bem_start_check(const struct case_file *c, const struct case_run *r,
   }
   check_fewest(r, width, "surface", problems);
   check_most(r, width, problems);
+}
+
+/* In other tanks the nodes are denser where the water is shallow. */
+double bem_start_shallowest(const struct case_file *c) {
+  if (flow_is_wave(c->flow) || bem_basin_is_mapped(c)) return 0;
+  return DEEP * c->H / (case_rest_level(c) - c->tank.min[1]);
+}
+
+void bem_start_warn(const struct case_file *c, const struct case_run *r,
+                    struct problems *warnings) {
+  const double least = bem_start_shallowest(c);
+  if (r->resolution < least * (1 - CASE_SAME))
+    problems_add(warnings, case_run_line(r, "resolution"),
+                 "resolution = %.4g: %.2g nodes over the mean depth of the water, where %g are "
+                 "wanted: what falls back on it breaks up into spray that is no more than noise; "
+                 "%g would do",
+                 r->resolution, DEEP * r->resolution / least, DEEP, ceil(least));
 }
 
 /* From wall to wall, or round a tank without sides, with the potential that the flow has there. */

@@ -56,6 +56,17 @@ if ! grep -q '^  antuono-fine: c0 = .* Mach number of 0.40' "$scratch/err" || [ 
   failed=1
 fi
 
+"$plunge" check "$source/cases/dam-break.yaml" --set runs.bem.resolution=10 >"$scratch/out" 2>"$scratch/err" || failed=1
+if ! grep -q '^  bem: resolution = 10: 3.7 nodes over the mean depth of the water, where 4 are wanted: .* 11 would do$' "$scratch/err"; then
+  echo "FAIL check does not warn of too few nodes in shallow water: $(cat "$scratch/err")"
+  failed=1
+fi
+"$plunge" check "$source/cases/dam-break.yaml" --set runs.bem.resolution=11 >"$scratch/out" 2>"$scratch/err" || failed=1
+if grep -q 'mean depth' "$scratch/err"; then
+  echo "FAIL check warns of enough nodes in shallow water: $(cat "$scratch/err")"
+  failed=1
+fi
+
 for odd in /nowhere/case.yaml /dev/null "$source"; do
   "$plunge" check "$odd" >/dev/null 2>&1
   code=$?
