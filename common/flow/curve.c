@@ -75,9 +75,9 @@ static void measure(const struct case_file *c, struct form *f) {
   const struct flow_line *l = &f->line;
   double area = 0, square = 0, slope = 0;
   f->high = -INFINITY;
-  for (size_t i = 0; i + 1 < l->x.n; i++) { /* of any one period */
+  const size_t n = (l->x.n - 1) / (c->periodic[0] ? 3 : 1), first = c->periodic[0] ? n : 0;
+  for (size_t i = first; i < first + n; i++) { /* of the three periods that the line has, one */
     const double a = l->x.t[i], step = (l->x.t[i + 1] - a) / PARTS;
-    if (a < 0 || l->x.t[i + 1] > l->to - l->from) continue;
     for (int k = 0; k <= PARTS; k++) {
       const struct flow_line_point at = flow_line_at(l, a + k * step);
       const double weight = step / 3 * (k == 0 || k == PARTS ? 1 : k % 2 ? 4 : 2);

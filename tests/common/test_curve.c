@@ -142,17 +142,15 @@ static void test_pressure_is_bernoullis_and_ends_at_the_surface(void) {
 
 /* The area below it is exact, and a period may begin anywhere. */
 static void test_area_and_period(void) {
-  double area[2];
-  for (int i = 0; i < 2; i++) {
-    write_curve(256, true, AT_REST, i * 0.37);
+  for (int i = 0; i < 40; i++) {
+    write_curve(256, true, AT_REST, i * 0.037);
     struct case_file *c = load(true, BOX);
     if (!c) return;
-    area[i] = case_water_area(c);
-    EXPECT_NEAR(geo_piece_area(&c->water, 0), area[i], 1e-5);
+    const double area = case_water_area(c);
+    EXPECT_NEAR(geo_piece_area(&c->water, 0), area, 1e-5);
+    EXPECT_NEAR(area, LENGTH * DEPTH, 1e-7); /* the integral of sin(4 pi s) x'(s) is zero */
     case_destroy(c);
   }
-  EXPECT_NEAR(area[0], area[1], 1e-7);
-  EXPECT_NEAR(area[0], LENGTH * DEPTH, 1e-6); /* the integral of sin(4 pi s) x'(s) is zero */
 }
 
 int main(void) {
