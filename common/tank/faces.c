@@ -237,6 +237,16 @@ static void bend(struct faces *f, struct face *face) {
     face->end[1] = next->end[0] = face->turn > -same_angle ? FACE_END_CORNER : FACE_END_BLUNT;
 }
 
+/* The middle of a thin wall's end is no point of the walls. */
+static void halve_again(struct faces *f, struct face *first) {
+  struct face *last = &f->face[first->next];
+  const struct face was[2] = {*first, *last};
+  double m[2];
+  middle(was[0].a, was[1].b, m);
+  put(first, was[0].a, m);
+  put(last, m, was[1].b);
+}
+
 void faces_move(struct faces *f, const double (*p)[2]) {
   for (size_t k = 0; k < f->n; k++) {
     struct face *face = &f->face[k];
@@ -244,6 +254,8 @@ void faces_move(struct faces *f, const double (*p)[2]) {
     put(face, was.point[0] == FACE_NO_POINT ? was.a : p[was.point[0]],
         was.point[1] == FACE_NO_POINT ? was.b : p[was.point[1]]);
   }
+  for (size_t k = 0; k < f->n; k++)
+    if (f->face[k].end[1] == FACE_END_HALF) halve_again(f, &f->face[k]);
   for (size_t k = 0; k < f->n; k++) bend(f, &f->face[k]);
 }
 

@@ -127,8 +127,37 @@ static void test_water_sees_past_an_end_only_from_before_it(void) {
   case_destroy(c);
 }
 
+/* Walls that move take the middle of an end along. */
+static void test_halves_of_an_end_follow_it(void) {
+  struct case_file *c;
+  struct sph *s = plate_create(&plates[2], "resolution: 20", &c);
+  struct faces faces = {0};
+  struct geo_lines moved = {0};
+  size_t halves = 0;
+  EXPECT_OK(faces_set(&faces, &c->walls, 0.2, NULL));
+  EXPECT_OK(geo_lines_copy(&moved, &c->walls));
+  for (size_t i = 0; i < moved.points; i++) moved.p[i][0] += 0.25 + 0.1 * moved.p[i][1];
+  faces_move(&faces, (const double(*)[2])moved.p);
+  for (size_t k = 0; k < faces.n; k++) {
+    const struct face *f = &faces.face[k];
+    if (f->end[1] != FACE_END_HALF) continue;
+    const struct face *g = &faces.face[f->next];
+    halves++;
+    EXPECT_NEAR(f->b[0], 1.5 + 0.25 + 0.05, 1e-12);
+    EXPECT_NEAR(g->a[0], f->b[0], 0);
+    EXPECT_NEAR(f->length, 0.05, 1e-12);
+    EXPECT_NEAR(g->length, 0.05, 1e-12);
+  }
+  EXPECT(halves == 1);
+  geo_lines_destroy(&moved);
+  faces_destroy(&faces);
+  sph_destroy(s);
+  case_destroy(c);
+}
+
 int main(void) {
   RUN(test_what_is_seen_fills_the_supports);
+  RUN(test_halves_of_an_end_follow_it);
   RUN(test_water_sees_past_an_end_only_from_before_it);
   RUN(test_still_water_rests_round_a_plate_of_two_spacings);
   return TEST_RESULT;
