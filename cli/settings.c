@@ -15,6 +15,7 @@ static struct case_frame frame_of(size_t n, struct result_file *const *files, co
       .g = ref->g,
       .tank = geo_lines_box(&ref->walls),
       .walls = ref->walls.pieces ? &ref->walls : NULL,
+      .tank_text = *ref->case_text ? ref->case_text : NULL,
       .n_times = ref->n_surfaces,
       .times = ref->surface_time,
   };

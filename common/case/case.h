@@ -272,6 +272,7 @@ struct case_frame {
   double H, g;                   /* of the scales, m, m s^-2 */
   struct geo_box tank;           /* m */
   const struct geo_lines *walls; /* m, as the result has them, or NULL */
+  const char *tank_text;         /* of the case that says how they move; NULL: the settings' own */
   size_t n_times;
   const double *times;    /* s, of the reference's outputs, [n_times] */
   struct case_names runs; /* the reference's first */

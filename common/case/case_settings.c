@@ -175,6 +175,22 @@ static enum status take_motions(struct case_draft *d, const struct geo_lines *wa
   return status;
 }
 
+/* The same from another case than that of the settings. */
+static enum status take_motions_of(const char *text, const struct case_frame *frame,
+                                   struct case_draft *d) {
+  struct problems mine = {0};
+  struct case_draft other = {.registry = d->registry, .c = d->c};
+  enum status status = OK;
+  if (case_doc_load(&other.doc, text, strlen(text), &mine)) {
+    other.doc.scales = d->doc.scales;
+    other.at.tank = case_doc_member(&other.doc, case_doc_root(&other.doc), "tank");
+    if (other.at.tank) status = take_motions(&other, frame->walls);
+  }
+  case_doc_destroy(&other.doc);
+  problems_destroy(&mine);
+  return status;
+}
+
 /* Sections that are not the comparison's are nobody's business here. */
 static enum status read_own(struct case_draft *d, const struct case_frame *frame) {
   const int root = case_doc_root(&d->doc);
@@ -202,7 +218,9 @@ static enum status read_text(const char *text, size_t n, bool own, const struct 
   if (!case_doc_load(&d->doc, text, n, problems)) return OK;
   if (own && !case_sweep_expand(&d->doc)) return OK;
   TRY(take_frame(d, frame));
-  return own ? read_own(d, frame) : read_settings(d, frame);
+  if (own) return read_own(d, frame);
+  if (frame->tank_text) TRY(take_motions_of(frame->tank_text, frame, d));
+  return read_settings(d, frame);
 }
 
 /* Settings out of a draft that ends with them. */

@@ -24,4 +24,9 @@ for file in out/figures/*.csv; do
   cmp "$file" "again/figures/${file##*/}" || fail "compare draws ${file##*/} otherwise"
 done
 
+# also by settings of their own, which say nothing of walls
+printf 'compare: {times: [0.25, 0.5]}\n' >settings.yaml
+"$program" compare out/a.h5 out/b.h5 -s settings.yaml -o told >log 2>&1 || fail "compare -s: $(cat log)"
+[ "$(drawn told)" = 0.25 ] || fail "compare -s draws the piston at $(drawn told) H"
+
 exit $failed
