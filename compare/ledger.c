@@ -50,6 +50,16 @@ struct cmp_value cmp_ledger_lost(const struct cmp_data *d, double t) {
   return risen(d, &d->mechanical, -1, t);
 }
 
+struct cmp_value cmp_ledger_lost_within(const struct cmp_data *d, double t) {
+  struct cmp_value lost = cmp_ledger_lost(d, t);
+  for (size_t k = 0; k < d->n_terms && cmp_known(&lost); k++) {
+    if (!d->file->terms[k].outside) continue;
+    const struct cmp_value passed = risen(d, &d->terms[k], 1, t);
+    lost = cmp_known(&passed) ? cmp_number(lost.value - passed.value) : passed;
+  }
+  return lost;
+}
+
 struct cmp_value cmp_ledger_elastic(const struct cmp_data *d, double t) {
   return risen(d, &d->internal, 1, t);
 }

@@ -16,6 +16,8 @@ void cmp_ledger_destroy(struct cmp_ledger *l);
 
 /* Each from t = 0 to t, in E0. A term that the solver does not have has taken nothing. */
 struct cmp_value cmp_ledger_lost(const struct cmp_data *d, double t);
+/* The same less what has gone to, or come from, what moves the tank and its sides. */
+struct cmp_value cmp_ledger_lost_within(const struct cmp_data *d, double t);
 struct cmp_value cmp_ledger_elastic(const struct cmp_data *d, double t);
 struct cmp_value cmp_ledger_term(const struct cmp_data *d, const char *name, double t);
 struct cmp_value cmp_ledger_rest(const struct cmp_data *d, double t); /* less than none: gained */

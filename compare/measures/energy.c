@@ -24,7 +24,7 @@ struct cmp_value cmp_measure_mechanical(struct cmp_look *l) {
 }
 
 struct cmp_value cmp_measure_decay(struct cmp_look *l) {
-  return cmp_ledger_lost(&l->run->data, l->t);
+  return cmp_ledger_lost_within(&l->run->data, l->t);
 }
 
 struct cmp_value cmp_measure_budget(struct cmp_look *l) {

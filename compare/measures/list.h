@@ -39,7 +39,9 @@
   X(potential, "E0", AT, NONE, ENERGY, DIFFERENCE, "difference of potential energy")               \
   X(mechanical, "E0", AT, NONE, ENERGY, DIFFERENCE, "difference of kinetic + potential energy")    \
   X(decay, "E0", AT, NONE, ENERGY, OWN,                                                            \
-    "kinetic + potential energy lost since the start (not a difference)")                          \
+    "kinetic + potential energy lost since the start but for what a tank or sides that move gave " \
+    "or "                                                                                          \
+    "took (not a difference)")                                                                     \
   X(budget, "E0", ONCE, NONE, ENERGY, DEFECT,                                                      \
     "largest error of closure of the run's energy budget")                                         \
   X(budget_before_impact, "E0", ONCE, NONE, ENERGY, DEFECT,                                        \

@@ -40,6 +40,21 @@ static double ledger_of(const char *term) {
   return value ? json_number_value(value) : NAN;
 }
 
+/* What passes to and from sides that move is not lost. */
+static void test_what_a_tank_that_moves_takes_is_not_lost(void) {
+  struct case_file c;
+  settings_make(&c);
+  struct result_file *a = made_up("a", "moved", (struct flaws){.until = end});
+  struct result_file *b = made_up("b", "moved", (struct flaws){.decay = 0.01, .until = end});
+  b->terms[0].outside = true;
+  compare(&c, a, 1, &b);
+  EXPECT_NEAR(value_of("decay", "b", 4), 0, 1e-9);
+  EXPECT_NEAR(value_of("mechanical", "b", 4), 0.04, 1e-9);
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
 /* A level raised by d, energy lost at a rate, a late probe: each measure gives what was put in. */
 static void test_known_flaws_are_measured(void) {
   struct case_file c;
@@ -467,6 +482,7 @@ int main(void) {
   RUN(test_figures_are_complete);
   gnuplot_pretend(); /* pictures are drawn enough */
   RUN(test_known_flaws_are_measured);
+  RUN(test_what_a_tank_that_moves_takes_is_not_lost);
   RUN(test_measures_list_themselves);
   RUN(test_missing_times_are_not_zero);
   RUN(test_sentence_groups_runs);
