@@ -17,6 +17,12 @@ static void print_help(FILE *out) {
 #define X(name, args, help) fprintf(out, "  plunge %-7s %-18s %s\n", #name, args, help);
   COMMANDS(X)
 #undef X
+  fputs("\nA case file describes tank and water, the runs (sweeps over any key among them), what "
+        "they\n"
+        "write (probes, gauges, points, forces on walls) and how they are compared (tolerances,\n"
+        "experiments, events against published numbers). `plunge list` prints its keys,\n"
+        "docs/case-file.md explains them.\n",
+        out);
   fputs("\n`plunge COMMAND --help` tells more. Exit codes: 0 fine, 1 the verdict is \"fails\" or\n"
         "\"differs\", 2 usage or bad input, 3 a run failed or was stopped.\n",
         out);

@@ -162,7 +162,7 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
   cmp_pane_title(fig, cmp_run_or_ref(c, now->run)->data.label);
   cmp_pane_axes(fig, l, k, n);
   if (k == 0)
-    cmp_pane_colours(fig, l);
+    cmp_pane_colours(fig, l, "|u| / √(g H)");
   else
     fputs("unset colorbox\n", s);
   fputs("plot '+' using (-1e9):(-1e9):(0) with points pointtype 0 linecolor palette notitle", s);
@@ -212,7 +212,7 @@ static enum status figure_draw(const struct comparison *c, struct cmp_figures *f
   layers_draw(fig, &l, &view, n, all, colours);
   cmp_figure_formats(fig);
   fprintf(fig->script,
-          "%sset cbrange [0:%g]\nset cbtics %g\nset cblabel '|u| / √(g H)'\n"
+          "%sset cbrange [0:%g]\nset cbtics %g\n"
           "unset key\nunset grid\nset tics front\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset ytics 0.5\nset multiplot\n",
           speeds, colours, colours / 4, view.min[0], view.max[0], view.min[1], view.max[1]);

@@ -127,7 +127,7 @@ static void panel_draw(const struct comparison *c, const struct cmp_figure *fig,
   cmp_pane_title(fig, title);
   cmp_pane_axes(fig, l, k, cmp_runs_picked(c, CMP_PANELS));
   if (k == 0 && particles)
-    cmp_pane_colours(fig, l);
+    cmp_pane_colours(fig, l, cmp_fields[shades->field].label);
   else
     fputs("unset colorbox\n", s);
   /* one point of the palette, so that the colour box appears */
@@ -226,11 +226,11 @@ enum status cmp_overlay_draw(const struct comparison *c, struct cmp_figures *f, 
   layers_draw(fig, &o->layout, view, c, cloud, shades);
   cmp_figure_formats(fig);
   fprintf(fig->script,
-          "%sset cbrange [%g:%g]\nset cbtics %g\nset cblabel '%s'\n"
+          "%sset cbrange [%g:%g]\nset cbtics %g\n"
           "unset key\nunset grid\nset tics front\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\nset ytics 0.5\nset multiplot\n",
           cmp_panes_palette, shades->low, shades->high, (shades->high - shades->low) / 4,
-          cmp_fields[shades->field].label, view->min[0], view->max[0], view->min[1], view->max[1]);
+          view->min[0], view->max[0], view->min[1], view->max[1]);
   for (size_t r = 0, k = 0; r < c->n_runs; r++)
     if (cmp_run_is_picked(c, r, CMP_PANELS))
       panel_draw(c, fig, &o->layout, view, &cloud[r], shades, particles, time, k++, r);

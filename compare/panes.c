@@ -196,10 +196,15 @@ void cmp_pane_axes(const struct cmp_figure *fig, const struct cmp_layout *l, siz
         fig->script);
 }
 
-void cmp_pane_colours(const struct cmp_figure *fig, const struct cmp_layout *l) {
+void cmp_pane_colours(const struct cmp_figure *fig, const struct cmp_layout *l, const char *of) {
   const double top = CMP_PANES_TOP + CMP_PANES_TITLE;
   fprintf(fig->script,
           "set colorbox user origin screen %.5f, screen %.5f size screen 0.016, screen %.5f\n",
           1 - (CMP_PANES_RIGHT - 16.0) / CMP_PANES_WIDTH, 1 - (top + l->height) / fig->height,
           l->height / fig->height);
+  fputs("set label 2 ", fig->script);
+  cmp_gnuplot_string(fig->script, of);
+  fprintf(fig->script, " at screen %.5f, screen %.5f center noenhanced\n",
+          1 - CMP_PANES_RIGHT / 2.0 / CMP_PANES_WIDTH,
+          1 - (top - CMP_PANES_TITLE / 2.0) / fig->height);
 }

@@ -39,8 +39,9 @@ void cmp_pane_axes(const struct cmp_figure *fig, const struct cmp_layout *l, siz
 /* The title of a panel, above it. */
 void cmp_pane_title(const struct cmp_figure *fig, const char *title);
 
-/* The box of colours beside the first panel. */
-void cmp_pane_colours(const struct cmp_figure *fig, const struct cmp_layout *l);
+/* The box of colours beside the first panel, and above it what they are `of`: beside it there is no
+ * room next to long numbers. After the title. */
+void cmp_pane_colours(const struct cmp_figure *fig, const struct cmp_layout *l, const char *of);
 
 /* The table of surfaces of the runs picked when there is room for `most`. Walls are series n_runs +
  * 1, the reference n_runs, run r is r; what was measured is n_runs + 2. */

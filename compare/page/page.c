@@ -177,8 +177,11 @@ static void event_checks(FILE *out, const struct content *w) {
     run_cell(out, w->c, check->run);
     cmp_html_element(out, "td", "t", "%s, %s", case_event_names[check->of->event],
                      case_event_parts[check->of->part]);
-    cmp_html_value(out, &check->value);
-    cmp_html_element(out, "td", NULL, "%.5g", check->published);
+    if (cmp_known(&check->value)) /* instants are known to more digits than most measures */
+      cmp_html_element(out, "td", NULL, "%.6g", check->value.value);
+    else
+      cmp_html_value(out, &check->value);
+    cmp_html_element(out, "td", NULL, "%.6g", check->published);
     cmp_html_element(out, "td", NULL, "%.3g", check->within);
     cmp_html_element(out, "td", "t", "%s", cmp_check_units(check));
     verdict_cell(out, check->passed);
