@@ -16,7 +16,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     for (size_t i = 0; i < c->n_runs; i++) {
       char *settings = NULL;
       case_fingerprint(c, &c->runs[i], fingerprint);
-      if (case_run_settings(text, c->runs[i].name, &settings) == OK && !settings)
+      if (case_run_settings(text, 1, (const char *const *)&c->runs[i].name, &settings) == OK &&
+          !settings)
         abort(); /* a run of a sound case has them */
       free(settings);
     }

@@ -293,10 +293,11 @@ enum status case_parse_settings(const char *name, const char *text, const struct
                                 const struct registry *registry, struct problems *problems,
                                 struct case_file **c);
 
-/* The keys of a run in the text of a case and their values in words, in alphabetical order, but for
- * its name, its solver and how fine it is: runs that have the same differ by their resolution
- * alone. NULL where the text has no such run, or is no case; owned by the caller. ERR_MEMORY. */
-enum status case_run_settings(const char *text, const char *run, char **settings);
+/* The keys of n runs in the text of a case and their values in words, in alphabetical order, but for
+ * name, solver and how fine a run is: runs that have the same differ by their resolution alone.
+ * settings [n]: NULL where the text has no such run, or is no case; owned by the caller.
+ * ERR_MEMORY, and all of them NULL. */
+enum status case_run_settings(const char *text, size_t n, const char *const *run, char **settings);
 void case_destroy(struct case_file *c);
 
 /* Every section with its keys: what is allowed, the default, what it is (for `plunge list`). */

@@ -1,4 +1,4 @@
-/* What the case in a result file says of one of its runs, as text: the comparator knows no solver's
+/* What the case in a result file says of its runs, as text: the comparator knows no solver's
  * keys, and tells by it which runs differ by their resolution alone. */
 #include <stdlib.h>
 #include <string.h>
@@ -116,19 +116,27 @@ static enum status write_settings(struct case_doc *d, int run, char **settings) 
   return status != OK ? status : status_raise(ERR_MEMORY, "no memory for the settings of a run");
 }
 
-enum status case_run_settings(const char *text, const char *run, char **settings) {
+static enum status write_all(struct case_doc *d, size_t n, const char *const *run,
+                             char **settings) {
+  for (size_t i = 0; i < n; i++) {
+    const int found = find_run(d, run[i]);
+    if (found && case_doc_is_mapping(d, found)) TRY(write_settings(d, found, &settings[i]));
+  }
+  return OK;
+}
+
+enum status case_run_settings(const char *text, size_t n, const char *const *run, char **settings) {
   struct problems problems = {0};
   struct case_doc doc = {0};
   enum status status = OK;
-  *settings = NULL;
-  if (case_doc_load(&doc, text, strlen(text), &problems) && case_sweep_expand(&doc)) {
-    const int found = find_run(&doc, run);
-    if (found && case_doc_is_mapping(&doc, found)) status = write_settings(&doc, found, settings);
-  }
-  if (problems.out_of_memory && status == OK) {
-    free(*settings);
-    *settings = NULL;
-    status = status_raise(ERR_MEMORY, "no memory to read the case of run %s", run);
+  for (size_t i = 0; i < n; i++) settings[i] = NULL;
+  if (case_doc_load(&doc, text, strlen(text), &problems) && case_sweep_expand(&doc))
+    status = write_all(&doc, n, run, settings);
+  if (problems.out_of_memory && status == OK)
+    status = status_raise(ERR_MEMORY, "no memory to read a case");
+  for (size_t i = 0; status != OK && i < n; i++) {
+    free(settings[i]);
+    settings[i] = NULL;
   }
   case_doc_destroy(&doc);
   problems_destroy(&problems);

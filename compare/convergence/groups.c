@@ -12,27 +12,55 @@ struct candidate {
   size_t member;
   const struct cmp_data *data;
   char *settings; /* owned; NULL: no file says */
-  bool taken;
+  bool told, taken;
 };
 
 /* ---- candidates ---- */
 
-/* What the file itself says, else its case. */
-static enum status settings_take(const struct result_file *f, char **settings) {
-  if (!f->settings || !*f->settings) return case_run_settings(f->case_text, f->run, settings);
-  *settings = strdup(f->settings);
-  CHECK(*settings, ERR_MEMORY, "no memory for settings");
+/* What files themselves say, else the case in them, which is mostly the same in all and is read
+ * once then. `run` and `settings` [n] are for that. */
+static enum status settings_take(size_t n, struct candidate *candidate, const char **run,
+                                 char **settings) {
+  for (size_t i = 0; i < n; i++) {
+    const struct result_file *f = candidate[i].data->file;
+    size_t same = 0;
+    if (candidate[i].told) continue;
+    for (size_t k = i; k < n; k++)
+      if (!candidate[k].told && !strcmp(candidate[k].data->file->case_text, f->case_text))
+        run[same++] = candidate[k].data->file->run;
+    TRY(case_run_settings(f->case_text, same, run, settings));
+    same = 0;
+    for (size_t k = i; k < n; k++) {
+      if (candidate[k].told || strcmp(candidate[k].data->file->case_text, f->case_text) != 0)
+        continue;
+      candidate[k].settings = settings[same++];
+      candidate[k].told = true;
+    }
+  }
   return OK;
 }
 
 static enum status candidates_make(const struct comparison *c, struct candidate *candidate) {
-  for (size_t i = 0; i <= c->n_runs; i++) {
+  const size_t n = c->n_runs + 1;
+  const char **run = NULL;
+  char **settings = NULL;
+  enum status status = OK;
+  for (size_t i = 0; i < n; i++) {
     const size_t member = i < c->n_runs ? i : SIZE_MAX;
     const struct cmp_data *d = &cmp_run_or_ref(c, member)->data;
-    candidate[i] = (struct candidate){.member = member, .data = d};
-    TRY(settings_take(d->file, &candidate[i].settings));
+    const char *own = d->file->settings;
+    candidate[i] = (struct candidate){.member = member, .data = d, .told = own && *own};
+    if (!candidate[i].told) continue;
+    candidate[i].settings = strdup(own);
+    ATTEMPT(candidate[i].settings ? OK : status_raise(ERR_MEMORY, "no memory for settings"));
   }
-  return OK;
+  ATTEMPT(array_create(&run, n, "names of runs"));
+  ATTEMPT(array_create(&settings, n, "settings of runs"));
+  status = settings_take(n, candidate, run, settings);
+done:
+  free(run);
+  free(settings);
+  return status;
 }
 
 static bool same_text(const char *a, const char *b) {

@@ -7,7 +7,7 @@
 
 static void expect(const char *text, const char *run, const char *wanted) {
   char *settings = NULL;
-  EXPECT_OK(case_run_settings(text, run, &settings));
+  EXPECT_OK(case_run_settings(text, 1, &run, &settings));
   if (wanted)
     EXPECT_STR(settings, wanted);
   else
@@ -35,6 +35,17 @@ static void test_keys_in_order_without_what_says_how_fine(void) {
   expect(text, "g", NULL);
 }
 
+/* Several at once, of which one is not there. */
+static void test_many_runs_of_one_text(void) {
+  static const char *const names[] = {"b-2", "c", "b-1"};
+  char *settings[3];
+  EXPECT_OK(case_run_settings("runs: [{name: b, d: x, sweep: {e: [1, 2]}}]\n", 3, names, settings));
+  EXPECT_STR(settings[0], "d: x, e: 2");
+  EXPECT(settings[1] == NULL);
+  EXPECT_STR(settings[2], "d: x, e: 1");
+  for (int i = 0; i < 3; i++) free(settings[i]);
+}
+
 /* Whatever stands in a file is no reason to fail. */
 static void test_no_such_run_or_no_case(void) {
   expect("", "a", NULL);
@@ -47,21 +58,23 @@ static void test_no_such_run_or_no_case(void) {
 
 /* An alias within itself, and lists that double, end. */
 static void test_aliases_end(void) {
+  const char *a = "a";
   char *settings = NULL;
-  EXPECT_OK(case_run_settings("runs: [{name: a, x: &x [*x, *x]}]\n", "a", &settings));
+  EXPECT_OK(case_run_settings("runs: [{name: a, x: &x [*x, *x]}]\n", 1, &a, &settings));
   EXPECT(settings && strlen(settings) < 20000);
   free(settings);
   EXPECT_OK(case_run_settings(
       "p: &a [1, 1, 1, 1, 1, 1, 1, 1]\nq: &b [*a, *a, *a, *a, *a, *a, *a, *a]\n"
       "r: &c [*b, *b, *b, *b, *b, *b, *b, *b]\ns: &d [*c, *c, *c, *c, *c, *c, *c, *c]\n"
       "runs: [{name: a, x: [*d, *d, *d, *d]}]\n",
-      "a", &settings));
+      1, &a, &settings));
   EXPECT(settings && strlen(settings) < 20000);
   free(settings);
 }
 
 int main(void) {
   RUN(test_keys_in_order_without_what_says_how_fine);
+  RUN(test_many_runs_of_one_text);
   RUN(test_no_such_run_or_no_case);
   RUN(test_aliases_end);
   return TEST_RESULT;
