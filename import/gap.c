@@ -29,7 +29,7 @@ static enum status take(GEOSContextHandle_t h, const GEOSGeometry *line, bool cl
     GEOSCoordSeq_getXY_r(h, s, i, &x, &y);
     TRY(geo_lines_add(out, x, y));
   }
-  CHECK(n >= 2, ERR_SOLVER, "walls have no line so far inside");
+  CHECK(n >= 2, ERR_INPUT, "walls have no line so far inside");
   return OK;
 }
 
@@ -45,11 +45,17 @@ enum status import_gap(const struct geo_lines *walls, double gap, struct geo_lin
         line ? GEOSOffsetCurve_r(g.h, line, gap, 8, GEOSBUF_JOIN_MITRE, MITRE_LIMIT) : NULL;
     g.failed = !moved;
     if (moved && GEOSGeomTypeId_r(g.h, moved) != GEOS_LINESTRING)
-      status = status_raise(ERR_SOLVER, "wall %zu has no single line %g m inside", k, gap);
+      status = status_raise(ERR_INPUT, "wall %zu has no single line %g m inside", k, gap);
     if (moved && status == OK) status = take(g.h, moved, walls->closed[k] != 0, out);
     GEOSGeom_destroy_r(g.h, moved);
     GEOSGeom_destroy_r(g.h, line);
   }
   const enum status end = geo_geos_end(&g, "move walls inwards");
-  return status == OK ? end : status;
+  TRY(status);
+  TRY(end);
+  const struct geo_box box = geo_lines_box(walls), inner = geo_lines_box(out);
+  CHECK(geo_box_contains(&box, inner.min[0], inner.min[1]) &&
+            geo_box_contains(&box, inner.max[0], inner.max[1]),
+        ERR_INPUT, "the tank has no room %g m inside its walls", gap);
+  return OK;
 }

@@ -227,7 +227,9 @@ static enum status prepare(struct work *w, struct result_about *about) {
   }
   about->probes = w->probes;
   about->gauges = w->gauges;
-  TRY(import_gap(&c->walls, s->particles.gap, &w->walls));
+  enum status status = import_gap(&c->walls, s->particles.gap, &w->walls);
+  if (status != OK)
+    return status_context(status, "%s:%d: particles.gap: ", s->path, s->particles.line);
   if (c->walls.pieces) w->tank = tank_of(&c->walls, c->periodic);
   return OK;
 }

@@ -118,7 +118,7 @@ static enum status explain(const struct guard *g, int wait_status) {
   if (number == SIGKILL)
     return status_raise(ERR_MEMORY, "no memory to read %s: the system ended the process", name);
   if (number == SIGXCPU || number == SIGALRM)
-    return status_raise(ERR_INPUT, "%s is damaged beyond reading: it keeps HDF5 busy for ever",
+    return status_raise(ERR_INPUT, "%s is damaged beyond reading: reading it never ends",
                         name);
   return status_raise(ERR_INPUT, "%s is damaged beyond reading", name);
 }

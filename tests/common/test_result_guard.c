@@ -127,7 +127,7 @@ static void test_a_crash_is_put_down_to_the_file_that_is_read(void) {
 }
 
 static void test_endless_work_is_ended(void) {
-  const char *message = "a.h5 is damaged beyond reading: it keeps HDF5 busy for ever";
+  const char *message = "a.h5 is damaged beyond reading: reading it never ends";
   expect(spin, ERR_INPUT, message);
   expect(sleep_on, ERR_INPUT, message);
 }
