@@ -3,13 +3,18 @@
  * "Points:0" to "Points:2", arrays of points and cells go by their names. */
 #include <dlfcn.h>
 #include <math.h>
-#include <stdio.h>
+#include <string.h>
 
 #include "import/guarded.h"
 #include "import/vtk_library.h"
 
-/* Its libraries take memory and time too. */
-enum { EXTRA = 64 << 20 };
+/* The libraries take memory and time too; and what is read of a case of OpenFOAM is in other files.
+ */
+static size_t extra_of(const char *path) {
+  const size_t n = strlen(path);
+  const bool foam = (n > 5 && !strcmp(path + n - 5, ".foam")) || strstr(path, "controlDict");
+  return foam ? (size_t)1 << 30 : (size_t)64 << 20;
+}
 
 /* In the child, where a library may be loaded that crashes. */
 static enum status find_function(const struct import_ask *ask, const char *name, void **function) {
@@ -42,7 +47,7 @@ static enum status read_there(const struct import_ask *ask, struct import_table 
 }
 
 enum status import_vtk_steps(const struct import_ask *ask, size_t *n, double **times) {
-  struct import_guarded g = {.ask = ask, .steps = steps_there, .extra = EXTRA};
+  struct import_guarded g = {.ask = ask, .steps = steps_there, .extra = extra_of(ask->path)};
   TRY(import_guard(&g));
   *n = g.n;
   *times = g.times;
@@ -51,6 +56,6 @@ enum status import_vtk_steps(const struct import_ask *ask, size_t *n, double **t
 
 enum status import_vtk_read(const struct import_ask *ask, struct import_table *t) {
   *t = (struct import_table){.time = NAN};
-  return import_guard(
-      &(struct import_guarded){.ask = ask, .read = read_there, .table = t, .extra = EXTRA});
+  return import_guard(&(struct import_guarded){
+      .ask = ask, .read = read_there, .table = t, .extra = extra_of(ask->path)});
 }
