@@ -12,6 +12,7 @@
 #include <vtkAppendFilter.h>
 #include <vtkCellData.h>
 #include <vtkCellDataToPointData.h>
+#include <vtkCleanPolyData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkCutter.h>
@@ -192,8 +193,11 @@ vtkSmartPointer<vtkPolyData> plane_of(vtkDataSet *set, const struct import_ask *
   } else {
     vtkNew<vtkDataSetSurfaceFilter> surface;
     surface->SetInputData(set);
-    surface->Update();
-    flat = surface->GetOutput();
+    vtkNew<vtkCleanPolyData> clean; // pieces of a parallel file share the points between them
+    clean->SetInputConnection(surface->GetOutputPort());
+    clean->SetTolerance(0);
+    clean->Update();
+    flat = clean->GetOutput();
   }
   vtkNew<vtkTriangleFilter> triangles;
   triangles->PassVertsOff();

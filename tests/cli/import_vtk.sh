@@ -10,10 +10,12 @@ import os, json
 import numpy as np, h5py
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, vtkPolyData, vtkCellArray
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, vtkPolyData, vtkCellArray, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkFiltersExtraction import vtkExtractCells
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIOXML import (vtkXMLImageDataWriter, vtkXMLRectilinearGridWriter, vtkXMLStructuredGridWriter,
-                                 vtkXMLUnstructuredGridWriter, vtkXMLPolyDataWriter)
+                                 vtkXMLUnstructuredGridWriter, vtkXMLPolyDataWriter, vtkXMLMultiBlockDataWriter)
 from vtkmodules.vtkIOLegacy import vtkDataSetWriter
 
 NX, NY = 21, 16  # [0, 4] x [0, 3], the surface y = 2 + 0.1 x + 0.2 t
@@ -44,6 +46,23 @@ for k, t in enumerate([0.0, 0.5]):
     pts.SetData(numpy_to_vtk(q, deep=True)); s.SetPoints(pts); add(s.GetPointData(), level(q[:, 0], q[:, 2], t)); save(vtkXMLStructuredGridWriter(), s, f"a{k}.vts")
     append = vtkAppendFilter(); append.AddInputData(s); append.Update(); u = append.GetOutput()
     add(u.GetFieldData(), np.array([1000 * t]), "when"); save(vtkXMLUnstructuredGridWriter(), u, f"a{k}.vtu")
+    if k == 0:  # the block and the flat image in two parts each, as blocks and as a parallel file
+        for whole, name in ((u, "block"), (g, "flat")):
+            parts = []
+            for side in (0, 1):
+                e, ids = vtkExtractCells(), vtkIdList()
+                for c in range(whole.GetNumberOfCells()):
+                    box = whole.GetCell(c).GetBounds()
+                    if (box[0] + box[1] > 4) == bool(side): ids.InsertNextId(c)
+                e.SetInputData(whole); e.SetCellList(ids); e.Update(); parts.append(e.GetOutput())
+                save(vtkXMLUnstructuredGridWriter(), parts[-1], f"{name}{side}.vtu")
+            blocks = vtkMultiBlockDataSet()
+            for side in (0, 1): blocks.SetBlock(side, parts[side])
+            save(vtkXMLMultiBlockDataWriter(), blocks, f"{name}.vtm")
+            open(f"{name}.pvtu", "w").write('<VTKFile type="PUnstructuredGrid" version="0.1" byte_order="LittleEndian" header_type="UInt32">'
+                '<PUnstructuredGrid GhostLevel="0"><PPointData><PDataArray type="Float64" Name="alpha"/></PPointData><PPoints>'
+                f'<PDataArray type="Float64" Name="Points" NumberOfComponents="3"/></PPoints><Piece Source="{name}0.vtu"/><Piece Source="{name}1.vtu"/>'
+                "</PUnstructuredGrid></VTKFile>")
     # particles
     i, j = np.meshgrid(np.arange(40), np.arange(20 - 2 * k), indexing="ij")
     xyz = np.stack([0.05 + 0.1 * i.ravel(), 0 * i.ravel(), 0.05 + 0.1 * j.ravel()], axis=1)
@@ -128,6 +147,10 @@ grid vtr y "$(both aK.vtr)" alpha
 grid vtkhdf y "$(both aK.vtkhdf)" alpha
 grid vts z "$(both aK.vts)" alpha
 grid vtu z "$(printf '  time_after: when\n  files: [{file: a0.vtu}, {file: a1.vtu}]')" alpha
+for part in block flat; do
+  [ $part = block ] && up=z || up=y
+  for kind in vtm pvtu; do grid $part-$kind $up "  files: [{file: $part.$kind, time: 0}]" alpha; done
+done
 grid pvd y "  file: all.pvd" alpha
 grid series y "  file: all.vtk.series" alpha
 grid slice z "$(printf '  slice: 0.05\n'; both aK.vts)" alpha
@@ -139,7 +162,7 @@ grid below y "  files: [{file: discs.vti, time: 0}]
 grid foam y "  file: foam/case.foam" alpha.water
 sed -i 's/time: ms/time: s/' foam.yaml
 
-for which in vti vtk ascii vtr vtkhdf vts vtu pvd series slice discs below foam; do
+for which in vti vtk ascii vtr vtkhdf vts vtu pvd series slice discs below foam block-vtm block-pvtu flat-vtm flat-pvtu; do
   "$program" import $which.yaml -o $which.h5 >log 2>&1 || fail "$which: $(cat log)"
 done
 cat >check.py <<'E2'
@@ -157,6 +180,10 @@ for name in "vti vtk ascii vtr vtkhdf vts vtu pvd series slice".split():
         assert not closed and len(q) >= 21, (name, len(q))
         assert q[0][0] == 0 and q[-1][0] == 4 and all(np.diff(q[:, 0]) >= 0), name  # water on the right
         assert abs(q[:, 1] - (2 + 0.1 * q[:, 0] + 0.2 * t)).max() < 1e-6, (name, k)  # coordinates may be floats
+for name in ("block-vtm", "block-pvtu", "flat-vtm", "flat-pvtu"):
+    (q, closed), = pieces(name, 0)  # one piece across the parts
+    assert not closed and q[0][0] == 0 and q[-1][0] == 4, name
+    assert abs(q[:, 1] - (2 + 0.1 * q[:, 0])).max() < 1e-6, name
 got = pieces("discs", 0)
 assert [c for _, c in got] == [0, 1, 1]
 drop = [q for q, c in got if c and q[0][1] > 1.4][0]
