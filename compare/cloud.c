@@ -47,72 +47,74 @@ static double unit_of(const struct comparison *c, const struct cmp_run *run, enu
 }
 
 /* Vectors become their lengths; all become dimensionless. */
-static void values_scale(struct result_cloud *points, bool vector, double unit) {
-  for (size_t i = 0; i < points->n; i++)
-    points->value[i] =
-        (vector ? hypot(points->value[2 * i], points->value[2 * i + 1]) : points->value[i]) / unit;
+static void values_scale(const struct result_water *w, bool vector, double unit) {
+  double *v = w->value[0];
+  for (size_t i = 0; i < w->n; i++) v[i] = (vector ? hypot(v[2 * i], v[2 * i + 1]) : v[i]) / unit;
 }
 
-/* Sorts the values of `points`, which are done with then. */
-static struct cmp_cloud cloud_of(struct result_cloud *points, double spacing) {
-  const size_t n = points->n;
+/* Sorts the values of the points, which are done with then. */
+static struct cmp_cloud cloud_of(const struct result_water *w, double spacing) {
+  const size_t n = w->n;
+  double *v = w->value[0];
   if (!(spacing > 0)) return (struct cmp_cloud){0};
-  qsort(points->value, n, sizeof *points->value, array_ascending);
-  return (struct cmp_cloud){n, points->value[n / 100], points->value[n - 1 - n / 100], spacing};
+  qsort(v, n, sizeof *v, array_ascending);
+  return (struct cmp_cloud){n, v[n / 100], v[n - 1 - n / 100], spacing};
 }
 
-static enum status table_write(const struct comparison *c, size_t r, enum cmp_field field,
-                               struct cmp_figures *f, const struct cmp_figure *fig,
-                               const struct result_cloud *points) {
+struct taking { /* the points of a run, output by output */
+  const struct comparison *c;
+  size_t r;
+  enum cmp_field field;
+  const size_t *time, *index; /* of the clouds; which of them an output is */
+  struct cmp_figures *f;
+  const size_t *figure; /* NULL: nothing is written, else by time */
+  struct cmp_cloud *cloud;
+};
+
+static enum status table_write(const struct taking *t, const struct cmp_figure *fig,
+                               const struct result_water *w) {
   FILE *data;
   char suffix[48];
-  snprintf(suffix, sizeof suffix, "-particles-%zu.csv", r + 1);
-  TRY(cmp_figure_data(f, fig, suffix, &data));
-  fprintf(data, "x [H],y [H],%s\n", cmp_fields[field].head);
-  for (size_t i = 0; i < points->n; i++)
-    fprintf(data, "%.6g,%.6g,%.5g\n", points->p[i][0] / c->scales.H, points->p[i][1] / c->scales.H,
-            points->value[i]);
+  const double H = t->c->scales.H;
+  snprintf(suffix, sizeof suffix, "-particles-%zu.csv", t->r + 1);
+  TRY(cmp_figure_data(t->f, fig, suffix, &data));
+  fprintf(data, "x [H],y [H],%s\n", cmp_fields[t->field].head);
+  for (size_t i = 0; i < w->n; i++)
+    fprintf(data, "%.6g,%.6g,%.5g\n", w->p[i][0] / H, w->p[i][1] / H, w->value[0][i]);
   return cmp_figure_data_end(fig, data);
 }
 
-static enum status points_read(const struct result_file *file, enum cmp_field field, size_t n,
-                               const size_t *output, struct result_cloud *points) {
-  const struct cmp_field_about *about = &cmp_fields[field];
-  return (about->vector ? result_read_vectors : result_read_points)(file->path, about->stored, n,
-                                                                    output, points);
+static enum status cloud_take(void *data, size_t k, struct result_water *w) {
+  const struct taking *t = data;
+  const struct cmp_run *run = &t->c->run[t->r];
+  const size_t i = t->index[k];
+  const double spacing = cmp_cloud_spacing(&run->data, w->n);
+  values_scale(w, cmp_fields[t->field].vector, unit_of(t->c, run, t->field));
+  if (t->figure && spacing > 0) TRY(table_write(t, &t->f->figure[t->figure[t->time[i]]], w));
+  t->cloud[i] = cloud_of(w, spacing);
+  return OK;
 }
 
-/* At n comparison times; `figure` NULL: nothing is written, else as above, by time. */
-static enum status clouds_take(const struct comparison *c, size_t r, enum cmp_field field, size_t n,
-                               const size_t *time, struct cmp_figures *f, const size_t *figure,
-                               struct cmp_cloud *cloud) {
-  const struct cmp_run *run = &c->run[r];
+static enum status clouds_take(const struct taking *t, size_t n) {
+  const struct cmp_run *run = &t->c->run[t->r];
+  const struct cmp_field_about *about = &cmp_fields[t->field];
+  const struct result_wanted wanted = {about->stored, about->vector, false};
   size_t found = 0, *output = NULL, *index = NULL;
-  struct result_cloud *points = NULL;
   enum status status = OK;
+  for (size_t i = 0; i < n; i++) t->cloud[i] = (struct cmp_cloud){0};
+  if (!cmp_cloud_has_field(run->data.file, about->stored)) return OK; /* no such points */
   ATTEMPT(array_create(&output, n, "pictures"));
   ATTEMPT(array_create(&index, n, "pictures"));
-  ATTEMPT(array_create(&points, n, "pictures"));
   for (size_t i = 0; i < n; i++) {
-    const size_t at = cmp_cloud_output(c, run->data.file, run->at[time[i]].t);
-    cloud[i] = (struct cmp_cloud){0};
-    if (at == SIZE_MAX) continue;
-    output[found] = at;
-    index[found++] = i;
+    output[found] = cmp_cloud_output(t->c, run->data.file, run->at[t->time[i]].t);
+    if (output[found] != SIZE_MAX) index[found++] = i;
   }
-  if (points_read(run->data.file, field, found, output, points) != OK)
-    found = 0; /* a solver without such points */
-  for (size_t k = 0; k < found && status == OK; k++) {
-    const size_t i = index[k];
-    const double spacing = cmp_cloud_spacing(&run->data, points[k].n);
-    values_scale(&points[k], cmp_fields[field].vector, unit_of(c, run, field));
-    if (figure && spacing > 0)
-      status = table_write(c, r, field, f, &f->figure[figure[time[i]]], &points[k]);
-    cloud[i] = cloud_of(&points[k], spacing);
-  }
+  struct taking own = *t;
+  own.index = index;
+  if (found)
+    status = result_stream(run->data.file->path, 1, &wanted, found, output, cloud_take, &own);
+  if (status == ERR_INPUT) status = OK; /* what cannot be read has no picture */
 done:
-  for (size_t k = 0; points && k < n; k++) result_cloud_free(&points[k]);
-  free(points);
   free(index);
   free(output);
   return status;
@@ -120,7 +122,8 @@ done:
 
 enum status cmp_clouds_look(const struct comparison *c, size_t r, enum cmp_field field, size_t n,
                             const size_t *time, struct cmp_cloud *cloud) {
-  return clouds_take(c, r, field, n, time, NULL, NULL, cloud);
+  return clouds_take(&(struct taking){.c = c, .r = r, .field = field, .time = time, .cloud = cloud},
+                     n);
 }
 
 enum status cmp_clouds_write(const struct comparison *c, size_t r, enum cmp_field field,
@@ -134,7 +137,7 @@ enum status cmp_clouds_write(const struct comparison *c, size_t r, enum cmp_fiel
     cloud[k] = (struct cmp_cloud){0};
     if (figure[k] != SIZE_MAX) time[n++] = k;
   }
-  ATTEMPT(clouds_take(c, r, field, n, time, f, figure, own));
+  ATTEMPT(clouds_take(&(struct taking){c, r, field, time, NULL, f, figure, own}, n));
   for (size_t i = 0; i < n; i++) cloud[time[i]] = own[i];
 done:
   free(time);

@@ -55,8 +55,8 @@ enum result_cells { RESULT_VERTICES, RESULT_LINE }; /* loose particles, or one p
  * there, all else until it is written. */
 struct result_about {
   const char *solver, *run, *title;
-  const char *version, *revision;                          /* of the program; "" as below */
-  const char *imported; /* how it was made of another program's files; NULL: it was not */
+  const char *version, *revision; /* of the program; "" as below */
+  const char *imported;           /* how it was made of another program's files; NULL: it was not */
   const char *case_text, *fingerprint, *water_fingerprint; /* "": there is none */
   bool floats;                                             /* a body without gravity */
   double H, g, density;                                    /* m, m s^-2, kg m^-3 */
@@ -188,7 +188,7 @@ struct result_file {
   char *water_fingerprint; /* case_water_fingerprint of its case; "" in files of before it */
   char *settings; /* of the solver, but for its resolution, in the words of whoever wrote them; "" */
   char *created;           /* UTC, 2026-11-22T19:24:21Z */
-  char *imported; /* how it was made of another program's files; "" when it was not */
+  char *imported;          /* how it was made of another program's files; "" when it was not */
   char *ended;  /* why it ended before the end of its case, one sentence; "" when it did not */
   char *health; /* verdict when it ended: sound, doubtful or failed; "" before that, or older */
   bool complete;
@@ -235,6 +235,29 @@ struct result_file {
 /* ERR_INPUT with one sentence when the file is missing, truncated, damaged or not a result file. */
 enum status result_read(const char *path, struct result_file **out);
 void result_file_destroy(struct result_file *f);
+
+enum { RESULT_WANTED = 4 }; /* fields at a time, at most */
+
+struct result_wanted {
+  const char *name;
+  bool vector;   /* its x and y */
+  bool optional; /* a file may be without it */
+};
+
+struct result_water { /* the points of one output */
+  size_t n;
+  double (*p)[2];               /* m, [n] */
+  double *value[RESULT_WANTED]; /* [n]; of vectors their x and y in turn, [2 n]; NULL: none */
+};
+
+/* Hands over the points of n outputs with some fields, one output after the other, so that no more
+ * than one is in memory; the file is opened and checked once. `take` may keep what it is given, and
+ * zeroes what it keeps; its failure ends it. */
+enum status result_stream(const char *path, size_t n_fields, const struct result_wanted *field,
+                          size_t n, const size_t *output,
+                          enum status (*take)(void *data, size_t k, struct result_water *water),
+                          void *data);
+void result_water_free(struct result_water *water);
 
 struct result_cloud {
   size_t n;

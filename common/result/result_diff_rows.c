@@ -50,7 +50,8 @@ struct rows {
   size_t n, wide; /* rows that both have; numbers of each */
   struct result_when when;
   size_t n_stretches;
-  struct stretch *stretch; /* [n_stretches], owned */
+  struct stretch *stretch;    /* [n_stretches], owned */
+  struct result_spot largest; /* difference, whatever is allowed */
 };
 
 static struct result_used *used_by(const struct differ *d, struct result_quantity *q,
@@ -76,8 +77,9 @@ static void spot_take(struct result_spot *s, const double *a, const double *b, s
 }
 
 /* n numbers from number `first` on, all of one rule: the largest magnitude and difference. */
-static void measure(struct result_quantity *q, struct result_used *used, const double *a,
-                    const double *b, size_t n, size_t first, size_t wide) {
+static void measure(struct result_quantity *q, struct result_used *used,
+                    struct result_spot *largest, const double *a, const double *b, size_t n,
+                    size_t first, size_t wide) {
   double scale = q->scale;
   for (size_t i = 0; i < n; i++) {
     if (isfinite(a[i])) scale = fmax(scale, fabs(a[i]));
@@ -88,12 +90,12 @@ static void measure(struct result_quantity *q, struct result_used *used, const d
     if (a[i] == b[i]) continue;
     const double difference = difference_of(a[i], b[i]);
     used->worst = fmax(used->worst, difference);
-    if (difference > q->worst.difference)
-      spot_take(&q->worst, &a[i], &b[i], (first + i) / wide, (first + i) % wide, difference);
+    if (difference > largest->difference)
+      spot_take(largest, &a[i], &b[i], (first + i) / wide, (first + i) % wide, difference);
   }
 }
 
-/* The same once more, now that it is known what is allowed. */
+/* The same when it is known what is allowed. */
 static void judge(struct result_quantity *q, const struct tolerance *rule, const double *a,
                   const double *b, size_t n, size_t first, size_t wide) {
   const double allowed = allowed_by(rule, q);
@@ -113,8 +115,11 @@ static void judge(struct result_quantity *q, const struct tolerance *rule, const
   }
 }
 
-static void stretches_do(struct differ *d, struct result_quantity *q, const struct rows *r,
-                         bool judging, size_t first, size_t n, double *const rows[2]) {
+/* A search stops at the first difference; the others can be one. */
+enum pass { SEARCH = 0, MEASURE = 1, JUDGE = 2 };
+
+static void stretches_do(struct differ *d, struct result_quantity *q, struct rows *r, int pass,
+                         size_t first, size_t n, double *const rows[2]) {
   size_t k = 0;
   while (k < r->n_stretches && r->stretch[k].end <= first) k++;
   for (size_t at = first; at < first + n && k < r->n_stretches; k++) {
@@ -122,12 +127,10 @@ static void stretches_do(struct differ *d, struct result_quantity *q, const stru
     const struct tolerance *rule = r->stretch[k].rule;
     const size_t from = (at - first) * r->wide, length = (end - at) * r->wide;
     const double *a = rows[0] + from, *b = rows[1] + from;
-    if (rule->ignore)
-      used_by(d, q, rule)->worst = -1;
-    else if (judging)
-      judge(q, rule, a, b, length, at * r->wide, r->wide);
-    else
-      measure(q, used_by(d, q, rule), a, b, length, at * r->wide, r->wide);
+    if (rule->ignore) used_by(d, q, rule)->worst = -1;
+    if (!rule->ignore && pass & MEASURE)
+      measure(q, used_by(d, q, rule), &r->largest, a, b, length, at * r->wide, r->wide);
+    if (!rule->ignore && pass & JUDGE) judge(q, rule, a, b, length, at * r->wide, r->wide);
     at = end;
   }
 }
@@ -137,11 +140,9 @@ static bool rows_equal(double *const rows[2], size_t numbers) {
   return !memcmp(rows[0], rows[1], numbers * sizeof **rows);
 }
 
-enum pass { SEARCH, MEASURE, JUDGE };
-
-/* Reads the rows of both files in blocks. A search stops at the first difference. */
-static enum status pass_through(struct differ *d, struct result_quantity *q, const struct rows *r,
-                                size_t width, enum pass pass, bool *equal) {
+/* Reads the rows of both files in blocks. */
+static enum status pass_through(struct differ *d, struct result_quantity *q, struct rows *r,
+                                size_t width, int pass, bool *equal) {
   *equal = true;
   for (size_t first = 0; first < r->n && (*equal || pass != SEARCH); first += BLOCK) {
     const size_t n = r->n - first < BLOCK ? r->n - first : BLOCK;
@@ -151,7 +152,7 @@ static enum status pass_through(struct differ *d, struct result_quantity *q, con
       status = hdf_get_rows(result_diff_turn(d, k), q->name, H5T_NATIVE_DOUBLE, width, first, n,
                             &rows[k]);
     if (status == OK && pass == SEARCH) *equal = rows_equal(rows, n * r->wide);
-    if (status == OK && pass != SEARCH) stretches_do(d, q, r, pass == JUDGE, first, n, rows);
+    if (status == OK && pass != SEARCH) stretches_do(d, q, r, pass, first, n, rows);
     free(rows[0]);
     free(rows[1]);
     TRY(status);
@@ -177,18 +178,27 @@ static bool exceeds(const struct differ *d, const struct result_quantity *q) {
   return false;
 }
 
-static enum status compare_rows(struct differ *d, struct result_quantity *q, const struct rows *r,
+/* Whether what is allowed depends on all rows. */
+static bool any_relative(const struct rows *r) {
+  size_t k = 0;
+  while (k < r->n_stretches && !(r->stretch[k].rule->relative > 0)) k++;
+  return k < r->n_stretches;
+}
+
+static enum status compare_rows(struct differ *d, struct result_quantity *q, struct rows *r,
                                 size_t width) {
+  const int pass = any_relative(r) ? MEASURE : MEASURE | JUDGE;
   bool equal;
   q->n = r->n * r->wide;
   TRY(pass_through(d, q, r, width, SEARCH, &equal));
   if (equal) return OK;
-  TRY(pass_through(d, q, r, width, MEASURE, &equal));
+  TRY(pass_through(d, q, r, width, pass, &equal));
+  q->differs = exceeds(d, q) || q->differs;
   if (exceeds(d, q)) {
-    q->differs = true;
-    TRY(pass_through(d, q, r, width, JUDGE, &equal));
+    if (!(pass & JUDGE)) TRY(pass_through(d, q, r, width, JUDGE, &equal));
   } else if (q->n_used) {
     q->allowed = allowed_by(&d->tolerances->rule[q->used[0].rule], q);
+    q->worst = r->largest;
   }
   locate(d, q, &r->when);
   return OK;
@@ -201,7 +211,7 @@ void result_diff_numbers(struct differ *d, struct result_quantity *q, const doub
   q->n = 1;
   q->ignored = rule->ignore;
   if (q->ignored) return;
-  measure(q, used_by(d, q, rule), &value[0], &value[1], 1, 0, 1);
+  measure(q, used_by(d, q, rule), &q->worst, &value[0], &value[1], 1, 0, 1);
   q->allowed = allowed_by(rule, q);
   if (q->worst.difference > 0) judge(q, rule, &value[0], &value[1], 1, 0, 1);
   q->differs = q->beyond > 0;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "common/base/array.h"
+#include "common/result/result_chunks.h"
 
 void hdf_quiet(void) {
   H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
@@ -283,6 +284,9 @@ static enum status table_read(const struct table *t, hsize_t first, hsize_t n, v
   size_t bytes = (size_t)n * (t->width ? t->width : 1) * H5Tget_size(t->type);
   *values = malloc(bytes ? bytes : 1);
   CHECK(*values, ERR_MEMORY, "no memory for %zu bytes", bytes);
+  if (n && H5Tequal(t->type, H5T_NATIVE_DOUBLE) > 0 &&
+      hdf_chunks_read(t->set, t->width, first, n, *values))
+    return OK;
   hid_t memory = H5Screate_simple(t->width ? 2 : 1, count, NULL);
   bool good = !n || (H5Sselect_hyperslab(t->space, H5S_SELECT_SET, start, NULL, count, NULL) >= 0 &&
                      H5Dread(t->set, t->type, memory, t->space, H5P_DEFAULT, *values) >= 0);

@@ -23,7 +23,6 @@ static const double CHARACTERS_SURFACE = 2.5, CHARACTERS_POINT = 5.6;
 /* Positions of particles in steps of a fraction of their spacing, and fields as finely as a colour
  * can tell: what is below that does not get smaller by packing. */
 static const uint16_t coarse[6] = {8191, 8191, 1023, 1023, 1023, 1023};
-enum { POINTS_AT_ONCE = 2000000 };
 
 /* ---- which outputs there is room for ---- */
 
@@ -147,34 +146,34 @@ static void sort(size_t n, const double *x, const double *y, struct sorted *orde
 enum { FIELDS = 4 };
 static const char *const field_names[FIELDS] = {"p", "u", "v", "rho"};
 
-struct clouds { /* of some outputs of a run: what its file has of them */
-  size_t n;
-  struct result_cloud *pressure, *velocity, *density; /* [n], empty: it has none */
-};
+enum { PRESSURE, VELOCITY, DENSITY, STORED };
+static const struct result_wanted stored[STORED] = {[PRESSURE] = {"pressure", false, true},
+                                                    [VELOCITY] = {"velocity", true, true},
+                                                    [DENSITY] = {"density", false, true}};
 
-/* The value of a field at a point, dimensionless; density over that of the case. */
-static double value_of(const struct pack *p, const struct clouds *s, size_t k, size_t field,
-                       size_t i, double density) {
-  const double speed = p->c->scales.H / p->c->scales.T;
-  if (field == 0) return s->pressure[k].value[i] / p->c->scales.p;
-  if (field == 3) return s->density[k].value[i] / density;
-  return s->velocity[k].value[2 * i + field - 1] / speed;
+/* Where a field of the page comes from. */
+static size_t stored_of(size_t field) {
+  return field == 0 ? PRESSURE : field == 3 ? DENSITY : VELOCITY;
 }
 
-static enum status cloud_pack(struct pack *p, const struct result_file *f, const struct clouds *s,
-                              size_t k, json_t *object) {
+/* The value of a field at a point, dimensionless; density over that of the case. */
+static double value_of(const struct pack *p, const struct result_water *w, size_t field, size_t i,
+                       double density) {
+  const double speed = p->c->scales.H / p->c->scales.T;
+  if (field == 0) return w->value[PRESSURE][i] / p->c->scales.p;
+  if (field == 3) return w->value[DENSITY][i] / density;
+  return w->value[VELOCITY][2 * i + field - 1] / speed;
+}
+
+static enum status cloud_pack(struct pack *p, const struct result_file *f,
+                              const struct result_water *any, json_t *object) {
   enum status status = OK;
-  const struct result_cloud *all[] = {&s->pressure[k], &s->velocity[k], &s->density[k]},
-                            *any = NULL;
-  const bool known[FIELDS] = {all[0]->n > 0, all[1]->n > 0, all[1]->n > 0, all[2]->n > 0};
   double *column[2 + FIELDS] = {NULL}, *moved = NULL;
   struct sorted *order = NULL;
   json_t *fields = json_array(), *planes = NULL;
   size_t n = 0, columns = 2;
   set(&p->m, object, "fields", fields);
-  for (size_t i = 0; i < 3; i++)
-    if (all[i]->n) any = all[i];
-  if (!any) return OK;
+  if (!any->value[PRESSURE] && !any->value[VELOCITY] && !any->value[DENSITY]) return OK;
   for (size_t i = 0; i < 2 + FIELDS; i++) ATTEMPT(array_create(&column[i], any->n, "particles"));
   ATTEMPT(array_create(&order, any->n, "particles"));
   ATTEMPT(array_create(&moved, any->n, "particles"));
@@ -183,9 +182,9 @@ static enum status cloud_pack(struct pack *p, const struct result_file *f, const
     column[1][n] = any->p[i][1] / p->c->scales.H;
   }
   for (size_t field = 0; field < FIELDS; field++) {
-    if (!known[field]) continue;
+    if (!any->value[stored_of(field)]) continue;
     for (size_t i = 0, m = 0; i < any->n; i += p->point_every)
-      column[columns][m++] = value_of(p, s, k, field, i, f->density);
+      column[columns][m++] = value_of(p, any, field, i, f->density);
     add(&p->m, fields, json_string(field_names[field]));
     columns++;
   }
@@ -203,63 +202,33 @@ done:
   return status;
 }
 
-typedef enum status read_field(const char *path, const char *field, size_t n, const size_t *output,
-                               struct result_cloud *cloud);
+struct packing {
+  struct pack *p;
+  const struct result_file *f;
+  const size_t *output;
+  json_t *list;
+};
 
-static enum status field_read(const struct result_file *f, const char *name, read_field *read,
-                              size_t n, const size_t *output, struct result_cloud **out) {
-  *out = calloc(n + 1, sizeof **out);
-  CHECK(*out, ERR_MEMORY, "no memory for particles");
-  return cmp_cloud_has_field(f, name) ? read(f->path, name, n, output, *out) : OK;
-}
-
-static void clouds_free(struct clouds *s) {
-  struct result_cloud *all[] = {s->pressure, s->velocity, s->density};
-  for (size_t i = 0; i < 3; i++) {
-    for (size_t k = 0; all[i] && k < s->n; k++) result_cloud_free(&all[i][k]);
-    free(all[i]);
-  }
-}
-
-/* Some outputs, which are in memory together. */
-static enum status batch_pack(struct pack *p, const struct cmp_run *run, size_t n,
-                              const size_t *output, json_t *list) {
-  const struct result_file *f = run->data.file;
-  enum status status = OK;
-  struct clouds s = {.n = n};
-  ATTEMPT(field_read(f, "pressure", result_read_points, n, output, &s.pressure));
-  ATTEMPT(field_read(f, "velocity", result_read_vectors, n, output, &s.velocity));
-  ATTEMPT(field_read(f, "density", result_read_points, n, output, &s.density));
-  for (size_t k = 0; k < n; k++) {
-    json_t *object = json_object();
-    add(&p->m, list, object);
-    set(&p->m, object, "t", number(f->output_time[output[k]] / p->c->scales.T));
-    set(&p->m, object, "every", json_integer((json_int_t)p->point_every));
-    ATTEMPT(cloud_pack(p, f, &s, k, object));
-  }
-done:
-  clouds_free(&s);
-  return status;
+static enum status water_take(void *data, size_t k, struct result_water *w) {
+  const struct packing *q = data;
+  json_t *object = json_object();
+  add(&q->p->m, q->list, object);
+  set(&q->p->m, object, "t", number(q->f->output_time[q->output[k]] / q->p->c->scales.T));
+  set(&q->p->m, object, "every", json_integer((json_int_t)q->p->point_every));
+  return cloud_pack(q->p, q->f, w, object);
 }
 
 static enum status points_pack(struct pack *p, const struct cmp_run *run, json_t *list) {
   const struct result_file *f = run->data.file;
-  enum status status = OK;
   size_t *output = NULL, n = 0;
-  int64_t points = 0;
   TRY(array_create(&output, f->n_outputs, "outputs"));
-  for (size_t k = 0; k < f->n_outputs && status == OK; k++) {
-    if (!has_points(run, k) ||
-        !is_packed(p->c, p->point_stride, k, f->n_outputs, f->output_time[k] / p->c->scales.T))
-      continue;
-    if (n && points + f->output_points[k] > POINTS_AT_ONCE) {
-      status = batch_pack(p, run, n, output, list);
-      n = 0, points = 0;
-    }
-    output[n++] = k;
-    points += f->output_points[k];
-  }
-  if (n && status == OK) status = batch_pack(p, run, n, output, list);
+  for (size_t k = 0; k < f->n_outputs; k++)
+    if (has_points(run, k) &&
+        is_packed(p->c, p->point_stride, k, f->n_outputs, f->output_time[k] / p->c->scales.T))
+      output[n++] = k;
+  const enum status status = n ? result_stream(f->path, STORED, stored, n, output, water_take,
+                                               &(struct packing){p, f, output, list})
+                               : OK;
   free(output);
   return status;
 }

@@ -173,6 +173,42 @@ static void test_wrong_points_are_refused(void) {
   result_file_destroy(f);
 }
 
+struct looks {
+  size_t n, stop;
+  const size_t *output;
+};
+
+static enum status look(void *data, size_t k, struct result_water *w) {
+  struct looks *l = data;
+  EXPECT(k == l->n);
+  EXPECT(w->n == sample_n(l->output[k], SCALE) && w->p && w->value[0] && w->value[1]);
+  EXPECT(!w->value[2]); /* no file has it */
+  for (size_t i = 0; i < w->n; i++) {
+    EXPECT_SAME(w->p[i][0], sample_x(l->output[k], i));
+    EXPECT_SAME(w->value[0][2 * i], w->p[i][1]); /* the sample's velocity is (y, x) */
+    EXPECT_SAME(w->value[0][2 * i + 1], w->p[i][0]);
+    EXPECT_SAME(w->value[1][i], 1000 * w->p[i][1] / 7);
+  }
+  return ++l->n == l->stop ? status_raise(ERR_IO, "enough") : OK;
+}
+
+/* Several fields, output by output, until the one who takes them has had enough. */
+static void test_points_come_one_output_at_a_time(void) {
+  static const struct result_wanted wanted[] = {
+      {"velocity", true, false}, {"pressure", false, false}, {"vorticity", false, true}};
+  const size_t output[] = {3, 0, 5}, beyond[] = {1, OUTPUTS, 2};
+  struct result_file *f = round_trip(OUTPUTS, SCALE, true);
+  struct looks all = {0, 9, output}, two = {0, 2, output}, wrong = {0, 9, beyond};
+  EXPECT_OK(result_stream(path, 3, wanted, 3, output, look, &all));
+  EXPECT(all.n == 3);
+  EXPECT(result_stream(path, 3, wanted, 3, output, look, &two) == ERR_IO && two.n == 2);
+  EXPECT(!strcmp(status_message(), "enough"));
+  EXPECT(result_stream(path, 3, wanted, 3, beyond, look, &wrong) == ERR_INPUT && wrong.n == 1);
+  if (!strstr(status_message(), ", output 6: its dataset /VTKHDF/Steps/PointOffsets has 6 rows"))
+    TEST_FAIL("the message is: %s", status_message());
+  result_file_destroy(f);
+}
+
 static void test_only_a_finished_file_is_current(void) {
   result_file_destroy(round_trip(2, SCALE, false));
   struct case_file *c = sample_case();
@@ -218,6 +254,7 @@ int main(void) {
   RUN(test_events_and_statistics_come_back);
   RUN(test_points_come_back);
   RUN(test_wrong_points_are_refused);
+  RUN(test_points_come_one_output_at_a_time);
   RUN(test_only_a_finished_file_is_current);
   RUN(test_unfinished_file_is_complete_to_the_last_row);
   RUN(test_nothing_is_left_beside_the_file);

@@ -307,6 +307,31 @@ static void test_two_runs_cannot_write_one_file(void) {
   sample_case_destroy(c);
 }
 
+/* A file is checked once while it stays as it is; bytes that change later are seen all the same. */
+static void test_changes_after_a_check_are_seen(void) {
+  struct case_file *c = sample_case();
+  struct result *w = NULL;
+  struct result_file *f = NULL;
+  EXPECT_OK(result_create(path, c, &c->runs[0], &w));
+  if (w) EXPECT_OK(sample_output(w, 0, 600));
+  if (w) EXPECT_OK(result_finish(w));
+  result_destroy(w);
+  sample_case_destroy(c);
+  pause_for(3.1); /* until it is old enough to be remembered */
+  for (int k = 0; k < 2; k++) {
+    EXPECT_OK(result_read(path, &f));
+    result_file_destroy(f);
+  }
+  int fd = open(path, O_RDWR);
+  unsigned char byte = 0;
+  EXPECT(pread(fd, &byte, 1, 5000) == 1);
+  byte ^= 64;
+  EXPECT(pwrite(fd, &byte, 1, 5000) == 1);
+  close(fd);
+  EXPECT(result_read(path, &f) == ERR_INPUT);
+  EXPECT(strstr(status_message(), "its checksum does not match"));
+}
+
 int main(void) {
   snprintf(path, sizeof path, "%s/sample.h5", sample_folder());
   RUN(test_every_flushed_output_survives_a_kill);
@@ -320,6 +345,7 @@ int main(void) {
   RUN(test_flipped_bits_are_refused);
   RUN(test_damage_without_a_seal_never_crashes);
   RUN(test_other_files_are_named_for_what_they_are);
+  RUN(test_changes_after_a_check_are_seen);
   free(content);
   sample_folder_remove();
   return TEST_RESULT;
