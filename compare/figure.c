@@ -192,24 +192,27 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
   return OK;
 }
 
+/* A figure of 900 px of a screen becomes 190 mm wide in print: two columns of a journal. */
+#define PX_PER_INCH (900 / (190 / 25.4))
+
 void cmp_figure_formats(struct cmp_figure *fig) {
   fprintf(fig->script,
           "do for [fmt in '%s'] {\n"
           "if (fmt eq 'svg') { set terminal svg size %d,%d dynamic font 'sans-serif,14' "
           "background '#ffffff' linewidth 1.3 }\n"
-          "if (fmt eq 'pdf') { set terminal pdfcairo size %.3fin,%.3fin font 'sans,10' "
-          "linewidth 1.3 background '#ffffff' }\n"
+          "if (fmt eq 'pdf') { set terminal pdfcairo size %.3fin,%.3fin font 'sans,8' "
+          "linewidth 1.1 background '#ffffff' }\n"
           "if (fmt eq 'png') { set terminal pngcairo size %.0f,%.0f font 'sans,%.4g' linewidth "
           "%.4g pointscale %.4g background '#ffffff' }\n"
-          "small = fmt eq 'svg' ? ',11' : fmt eq 'pdf' ? ',8' : ',%.4g'\n"
+          "small = fmt eq 'svg' ? ',11' : fmt eq 'pdf' ? ',6.5' : ',%.4g'\n"
           "set output '%s.'.fmt\n"
           "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n"
           "set border linewidth 0.7 linecolor '#444444'\n"
           "set tics nomirror scale 0.6 textcolor '#222222'\n"
           "set grid linetype 1 linecolor '#e4e4e4' linewidth 0.5\n",
-          *fig->only ? fig->only : "svg pdf png", fig->width, fig->height, fig->width / 100.0,
-          fig->height / 100.0, fig->fine * fig->width, fig->fine * fig->height, 10.5 * fig->fine,
-          1.3 * fig->fine, fig->fine, 8.25 * fig->fine, fig->name);
+          *fig->only ? fig->only : "svg pdf png", fig->width, fig->height, fig->width / PX_PER_INCH,
+          fig->height / PX_PER_INCH, fig->fine * fig->width, fig->fine * fig->height,
+          10.5 * fig->fine, 1.3 * fig->fine, fig->fine, 8.25 * fig->fine, fig->name);
 }
 
 enum status cmp_figure_end(struct cmp_figure *fig) {

@@ -180,8 +180,11 @@ function showRun(i, on) {
   redraw();
 }
 
-/* Until when a run stays within a spacing of the reference; one that never leaves it is the nearest. */
-const nearness = i => i ? runs[i].within_one_spacing_until ?? Infinity : -1;
+/* How near the reference a run is at the last comparison time: the particles of the nearest are shown at first. */
+function nearness(i) {
+  const own = report.measures.filter(m => m.measure === 'mean_distance' && m.run === runs[i].label && m.value !== null);
+  return i && own.length ? -own[own.length - 1].value : -Infinity;
+}
 
 function makeControls() {
   byId('time').max = times.length - 1;
