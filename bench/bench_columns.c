@@ -110,6 +110,8 @@ int main(int argc, char **argv) {
     if (WIFSIGNALED(state)) printf(" stopped by signal %d\n", WTERMSIG(state));
     fflush(stdout);
     unlink(path);
+    memcpy(strrchr(path, '.'), ".xdmf", sizeof ".xdmf");
+    unlink(path);
   }
   return 0;
 }
