@@ -206,5 +206,5 @@ void cmp_pane_colours(const struct cmp_figure *fig, const struct cmp_layout *l, 
   cmp_gnuplot_string(fig->script, of);
   fprintf(fig->script, " at screen %.5f, screen %.5f center noenhanced\n",
           1 - CMP_PANES_RIGHT / 2.0 / CMP_PANES_WIDTH,
-          1 - (top - CMP_PANES_TITLE / 2.0) / fig->height);
+          1 - (top - 0.7 * CMP_PANES_TITLE) / fig->height);
 }

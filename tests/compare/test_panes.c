@@ -20,13 +20,14 @@ static void test_what_colours_are_of_is_in_the_picture(void) {
     fclose(fig.script);
     const char *at = strstr(script, "set label 2 '|u| / √(g H)' at screen ");
     const char *box = strstr(script, "origin screen ");
-    double x, y, left, low, high, half_width = 12 * 3.5; /* px, of twelve letters */
+    double x, y, left, low, high,
+        half_width = 12 * 3.5; /* px, of twelve letters; they and the numbers are 12 high */
     EXPECT(at && sscanf(strstr(at, "screen"), "screen %lf, screen %lf center", &x, &y) == 2);
     EXPECT(box && sscanf(box, "origin screen %lf, screen %lf size screen 0.016, screen %lf", &left,
                          &low, &high) == 3);
     EXPECT(x * fig.width + half_width < fig.width);
     EXPECT(x * fig.width - half_width > CMP_PANES_WIDTH - CMP_PANES_RIGHT);
-    EXPECT(y < 1 && (y - low - high) * fig.height > 6);
+    EXPECT(y < 1 && (y - low - high) * fig.height > 6 + 8);
     free(script);
   }
 }
