@@ -11,7 +11,7 @@ const double bem_smooth_weight[BEM_SMOOTH + 1] = {0,        6. / 7,   -15. / 56,
  * of four nodes 0.1. */
 static const double CONVERGES = 0.1;
 /* Of the range of heights and potential, and of places: last terms that are no roughness. */
-static const double NOISE = 1e-7, ROUNDING = 1e-15;
+static const double NOISE = 1e-6, ROUNDING = 1e-15;
 
 double bem_smooth_node(const struct bem_surface *s, const double *f, enum bem_parity parity,
                        ptrdiff_t k) {

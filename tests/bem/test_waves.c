@@ -103,6 +103,22 @@ static void test_gentle_waves_outlive_the_sawtooth(void) {
   result_file_destroy(f);
 }
 
+/* A crest 15 h from either wall, whose tails end there with a kink of a millionth of its height:
+ * the surface is smooth all the same, and integrated as such, without a new start. */
+static void test_a_solitary_wave_between_walls_is_smooth(void) {
+  struct result_file *f =
+      run_bem("title: solitary\n"
+              "fluid: {density: 1, gravity: 1}\n"
+              "scales: {H: 1}\n"
+              "tank: {walls: [[[0, 2], [0, 0], [32, 0], [32, 2]]]}\n"
+              "water: {wave: {kind: solitary, amplitude: 0.3, depth: 1, x: 15}}\n"
+              "time: {end: 1, every: 1, sample: 0.1}\n"
+              "runs: [{name: bem, solver: bem, resolution: 8, tolerance: 1e-5}]\n");
+  if (!f) return;
+  EXPECT(run_statistic(f, "initialisations") == 1);
+  result_file_destroy(f);
+}
+
 static void test_still_water_stays_still_under_hydrostatic_pressure(void) {
   struct result_file *f =
       run_bem("title: tank at rest\n"
@@ -128,6 +144,7 @@ static void test_still_water_stays_still_under_hydrostatic_pressure(void) {
 int main(void) {
   RUN(test_standing_wave_frequency_and_energy_are_exact_with_few_nodes);
   RUN(test_gentle_waves_outlive_the_sawtooth);
+  RUN(test_a_solitary_wave_between_walls_is_smooth);
   RUN(test_still_water_stays_still_under_hydrostatic_pressure);
   return TEST_RESULT;
 }
