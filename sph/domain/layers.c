@@ -327,7 +327,8 @@ static bool fits(const struct sph *s, const struct face *f, const struct sph_div
 
 /* Anew, unless all are well divided. */
 static void divide(struct sph *s, struct sph_layers *g, bool anew) {
-  for (size_t k = 0; k < s->faces.n; k++) anew |= !fits(s, &s->faces.face[k], &g->division[k]);
+  for (size_t k = 0; k < s->faces.n && !anew; k++)
+    anew = !fits(s, &s->faces.face[k], &g->division[k]);
   for (size_t k = 0; k < s->faces.n && anew; k++)
     g->division[k] = division_of(s, &s->faces.face[k]);
 }

@@ -313,6 +313,7 @@ static struct result_file *drop(const char *name) {
     shape_circle(&r->surface[i], H, 1.5 * H, (0.5 + 0.01 * (double)i) * H, 200, true);
   }
   r->floats = true;
+  free(r->events[0].name);
   r->n_events = 0;
   return r;
 }
