@@ -1,7 +1,7 @@
 #include <stdlib.h>
 
-#include "compare/diff/markup.h"
 #include "compare/diff/write.h"
+#include "compare/markup.h"
 
 static void testcase(struct markup *m, const struct cmp_diff_run *run, const char *name) {
   cmp_markup_open(m, "testcase", NULL);

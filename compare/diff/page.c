@@ -3,66 +3,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/diff/markup.h"
 #include "compare/diff/write.h"
+#include "compare/markup.h"
 #include "compare/output.h"
 #include "embed/cmp_diff_template.h"
 
 enum { MOST_ROWS = 60, MOST_RUNS = 200 }; /* of what stands in the page without a script */
 
-/* ---- the template ---- */
-
-/* Writes the template up to a mark, and returns what is behind it. */
-static const char *template_until(struct markup *p, const char *from, const char *mark) {
-  const char *at = strstr(from, mark);
-  char *part = at ? strndup(from, (size_t)(at - from)) : NULL;
-  if (!part) return NULL;
-  cmp_markup_raw(p, part);
-  free(part);
-  return at + strlen(mark);
-}
-
-/* A `<` is only ever within a string there: as \u003c none of them ends the script. */
-static enum status data_write(struct markup *p, const json_t *json) {
-  char *text = json_dumps(json, JSON_COMPACT | JSON_REAL_PRECISION(17));
-  CHECK(text, ERR_MEMORY, "no memory for a page");
-  for (char *from = text, *to = from; to;) {
-    to = strchr(from, '<');
-    if (to) *to = 0;
-    cmp_markup_raw(p, from);
-    if (to) cmp_markup_raw(p, "\\u003c");
-    if (to) from = to + 1;
-  }
-  free(text);
-  return OK;
-}
+struct content { /* what the page is written from */
+  const struct cmp_diff *d;
+  const struct cmp_figures *figures;
+  const json_t *json;
+};
 
 /* ---- tables ---- */
 
 static const char *class_of(enum cmp_diff_outcome outcome) {
   static const char *const class[] = {"same", "differs", "only", "only", "trouble"};
   return class[outcome];
-}
-
-static void headings(struct markup *p, const char *const *text, size_t n, size_t left) {
-  cmp_markup_open(p, "tr", NULL);
-  for (size_t k = 0; k < n; k++) {
-    cmp_markup_open(p, "th", k < left ? "t" : NULL);
-    cmp_markup_attribute(p, "scope", "col");
-    cmp_markup_text(p, text[k]);
-    cmp_markup_close(p);
-  }
-  cmp_markup_close(p);
-}
-
-static void table_open(struct markup *p) {
-  cmp_markup_open(p, "div", "scroll");
-  cmp_markup_open(p, "table", NULL);
-}
-
-static void table_close(struct markup *p) {
-  cmp_markup_close(p);
-  cmp_markup_close(p);
 }
 
 static void number(struct markup *p, int digits, double value) {
@@ -100,18 +58,17 @@ static void run_row(struct markup *p, const struct cmp_diff *d, size_t k) {
 }
 
 static void runs_table(struct markup *p, const struct cmp_diff *d) {
-  static const char *const head[] = {"run", "outcome", "what"};
+  static const char *const head[] = {"run", "outcome", "what", NULL};
   size_t shown = 0;
   cmp_markup_element(p, "h2", NULL, "Runs");
-  table_open(p);
-  headings(p, head, 3, 3);
+  cmp_markup_table(p, NULL, 3, head);
   for (int same = 0; same < 2; same++) /* what differs comes first */
     for (size_t k = 0; k < d->n; k++) {
       if ((d->run[k].outcome == CMP_DIFF_SAME) != same || shown == MOST_RUNS) continue;
       run_row(p, d, k);
       shown++;
     }
-  table_close(p);
+  cmp_markup_table_close(p);
   if (shown < d->n)
     cmp_markup_element(p, "p", "soft", "%zu more are in diff.json and diff.xml.", d->n - shown);
 }
@@ -134,15 +91,14 @@ static void quantity_row(struct markup *p, const struct cmp_diff_run *run,
 
 static enum status quantities_table(struct markup *p, const struct cmp_diff_run *run) {
   static const char *const head[] = {"quantity", "since t (s)", "t*",  "difference",
-                                     "units",    "relative",    "what"};
+                                     "units",    "relative",    "what", NULL};
   const struct result_quantity **q;
   size_t n;
   TRY(cmp_diff_order(run, &n, &q));
   cmp_markup_element(p, "h3", NULL, "What differs, the first in time first");
-  table_open(p);
-  headings(p, head, sizeof head / sizeof *head, 1);
+  cmp_markup_table(p, NULL, 1, head);
   for (size_t i = 0; i < n && i < MOST_ROWS; i++) quantity_row(p, run, q[i]);
-  table_close(p);
+  cmp_markup_table_close(p);
   if (n > MOST_ROWS)
     cmp_markup_element(p, "p", "soft", "%zu more are in the table of all quantities and diff.json.",
                        n - MOST_ROWS);
@@ -211,11 +167,19 @@ static enum status run_section(struct markup *p, const struct cmp_diff *d, size_
 
 /* ---- the page ---- */
 
-static enum status body(struct markup *p, const struct cmp_diff *d,
-                        const struct cmp_figures *figures) {
+static enum status write_title(struct markup *p, const void *content) {
+  const struct cmp_diff *d = ((const struct content *)content)->d;
+  char *title = NULL;
+  CHECK(asprintf(&title, "%s against %s", d->path[1], d->path[0]) >= 0, ERR_MEMORY,
+        "no memory for a page");
+  cmp_markup_text(p, title);
+  free(title);
+  return OK;
+}
+
+static void lead(struct markup *p, const struct cmp_diff *d) {
   const enum cmp_diff_outcome outcome = cmp_diff_outcome(d);
   char *sentence = cmp_diff_sentence(d), class[32];
-  cmp_markup_open(p, "main", NULL);
   cmp_markup_element(p, "h1", NULL, "A and B: %s",
                      outcome == CMP_DIFF_SAME ? "the same" : cmp_diff_word(outcome));
   snprintf(class, sizeof class, "lead %s", class_of(outcome));
@@ -227,32 +191,27 @@ static enum status body(struct markup *p, const struct cmp_diff *d,
     cmp_markup_element(p, "code", NULL, "%s", d->path[k]);
     cmp_markup_close(p);
   }
-  if (d->folders) runs_table(p, d);
-  for (size_t k = 0; k < d->n; k++)
-    if (d->run[k].outcome == CMP_DIFF_DIFFERS) TRY(run_section(p, d, k, figures));
+}
+
+static enum status write_body(struct markup *p, const void *content) {
+  const struct content *w = content;
+  cmp_markup_open(p, "main", NULL);
+  lead(p, w->d);
+  if (w->d->folders) runs_table(p, w->d);
+  for (size_t k = 0; k < w->d->n; k++)
+    if (w->d->run[k].outcome == CMP_DIFF_DIFFERS) TRY(run_section(p, w->d, k, w->figures));
   cmp_markup_close(p);
   return OK;
 }
 
-static enum status page_write(struct markup *p, const struct cmp_diff *d,
-                              const struct cmp_figures *figures, const json_t *json) {
-  const char *rest = template_until(p, cmp_diff_template, "<!--head-->");
-  cmp_markup_element(p, "title", NULL, "%s against %s", d->path[1], d->path[0]);
-  if (rest) rest = template_until(p, rest, "<!--body-->");
-  TRY(body(p, d, figures));
-  if (rest) rest = template_until(p, rest, "<!--data-->");
-  TRY(data_write(p, json));
-  CHECK(rest, ERR_MEMORY, "no memory for a page");
-  cmp_markup_raw(p, rest);
-  return OK;
+static enum status write_data(struct markup *p, const void *content) {
+  return cmp_markup_json(p, ((const struct content *)content)->json);
 }
 
 enum status cmp_diff_page(const struct cmp_diff *d, const struct cmp_figures *figures,
                           const json_t *json, FILE *out) {
-  struct markup *p = cmp_markup_create(out, false);
-  CHECK(p, ERR_MEMORY, "no memory for a page");
-  enum status status = page_write(p, d, figures, json);
-  if (!cmp_markup_finish(p) && status == OK) status = status_raise(ERR_IO, "cannot write the page");
-  cmp_markup_destroy(p);
-  return status;
+  static const struct markup_part parts[] = {
+      {"title", write_title}, {"body", write_body}, {"data", write_data}, {NULL, NULL}};
+  return cmp_markup_fill(out, cmp_diff_template, cmp_diff_template_size, parts,
+                         &(struct content){d, figures, json});
 }
