@@ -2,7 +2,9 @@
 
 #include <math.h>
 
-static const double LOST = 0.1; /* of the first energy: no run that gets on comes near it */
+/* Of the first energy, that of the water at rest with it: no run that gets on comes near it, and
+ * one in deep water is far gone before it does. */
+static const double LOST = 0.1;
 
 void bem_budget_damped(struct bem_budget *b, const struct bem_flow *f, double time, double dt) {
   double start = time - dt,
@@ -57,7 +59,7 @@ struct result_energy bem_budget_row(struct bem_budget *b, const struct case_file
                frame = given_until(b, 0, time), sides = given_until(b, 1, time);
   double energy = t->kinetic + t->potential + damped + frame + sides + b->removed_energy;
   if (seconds == 0) b->first_energy = energy;
-  b->drift = b->first_energy != 0 ? energy / b->first_energy - 1 : 0;
+  b->drift = isfinite(b->first_energy) && b->first_energy != 0 ? energy / b->first_energy - 1 : 0;
   double joule = c->density * c->gravity * c->H * c->H * c->H;
   double lift = c->density * c->gravity * c->H * c->H *
                 c->tank.min[1]; /* of the bed above y = 0, by volume */

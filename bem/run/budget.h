@@ -18,15 +18,17 @@ struct bem_budget {
     double power[2][2]; /* at its two points of Gauss's formula */
   } given;
   double drift; /* of the energy, relative to the initial one */
-  double first_energy;
+  double first_energy; /* NaN where the first row was left out, as that of water that touches */
 };
 
 /* Counts what filter and smoothing take during the step that ended at `time`. */
 void bem_budget_damped(struct bem_budget *b, const struct bem_flow *f, double time, double dt);
 
-/* A step that ended at `time` was made, in which the water gives powers as in the last one until
- * they are set: at its two points, BEM_GAUSS of its length after its start. */
+/* Of a step: the two points of Gauss's formula. */
 static const double BEM_GAUSS[2] = {0.21132486540518713, 0.78867513459481287};
+
+/* A step that ended at `time` was made, in which the water gives powers as in the last one until
+ * they are set, at the two points. */
 void bem_budget_given(struct bem_budget *b, double time, double dt);
 
 /* The water has lost so much to a cut, and has another shape from now on. */

@@ -19,6 +19,7 @@ static const double CLOSEST = 0.003;
 static const double NEAR = 1e-9; /* of an interval: times that count as equal */
 
 enum status bem_output_create(struct bem_output *o, const struct bem_solve_options *options) {
+  o->budget.first_energy = NAN;
   return bem_view_create(&o->view, options);
 }
 
