@@ -101,10 +101,9 @@ static enum status check_format(hid_t file) {
   bool ours = hdf_get_string(file, "format", &format) == OK && !strcmp(format, RESULT_FORMAT);
   free(format);
   if (!ours) {
-    CHECK(
-        H5Aexists(file, "H") > 0, ERR_INPUT,
-        "is an HDF5 file, but no result: it has none of the attributes H, g, density and spacing, "
-        "which docs/result-file.md describes");
+    CHECK(H5Aexists(file, "H") > 0, ERR_INPUT,
+          "is an HDF5 file, but no result: it has no attribute H, one of the scales H, g, density "
+          "and spacing, which docs/result-file.md describes");
     return OK;
   }
   enum status status = hdf_get_integer(file, "format_version", &version);

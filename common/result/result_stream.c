@@ -32,6 +32,9 @@ static enum status read_fields(hid_t file, const struct stream *q, hsize_t first
   hid_t data = -1;
   enum status status = OK;
   if (!q->n_fields) return OK;
+  bool any = false;
+  for (size_t k = 0; k < q->n_fields; k++) any = any || !q->field[k].optional;
+  if (!any && !hdf_is_there(file, "VTKHDF/PointData")) return OK;
   ATTEMPT(hdf_open_group(file, "VTKHDF/PointData", &data));
   for (size_t k = 0; k < q->n_fields; k++) {
     const struct result_wanted *field = &q->field[k];

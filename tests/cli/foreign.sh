@@ -59,12 +59,40 @@ refused() { # the message for a file without what is named
   "$program" compare out/theory.h5 least.h5 -o least >log 2>&1 && fail "$* is not missed"
   grep -qF "plunge: least.h5 $says" log || fail "without $*: $(cat log)"
 }
-refused 'is an HDF5 file, but no result: it has none of the attributes H, g, density and spacing' H
+refused 'is an HDF5 file, but no result: it has no attribute H, one of the scales H, g, density and spacing' H
 refused 'is not a usable result: it has no numeric attribute "spacing"' spacing
 refused 'is not a usable result: it has no dataset /surface/points' surface/points
 refused 'is not a usable result: it has no group /surface' surface/time surface/first_point surface/points
 /usr/bin/python3 least.py
 ! "$program" compare least.h5 least.h5 -o two >log 2>&1 || fail "two without walls"
 grep -q "neither least.h5 nor any other file has /walls" log || fail "no walls at all: $(cat log)"
+
+# water on the wrong side of a surface, a tank on the wrong side of its wall; particles without a field
+turned() { # lines of Python that change file f, and the message, or none
+  /usr/bin/python3 - "$1" <<'E2'
+import sys, shutil, h5py, numpy as np
+shutil.copy("airy.h5", "turned.h5")
+with h5py.File("turned.h5", "r+") as f: exec(sys.argv[1])
+E2
+  "$program" compare out/theory.h5 turned.h5 -o turned >log 2>&1 && [ "$2" ] && fail "$1: no message"
+  grep -qF "plunge: ${2:+turned.h5 }$2" log || [ -z "$2" ] || fail "$1: $(cat log)"
+}
+turned 'p, n = f["surface/points"], f["surface/first_point"][:]; q = p[:]
+for a, b in zip(n[:-1], n[1:]): q[a:b] = q[a:b][::-1]
+p[:] = q' 'is not a usable result: its surface 0 goes from the right to the left: a surface has its water on its right'
+turned 'p = f["walls/points"]; p[:] = p[:][::-1]' 'is not a usable result: its wall 0 of /walls has the tank on its right: a wall goes down the left side, along the bed, and up the right side'
+/usr/bin/python3 - <<'E2'
+import h5py, numpy as np
+with h5py.File("airy.h5") as whole, h5py.File("alone.h5", "w") as f:
+    for name in ("H", "g", "density"): f.attrs[name] = whole.attrs[name]
+    f.attrs["spacing"] = 0.1
+    whole.copy("walls", f)
+    x, y = np.meshgrid(np.arange(0.05, 4, 0.1), np.arange(0.05, 2, 0.1))
+    v = f.create_group("VTKHDF")
+    v["Points"] = np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], 1)
+    v["NumberOfPoints"] = [x.size]
+    v["Steps/Values"], v["Steps/PointOffsets"] = [0.0], [0]
+E2
+"$program" compare out/theory.h5 alone.h5 -o alone >log 2>&1 || fail "positions alone: $(cat log)"
 
 exit $failed

@@ -192,14 +192,14 @@ static void test_wrong_points_are_refused(void) {
 
 /* A file of another program, with nothing of ours in it. */
 static void test_hdf5_of_another_program_is_named(void) {
-  char message[256];
+  char message[320];
   struct result_file *f = NULL;
   hid_t file = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   H5Fclose(file);
   EXPECT(result_read(path, &f) == ERR_INPUT);
   snprintf(message, sizeof message,
-           "%s is an HDF5 file, but no result: it has none of the attributes H, g, density and "
-           "spacing, which docs/result-file.md describes",
+           "%s is an HDF5 file, but no result: it has no attribute H, one of the scales H, g, "
+           "density and spacing, which docs/result-file.md describes",
            path);
   EXPECT_STR(status_message(), message);
 }
