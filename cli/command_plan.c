@@ -97,6 +97,14 @@ done:
   return status;
 }
 
+static enum status check_out(const struct plan_arguments *a) {
+  struct stat in, out;
+  CHECK(!a->out || stat(a->out, &out) || stat(a->case_path, &in) || in.st_dev != out.st_dev ||
+            in.st_ino != out.st_ino,
+        ERR_USAGE, "--out: found the case itself; allowed: another file, which the plan replaces");
+  return OK;
+}
+
 static enum status plan_case(const struct plan_arguments *a, const struct case_file *c) {
   char program[PATH_MAX], case_path[PATH_MAX], folder[PATH_MAX], results[PATH_MAX];
   enum plan_engine engine = PLAN_make;
@@ -119,6 +127,7 @@ static enum status plan_case(const struct plan_arguments *a, const struct case_f
                             .set = a->set.item,
                             .threads = a->threads};
   ATTEMPT(plan_check(&plan));
+  ATTEMPT(check_out(a));
   status = put(&plan, engine, a->out);
 done:
   free(chosen);

@@ -3,7 +3,7 @@
  *   plunge_result *r = plunge_result_open("mine.h5", 0.6, 9.81, 1000, 0.01);
  *   plunge_result_wall(r, 4, corners, 0);
  *   for each output: plunge_result_surface(r, t, n, points);
- *   plunge_result_close(r);
+ *   plunge_result_close(r, NULL);
  *
  * SI units, per metre of width. Points are x, y in turn. What is known before the run (texts,
  * walls, probes, gauges, terms) is said before the first output, with which the file comes to be;

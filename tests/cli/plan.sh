@@ -129,6 +129,7 @@ wrong "plunge: --only -b: case.yaml has no run of that name; $runs" case.yaml --
 wrong "plunge: --only : case.yaml has no run of that name; $runs" case.yaml --for make --only a,
 wrong "plunge plan: --threads 0: give a whole number from 1 to 1024" case.yaml --for make --threads 0
 wrong "plunge plan: --threads two: give a whole number from 1 to 1024" case.yaml --for slurm --threads two
+wrong "plunge: --out: found the case itself; allowed: another file, which the plan replaces" case.yaml --for make --out ./case.yaml
 wrong "plunge plan: --set title: write PATH=VALUE, as in runs.NAME.alpha=0" case.yaml --for make --set title
 wrong "--set runs.x.resolution=1: found no item 'x' in the list; allowed: a, -b; correct the path" case.yaml --for make --set runs.x.resolution=1
 wrong "--set runs.-b.sweep.resolution=[8, -1]: runs.-b--1.resolution: found '-1'; allowed: a number above 0 and up to 100000" \
