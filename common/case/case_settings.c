@@ -137,6 +137,7 @@ static enum status read_settings(struct case_draft *d, const struct case_frame *
   TRY(case_read_compare(d));
   check_absent(d, "reference", "none, the reference is the first file");
   check_absent(d, "experiments", "none, they are in the reference's file");
+  check_absent(d, "profiles", "none, they are in the reference's file");
   int list = case_doc_member(&d->doc, d->at.compare, "times");
   for (size_t i = 0; i < d->c->compare.n_times; i++)
     check_time(d, frame, case_doc_item(&d->doc, list, i), i);

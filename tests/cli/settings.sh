@@ -57,6 +57,7 @@ compare:
     - {measure: mean_distance, max: 1, runs: [c]}
     - {measure: mean_distance, max: 1, at: 0.25}
   averages: [{probe: P, over: 0.5}, {probe: R, over: 0.1}]
+  profiles: [{file: nope.txt, time: 0.1, label: none, source: nobody}]
 E2
 compare 2
 sed -i "s/allowed: one of mean_distance[^;]*/allowed: one of WHATEVER/" log
@@ -70,6 +71,7 @@ settings.yaml:7: compare.tolerances[1].runs[0]: found 'c'; allowed: one of the r
 settings.yaml:8: compare.tolerances[2].at: found 0.25 s; allowed: one of compare.times; add it there or change it
 settings.yaml:9: compare.averages[1].probe: found 'R'; allowed: one of the probes P
 settings.yaml:9: compare.averages[0].over: found 0.5 s; allowed: at most the reference's last output, 0.4 s; make it smaller
+settings.yaml:10: compare.profiles: found a key of a case; allowed: none, they are in the reference's file; remove it
 E2
 # times are answered in the unit that they are asked in
 printf 'compare:\n  times: [0.5 sqrt(H/g), 150 ms]\n' >settings.yaml
