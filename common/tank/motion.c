@@ -204,7 +204,10 @@ void tank_side_move(const struct geo_lines *walls, const struct tank_side *side,
                     const struct tank_shift *shift, double (*p)[2], double (*v)[2],
                     double (*a)[2]) {
   const double *top = walls->p[side->top], *foot = walls->p[side->foot];
-  const double part = top[1] != foot[1] ? (shift->hinge - foot[1]) / (top[1] - foot[1]) : 0;
+  /* a side without a flap has its hinge at infinity, above all of its points */
+  const double part = isfinite(shift->hinge) && top[1] != foot[1]
+                          ? (shift->hinge - foot[1]) / (top[1] - foot[1])
+                          : 0;
   const double hinge[2] = {foot[0] + part * (top[0] - foot[0]), shift->hinge};
   double(*out[3])[2] = {p, v, a};
   size_t i = side->top < side->foot ? side->top : side->foot;
