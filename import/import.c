@@ -13,6 +13,7 @@
 #include "import/pieces.h"
 #include "import/reader.h"
 #include "import/rows.h"
+#include "import/target.h"
 #include "revision.h"
 
 struct work {
@@ -344,6 +345,7 @@ enum status import_run(const char *sidecar, const char *out, const struct regist
     *written = NULL;
     status = status_raise(ERR_MEMORY, "no memory for a file name");
   }
+  if (status == OK) status = import_check_target(*written, s);
   if (status == OK) status = import_all(&w, *written);
   summary->walls = s->scales->walls.pieces > 0;
   summary->particles = s->particles.given && !s->profiles.given && !s->grid.given;
