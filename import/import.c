@@ -3,7 +3,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "common/base/array.h"
 #include "common/cloud/surface.h"
@@ -289,9 +288,11 @@ static enum status write_result(struct work *w, const struct result_about *about
   if (status != OK) return status;
   status = go_through(w);
   if (status == OK) status = result_finish(w->result);
-  result_destroy(w->result);
+  if (status == OK)
+    result_destroy(w->result);
+  else
+    result_discard(w->result); /* nothing half-written */
   w->result = NULL;
-  if (status != OK) unlink(path); /* nothing half-written */
   return status;
 }
 

@@ -145,6 +145,8 @@ enum status result_health(struct result *w, const char *broke_off, struct health
 
 enum status result_finish(struct result *w); /* marks the file complete */
 void result_destroy(struct result *w);       /* closes it, complete or not; NULL is fine */
+/* The same, and removes it and the .xdmf beside it: of what is worth nothing by halves. */
+void result_discard(struct result *w);
 
 /* ---- reading ---- */
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "common/base/array.h"
 #include "common/case/case.h"
@@ -512,4 +513,12 @@ void result_destroy(struct result *w) {
   free(w->points_at);
   free(w->path);
   free(w);
+}
+
+void result_discard(struct result *w) {
+  if (!w) return;
+  w->broken = true; /* no flush any more */
+  xdmf_remove(w->xdmf);
+  if (w->path) unlink(w->path);
+  result_destroy(w);
 }

@@ -128,6 +128,10 @@ enum status xdmf_write(struct xdmf *x, bool last) {
   return OK;
 }
 
+void xdmf_remove(struct xdmf *x) {
+  if (x) unlink(x->path);
+}
+
 void xdmf_destroy(struct xdmf *x) {
   if (!x) return;
   if (x->steps) fclose(x->steps);

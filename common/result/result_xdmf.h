@@ -16,4 +16,5 @@ enum status xdmf_step(struct xdmf *x, double time, size_t first, size_t n, enum 
 
 /* Replaces the file on disk in one go; skipped until enough is new unless `last`. ERR_IO. */
 enum status xdmf_write(struct xdmf *x, bool last);
+void xdmf_remove(struct xdmf *x);  /* from the disk, if it is there; NULL is fine */
 void xdmf_destroy(struct xdmf *x); /* NULL is fine */

@@ -65,7 +65,7 @@ spacing: 0.1
 units: {length: m, time: s}
 particles: {format: csv, file: cloud.csv, columns: {time: t, x: x, y: y}}
 E2
-awk 'BEGIN { OFS = ","; print "t,x,y"; for (t = 0; t < 8; t++) for (i = 0; i < 40; i++) for (j = 0; j < 20; j++) print t, 0.05 + 0.1 * i, 0.05 + 0.1 * j }' >cloud.csv
+awk 'BEGIN { OFS = ","; print "t,x,y"; for (t = 0; t < 30; t++) for (i = 0; i < 40; i++) for (j = 0; j < 20; j++) print t, 0.05 + 0.1 * i + 1e-4 * (i * t % 7), 0.05 + 0.1 * j + 1e-4 * (j * t % 11) }' >cloud.csv
 "$program" import cloud.yaml >log 2>&1 || fail "particles: $(cat log)"
 [ -s cloud.xdmf ] || fail "no .xdmf"
 sed 's/^run: .*/run: again/; s/^particles.*/particles: {format: vtkhdf, file: cloud.h5, columns: {x: "Points:0", y: "Points:1"}}/' cloud.yaml >again.yaml
@@ -80,5 +80,16 @@ if /usr/bin/python3 -c 'import h5py' 2>/dev/null; then # HDF5 of another program
   sed 's/^run: .*/run: theirs/; s/^profiles.*/profiles: {format: hdf5, files: [{file: theirs.h5, time: 0}], columns: {x: x, y: y}}/' flat.yaml >theirs.yaml
   refused theirs.yaml theirs.h5 "cannot write theirs.h5: it is theirs.h5, which this import reads"
 fi
+
+# no room: what was begun goes, the .xdmf of its first outputs too
+sed 's/^run: .*/run: limited/' cloud.yaml >limited.yaml
+size=$(stat -c %s cloud.h5)
+for percent in 5 40 60 80 90; do # of what it takes: from less than the header to nearly all of it
+  blocks=$((size * percent / 100 / 1024))
+  (ulimit -f $blocks && "$program" import limited.yaml >log 2>&1)
+  code=$?
+  [ $code = 3 ] || fail "$blocks blocks: exit code $code: $(cat log)"
+  [ -z "$(find . -name '*limited*' ! -name limited.yaml)" ] || fail "$blocks blocks leave $(find . -name '*limited*' ! -name limited.yaml)"
+done
 
 exit $failed
