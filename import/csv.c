@@ -68,24 +68,59 @@ static bool number_of(const char *s, double *value) {
   return end != s && !*end && isfinite(*value);
 }
 
-/* Whether it begins with a number: no line of names. */
-static bool is_row(struct csv *c, const char *line) {
-  double value;
-  char *copy = strdup(line);
-  if (!copy) return false;
-  divide(c, copy);
-  const bool row = c->n_fields && *c->field[0] && number_of(c->field[0], &value);
-  free(copy);
-  return row;
+/* Whether the fields at hand have all names that are asked for. */
+static bool has_names(const struct csv *c) {
+  for (size_t k = 0; k < IMPORT_N_ROLES; k++) {
+    bool there = !c->ask->names[k];
+    for (size_t i = 0; i < c->n_fields && !there; i++)
+      there = !strcmp(c->field[i], c->ask->names[k]);
+    if (!there) return false;
+  }
+  return true;
 }
 
+/* Whether a line before all rows is one: it begins with a number, or its first field is empty and
+ * the others are numbers or empty. Names that are numbers, beside a column without a name, look
+ * like that too. */
+static enum status find_row(struct csv *c, const char *line, size_t number, bool *row) {
+  double value;
+  size_t filled = 0;
+  char *copy = strdup(line);
+  CHECK(copy, ERR_MEMORY, "no memory for a line of a file");
+  divide(c, copy);
+  *row = c->n_fields && number_of(c->field[0], &value);
+  const bool begins = *row && *c->field[0];
+  for (size_t i = 0; i < c->n_fields && *row && !begins; i++) {
+    *row = number_of(c->field[i], &value);
+    filled += *c->field[i] != 0;
+  }
+  *row = *row && (begins || filled);
+  const bool unclear = *row && !begins && has_names(c);
+  free(copy);
+  CHECK(!unclear, ERR_INPUT,
+        "%s:%zu: this line may be names or numbers; put a # before it if they are names, or a "
+        "number into each field",
+        c->ask->path, number);
+  return OK;
+}
+
+static bool is_of_word(char c) {
+  return isalnum((unsigned char)c) || c == '_' || (unsigned char)c >= 0x80;
+}
+
+/* A number behind the words that are asked for, which are not the end of longer ones: "t=" is not
+ * in "dt=". */
 static void note_time(struct csv *c, const char *line) {
-  const char *at = c->ask->time_after ? strstr(line, c->ask->time_after) : NULL;
-  char *end;
-  if (!at) return;
-  at += strlen(c->ask->time_after);
-  const double time = strtod(at, &end);
-  if (end != at) c->time = time;
+  const char *words = c->ask->time_after;
+  if (!words) return;
+  for (const char *at = line; (at = strstr(at, words)); at++) {
+    char *end;
+    if (at > line && is_of_word(*words) && is_of_word(at[-1])) continue;
+    const double time = strtod(at + strlen(words), &end);
+    if (end == at + strlen(words)) continue;
+    c->time = time;
+    return;
+  }
 }
 
 /* The place of a column, by name, or by number. */
@@ -143,12 +178,15 @@ static enum status read_lines(struct csv *c, struct import_table *t) {
   char *rest = c->text, *line;
   size_t room = 0, number = 0;
   bool rows = false;
+  const char blank[] = {' ', '\t', c->ask->separator, 0};
   while ((line = text_line(&rest))) {
     number++;
     const char *begin = line + strspn(line, " \t");
-    if (!*begin) continue;
+    if (!line[strspn(line, blank)]) continue;
     if (*begin == '#') note_time(c, begin);
-    if (!rows && (*begin == '#' || !is_row(c, line))) {
+    bool row = *begin != '#';
+    if (row && !rows) TRY(find_row(c, line, number, &row));
+    if (!rows && !row) {
       c->header = line;
       continue;
     }
@@ -159,6 +197,10 @@ static enum status read_lines(struct csv *c, struct import_table *t) {
     TRY(take_row(c, number, &room, t));
   }
   CHECK(rows, ERR_INPUT, "%s has no line of numbers", c->ask->path);
+  CHECK(!c->ask->time_after || !isnan(c->time), ERR_INPUT,
+        "%s has no comment with a number after '%s'; correct time_after, or give the files their "
+        "time by another key",
+        c->ask->path, c->ask->time_after);
   t->time = c->time;
   return OK;
 }

@@ -1,7 +1,9 @@
 #include "import/rows.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "import/lists.h"
 
@@ -15,18 +17,49 @@ struct walk {
   void *data;
 };
 
-/* Leaves the rows of another kind out. */
-static void keep_only(const struct import_section *section, struct import_table *t) {
-  const double *kind = t->column[IMPORT_only];
+/* What the rows [a, b) have instead. */
+static enum status no_kind(const struct walk *w, const struct import_table *t, size_t a, size_t b) {
+  const double *kind = t->column[IMPORT_only], *time = t->column[IMPORT_time];
+  double seen[8];
   size_t n = 0;
-  if (!kind) return;
+  char found[256] = "", at[64] = "";
+  for (size_t i = a; i < b; i++) {
+    size_t k = 0;
+    while (k < n && seen[k] != kind[i] && !(isnan(seen[k]) && isnan(kind[i]))) k++;
+    if (k < n) continue;
+    const bool room = n < sizeof seen / sizeof *seen;
+    const size_t end = strlen(found);
+    snprintf(found + end, sizeof found - end, room ? "%s%.9g" : "%s...", n ? ", " : "", kind[i]);
+    if (!room) break;
+    seen[n++] = kind[i];
+  }
+  if (time) snprintf(at, sizeof at, " at its time %.9g", time[a]);
+  return status_raise(ERR_INPUT,
+                      "%s: %s has no particle whose '%s' is %.9g%s: found %s; allowed for the key "
+                      "is: a value that is there",
+                      w->item->where, w->item->file, w->section->column[IMPORT_only],
+                      w->section->is, at, found);
+}
+
+/* Leaves the rows of another kind out, of which no time may consist. */
+static enum status keep_only(const struct walk *w, struct import_table *t) {
+  const double *kind = t->column[IMPORT_only], *time = t->column[IMPORT_time];
+  size_t n = 0;
+  if (!kind) return OK;
+  for (size_t a = 0, b; a < t->n; a = b) {
+    bool some = false;
+    for (b = a; b < t->n && (!time || time[b] == time[a] || b == a); b++)
+      some = some || kind[b] == w->section->is;
+    if (!some) return no_kind(w, t, a, b);
+  }
   for (size_t i = 0; i < t->n; i++) {
-    if (kind[i] != section->is) continue;
+    if (kind[i] != w->section->is) continue;
     for (size_t k = 0; k < IMPORT_N_ROLES; k++)
       if (t->column[k]) t->column[k][n] = t->column[k][i];
     n++;
   }
   t->n = n;
+  return OK;
 }
 
 static void to_si(const struct import_sidecar *s, struct import_table *t) {
@@ -84,7 +117,11 @@ static enum status read_step(struct walk *w, struct import_ask *ask, double own)
   struct import_table t;
   enum status status = import_formats[w->section->format].read(ask, &t);
   if (status != OK) return status_context(status, "%s: ", w->item->where);
-  keep_only(w->section, &t);
+  status = keep_only(w, &t);
+  if (status != OK) {
+    import_table_destroy(&t);
+    return status;
+  }
   to_si(w->s, &t);
   const double unit = w->s->unit.time;
   double time = w->item->time;
