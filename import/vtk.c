@@ -6,14 +6,15 @@
 #include <string.h>
 
 #include "import/guarded.h"
+#include "import/lists.h"
 #include "import/vtk_library.h"
 
-/* The libraries take memory and time too; and what is read of a case of OpenFOAM is in other files.
- */
+/* The libraries take memory and time too; and much of what is read may be in other files: those of
+ * a case of OpenFOAM, the parts of a parallel file. */
 static size_t extra_of(const char *path) {
   const size_t n = strlen(path);
   const bool foam = (n > 5 && !strcmp(path + n - 5, ".foam")) || strstr(path, "controlDict");
-  return foam ? (size_t)1 << 30 : (size_t)64 << 20;
+  return foam ? (size_t)1 << 30 : ((size_t)64 << 20) + import_parts_size(path);
 }
 
 /* In the child, where a library may be loaded that crashes. */
