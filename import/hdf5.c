@@ -19,6 +19,7 @@ struct request {
   double *times;
   struct import_table *table;
   bool vtkhdf; /* points over time */
+  bool steps;  /* of which a column holds several */
 };
 
 /* Rows and numbers in each of a dataset. */
@@ -60,9 +61,10 @@ static enum status read_column(const struct request *q, hid_t file, const char *
                                size_t first, size_t *n, double **out) {
   char name[IMPORT_LONGEST + 1], path[IMPORT_LONGEST + 32];
   const char *file_name = q->ask->path;
-  const size_t component = import_component(column, name);
-  size_t rows = 0, components = 0;
+  size_t rows = 0, components = 0, component;
+  char wrong[IMPORT_WRONG];
   double *values = NULL;
+  import_array_name(column, name);
   snprintf(path, sizeof path, "%s%s",
            !q->vtkhdf                ? ""
            : !strcmp(name, "Points") ? "VTKHDF/"
@@ -70,9 +72,11 @@ static enum status read_column(const struct request *q, hid_t file, const char *
            name);
   if (!hdf_is_there(file, path)) return no_dataset(file, file_name, path);
   TRY(find_shape(file, file_name, path, &rows, &components));
-  CHECK(component < (components ? components : 1), ERR_INPUT, "%s: '%s' has %zu components, from 0",
-        file_name, column, components ? components : 1);
+  CHECK(import_pick(column, components ? components : 1, &component, wrong), ERR_INPUT, "%s %s",
+        file_name, wrong);
   const bool all = *n == SIZE_MAX;
+  CHECK(all || q->steps || rows == *n, ERR_INPUT, "%s: '%s' has %zu rows, other columns %zu",
+        file_name, column, rows, *n);
   CHECK(all || (first <= rows && *n <= rows - first), ERR_INPUT, "%s: '%s' has %zu rows, too few",
         file_name, column, rows);
   if (all) *n = rows;
@@ -125,13 +129,12 @@ static enum status read_there(const hid_t *file, void *data) {
   struct request *q = data;
   struct import_table *t = q->table;
   size_t first = 0, n = SIZE_MAX;
-  if (q->vtkhdf && hdf_is_there(*file, "VTKHDF/Steps")) TRY(find_rows(*file, q->ask, &first, &n));
+  q->steps = q->vtkhdf && hdf_is_there(*file, "VTKHDF/Steps");
+  if (q->steps) TRY(find_rows(*file, q->ask, &first, &n));
   for (size_t k = 0; k < IMPORT_N_ROLES; k++) {
     if (!q->ask->names[k]) continue;
     size_t rows = n;
     TRY(read_column(q, *file, q->ask->names[k], first, &rows, &t->column[k]));
-    CHECK(n == SIZE_MAX || rows == n, ERR_INPUT, "%s: '%s' has %zu rows, other columns %zu",
-          q->ask->path, q->ask->names[k], rows, n);
     n = rows;
   }
   t->n = n == SIZE_MAX ? 0 : n;

@@ -61,6 +61,19 @@ static bool parse_shape(const char *s, struct npy *a) {
   return *s == ')';
 }
 
+/* Of '<f8' and the like. */
+static bool is_plain(const char *type) {
+  return *type == '\'' && (type[1] == '<' || type[1] == '|') && type[2] &&
+         strchr("fiub", type[2]) && type[3] && strchr("1248", type[3]) && type[4] == '\'' &&
+         !(type[2] == 'f' && type[3] < '4');
+}
+
+/* Of a type as it is shown: a word between strokes, or a list in brackets. */
+static size_t length_of(const char *type) {
+  const size_t n = *type ? 1 + strcspn(type + 1, *type == '[' ? "]" : "'") : 0;
+  return n && type[n] ? n + 1 : n;
+}
+
 static enum status parse(const char *path, const char *name, struct npy *a) {
   unsigned char *b = (unsigned char *)a->bytes;
   CHECK(a->size > 12 && !memcmp(b, "\x93NUMPY", 6) && b[6] >= 1 && b[6] <= 3, ERR_INPUT,
@@ -73,12 +86,10 @@ static enum status parse(const char *path, const char *name, struct npy *a) {
   char header[1024];
   snprintf(header, sizeof header, "%.*s", (int)(length < 1023 ? length : 1023), a->bytes + begin);
   const char *type = value_of(header, "'descr'");
-  CHECK(*type == '\'' && (type[1] == '<' || type[1] == '|') && strchr("fiub", type[2]) &&
-            strchr("1248", type[3]) && type[4] == '\'' && !(type[2] == 'f' && type[3] < '4'),
-        ERR_INPUT,
-        "%s: '%s' is not of plain numbers (%.12s); allowed: floats and integers, little-endian; "
+  CHECK(is_plain(type), ERR_INPUT,
+        "%s: '%s' is not of plain numbers (%.*s); allowed: floats and integers, little-endian; "
         "objects are not read, save the arrays themselves",
-        path, name, type);
+        path, name, (int)length_of(type), type);
   a->kind = type[2];
   a->width = (size_t)(type[3] - '0');
   a->by_column = !strncmp(value_of(header, "'fortran_order'"), "True", 4);
@@ -138,10 +149,11 @@ static enum status open_array(const char *path, zip_t *zip, const char *name, st
   return parse(path, name, a);
 }
 
-static enum status take(const struct npy *a, const char *path, const char *column, size_t component,
-                        size_t n, double *out) {
-  CHECK(component < a->components, ERR_INPUT, "%s: '%s' has %zu components, from 0", path, column,
-        a->components);
+static enum status take(const struct npy *a, const char *path, const char *column, size_t n,
+                        double *out) {
+  char wrong[IMPORT_WRONG];
+  size_t component;
+  CHECK(import_pick(column, a->components, &component, wrong), ERR_INPUT, "%s %s", path, wrong);
   CHECK(a->n == n, ERR_INPUT, "%s: '%s' has %zu rows, other columns %zu", path, column, a->n, n);
   for (size_t i = 0; i < n; i++)
     out[i] = number(a, a->by_column ? component * a->n + i : i * a->components + component);
@@ -154,11 +166,11 @@ static enum status read_columns(const struct import_ask *ask, zip_t *zip, struct
     char name[IMPORT_LONGEST + 1];
     struct npy a = {0};
     if (!ask->names[k]) continue;
-    const size_t component = import_component(ask->names[k], name);
+    import_array_name(ask->names[k], name);
     enum status status = open_array(ask->path, zip, name, &a);
     if (status == OK && first) status = import_table_make(t, ask->names, a.n);
     first = false;
-    if (status == OK) status = take(&a, ask->path, ask->names[k], component, t->n, t->column[k]);
+    if (status == OK) status = take(&a, ask->path, ask->names[k], t->n, t->column[k]);
     free(a.bytes);
     TRY(status);
   }

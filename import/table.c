@@ -1,6 +1,5 @@
 #include "import/table.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,14 +27,6 @@ enum status import_table_make(struct import_table *t, const char *const names[IM
     if (names[k]) TRY(array_create(&t->column[k], n, "columns of a file"));
   t->n = n;
   return OK;
-}
-
-size_t import_component(const char *column, char name[IMPORT_LONGEST + 1]) {
-  snprintf(name, IMPORT_LONGEST + 1, "%s", column);
-  char *colon = strrchr(name, ':');
-  if (!colon || !isdigit((unsigned char)colon[1]) || colon[2]) return 0;
-  *colon = 0;
-  return (size_t)(colon[1] - '0');
 }
 
 enum status import_no_column(const char *path, const char *column, size_t n,

@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "common/base/status.h"
+#include "import/component.h"
 
 /* What a column is to a result. X(name, units' member, help) */
 #define IMPORT_ROLES(X)                                                                            \
@@ -52,10 +53,6 @@ void import_table_destroy(struct import_table *t); /* frees the arrays and zeroe
 /* Room for n rows of every column that `names` asks for. ERR_MEMORY. */
 enum status import_table_make(struct import_table *t, const char *const names[IMPORT_N_ROLES],
                               size_t n);
-
-/* "alpha:1" asks for component 1 of alpha: the name without it into `name`, and which. */
-enum { IMPORT_LONGEST = 200 };
-size_t import_component(const char *column, char name[IMPORT_LONGEST + 1]);
 
 /* "FILE has no column 'a'; it has b, c; did you mean 'b'?" */
 enum status import_no_column(const char *path, const char *column, size_t n,

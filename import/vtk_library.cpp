@@ -3,6 +3,8 @@
  * of cells become values of points, by the mean over the cells that meet there. */
 #include "import/vtk_library.h"
 
+#include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -23,6 +25,7 @@
 #include <vtkHDFReader.h>
 #include <vtkIdList.h>
 #include <vtkInformation.h>
+#include <vtkLogger.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkOpenFOAMReader.h>
@@ -42,6 +45,30 @@ namespace {
 struct failure {
   std::string what;
 };
+
+/* The first error that readers told of, and in legacy files the first warning too: their readers go
+ * on with zeros where a file ends early, and warn of it. */
+struct complaints {
+  const bool legacy;
+  std::string first;
+  explicit complaints(bool of_legacy);
+  ~complaints() {
+    vtkLogger::RemoveCallback("plunge");
+  }
+};
+
+void hear(void *data, const vtkLogger::Message &message) {
+  auto *heard = (complaints *)data;
+  const bool counts = heard->legacy || message.verbosity <= vtkLogger::VERBOSITY_ERROR;
+  if (!counts || !heard->first.empty()) return;
+  const std::string text = message.message; // of an error "CLASS (ADDRESS): SENTENCE"
+  const size_t stop = text.find("): "), begin = stop == std::string::npos ? 0 : stop + 3;
+  heard->first = text.substr(begin, text.find('\n', begin) - begin).substr(0, 200);
+}
+
+complaints::complaints(bool of_legacy) : legacy(of_legacy) {
+  vtkLogger::AddCallback("plunge", hear, this, vtkLogger::VERBOSITY_WARNING);
+}
 
 bool ends_with(const std::string &s, const char *end) {
   const size_t n = std::strlen(end);
@@ -147,8 +174,15 @@ std::string names_of(vtkDataSet *set) {
   return list.empty() ? "none" : list;
 }
 
-void no_array(vtkDataSet *set, const char *name) {
-  throw failure{"has no array '" + std::string(name) + "'; it has Points, " + names_of(set)};
+void no_array(vtkDataSet *set, const char *name, const char *also) {
+  throw failure{"has no array '" + std::string(name) + "'; it has " + also + names_of(set)};
+}
+
+int pick(const char *column, int components) {
+  char wrong[IMPORT_WRONG];
+  size_t k;
+  if (!import_pick(column, (size_t)components, &k, wrong)) throw failure{wrong};
+  return (int)k;
 }
 
 /* ---- grids ---- */
@@ -156,28 +190,37 @@ void no_array(vtkDataSet *set, const char *name) {
 /* With the asked for scalar on its points. */
 vtkSmartPointer<vtkDataSet> with_point_data(vtkDataSet *set, const char *name) {
   if (find_array(set->GetPointData(), name)) return set;
-  if (!find_array(set->GetCellData(), name)) no_array(set, name);
+  if (!find_array(set->GetCellData(), name)) no_array(set, name, "");
   vtkNew<vtkCellDataToPointData> mean;
   mean->SetInputData(set);
   mean->Update();
   return vtkDataSet::SafeDownCast(mean->GetOutput());
 }
 
-/* The triangles of a plane through it. */
+failure wrong_slice(double low, double high, double at) {
+  char text[160];
+  if (low == high)
+    std::snprintf(text, sizeof text, "is flat, at %g across the tank; slice is at %g", low, at);
+  else
+    std::snprintf(text, sizeof text, "goes from %g to %g across the tank; slice is at %g", low,
+                  high, at);
+  return failure{text};
+}
+
+/* The triangles of a plane through it. A flat grid is that plane, its place maybe a float. */
 vtkSmartPointer<vtkPolyData> plane_of(vtkDataSet *set, const struct import_ask *ask) {
   double box[6];
   const int across = 3 - ask->along - ask->up;
   set->GetBounds(box);
   const double low = box[2 * across], high = box[2 * across + 1];
   vtkSmartPointer<vtkPolyData> flat;
+  double size = 0;
+  for (const double side : box) size = std::max(size, std::fabs(side));
+  if (high == low && std::fabs(ask->slice - low) > FLT_EPSILON * size) // false without a slice
+    throw wrong_slice(low, high, ask->slice);
   if (high > low) {
     const double at = std::isnan(ask->slice) ? (low + high) / 2 : ask->slice;
-    if (!(at >= low && at <= high)) {
-      char text[160];
-      std::snprintf(text, sizeof text, "goes from %g to %g across the tank; slice is at %g", low,
-                    high, at);
-      throw failure{text};
-    }
+    if (!(at >= low && at <= high)) throw wrong_slice(low, high, at);
     double normal[3] = {0, 0, 0}, origin[3] = {0, 0, 0};
     normal[across] = 1;
     origin[across] = at;
@@ -215,19 +258,13 @@ double *column(size_t n) {
 
 void read_grid(vtkDataSet *set, const struct import_ask *ask, struct import_table *t) {
   char name[IMPORT_LONGEST + 1];
-  std::snprintf(name, sizeof name, "%s", ask->names[IMPORT_field]);
-  int component = 0;
-  char *colon = std::strrchr(name, ':');
-  if (colon && colon[1] >= '0' && colon[1] <= '9' && !colon[2]) {
-    component = colon[1] - '0';
-    *colon = 0;
-  }
+  import_array_name(ask->names[IMPORT_field], name);
   auto with = with_point_data(set, name);
   auto flat = plane_of(with, ask);
   vtkDataArray *field = find_array(flat->GetPointData(), name);
   const vtkIdType n = flat->GetNumberOfPoints();
   if (!field || n == 0) throw failure{"has no cells in that plane"};
-  if (component >= field->GetNumberOfComponents()) throw failure{"has no such component"};
+  const int component = pick(ask->names[IMPORT_field], field->GetNumberOfComponents());
   t->n = (size_t)n;
   t->column[IMPORT_x] = column(t->n);
   t->column[IMPORT_y] = column(t->n);
@@ -258,18 +295,11 @@ void read_points(vtkDataSet *set, const struct import_ask *ask, struct import_ta
   for (int k = 0; k < IMPORT_N_ROLES; k++) {
     if (!ask->names[k]) continue;
     char name[IMPORT_LONGEST + 1];
-    std::snprintf(name, sizeof name, "%s", ask->names[k]);
-    int component = 0;
-    char *colon = std::strrchr(name, ':');
-    if (colon && colon[1] >= '0' && colon[1] <= '9' && !colon[2]) {
-      component = colon[1] - '0';
-      *colon = 0;
-    }
+    import_array_name(ask->names[k], name);
     vtkDataArray *array = find_array(set->GetPointData(), name);
     const bool points = !array && is_points(name);
-    if (!array && !points) no_array(set, name);
-    if (component >= (points ? 3 : array->GetNumberOfComponents()))
-      throw failure{"has no component " + std::to_string(component) + " of '" + name + "'"};
+    if (!array && !points) no_array(set, name, "Points, ");
+    const int component = pick(ask->names[k], points ? 3 : array->GetNumberOfComponents());
     t->column[k] = column(t->n);
     for (size_t i = 0; i < t->n; i++)
       t->column[k][i] = points ? set->GetPoint((vtkIdType)i)[component]
@@ -320,7 +350,9 @@ int import_vtk_library_steps(const struct import_ask *ask, size_t *n, double **t
 int import_vtk_library_read(const struct import_ask *ask, struct import_table *t,
                             char message[IMPORT_VTK_MESSAGE]) {
   return guarded(message, [&] {
+    complaints heard(ends_with(ask->path, ".vtk"));
     auto data = read_file(ask);
+    if (!heard.first.empty()) throw failure{"is damaged or cut short (VTK: " + heard.first + ")"};
     if (!data) throw failure{"cannot be read by VTK"};
     read_time(data, ask, t);
     auto set = one_grid(data);

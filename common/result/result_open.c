@@ -24,13 +24,13 @@ struct open_files {
 
 /* ---- what can be told without HDF5 ---- */
 
-static enum status check_length(const char *path, int fd, off_t size) {
+static enum status check_length(const char *path, int fd, off_t size, bool any) {
   static const unsigned char signature[8] = "\211HDF\r\n\032\n";
   unsigned char head[48] = {0}; /* a superblock of version 2, the one we write */
   ssize_t got = pread(fd, head, sizeof head, 0);
   CHECK(got >= 0, ERR_INPUT, "cannot read %s: %s", path, strerror(errno));
   CHECK(got >= (ssize_t)sizeof signature && !memcmp(head, signature, sizeof signature), ERR_INPUT,
-        "%s is not a result file: it is not HDF5", path);
+        any ? "%s is not HDF5" : "%s is not a result file: it is not HDF5", path);
   uint64_t end = 0;
   if (head[8] == 2 && head[9] == 8) memcpy(&end, head + 28, sizeof end); /* of the whole file */
   CHECK(got == sizeof head && end <= (uint64_t)size, ERR_INPUT,
@@ -64,10 +64,11 @@ static void checked_add(const struct stat *f) {
   checked[n_checked++ % CHECKED] = *f;
 }
 
-static enum status check_file(const char *path, int fd, size_t *size) {
+static enum status check_file(const char *path, int fd, bool any, size_t *size) {
   struct stat about;
   CHECK(!fstat(fd, &about), ERR_INPUT, "cannot read %s: %s", path, strerror(errno));
-  CHECK(!S_ISDIR(about.st_mode), ERR_INPUT, "%s is a directory, not a result file", path);
+  CHECK(!S_ISDIR(about.st_mode), ERR_INPUT, "%s is a directory, not a%s file", path,
+        any ? "n HDF5" : " result");
   CHECK(S_ISREG(about.st_mode), ERR_INPUT, "%s is not a file", path);
   CHECK(about.st_size > 0, ERR_INPUT, "%s is empty", path);
   *size += (size_t)about.st_size;
@@ -77,7 +78,7 @@ static enum status check_file(const char *path, int fd, size_t *size) {
   CHECK(seal != RESULT_SEAL_BROKEN, ERR_INPUT,
         "%s is damaged: its checksum does not match its content (copy it or run the case again)",
         path);
-  if (seal != RESULT_SEAL_GOOD) TRY(check_length(path, fd, about.st_size));
+  if (seal != RESULT_SEAL_GOOD) TRY(check_length(path, fd, about.st_size, any));
   checked_add(&about);
   return OK;
 }
@@ -158,7 +159,7 @@ enum status result_read_safely(const struct result_request *r) {
       status = status_raise(ERR_INPUT, "cannot read %s: %s", r->path[k], strerror(errno));
       goto done;
     }
-    ATTEMPT(check_file(r->path[k], open.fd[k], &guard.size));
+    ATTEMPT(check_file(r->path[k], open.fd[k], r->any, &guard.size));
     guard.name[k] = r->path[k];
   }
   status = guard_run(&guard);

@@ -14,6 +14,7 @@ for k, t in enumerate(T):
     u, v, p = 0.1 * y + t, -0.1 * x, 9810 * (2 - y)
     vel = np.stack([u, v, 0 * u], axis=1)
     kind = np.zeros(x.size, np.int32)
+    if k == 0: vel0 = vel
     with open(f"p{k}.csv", "w") as f:
         f.write("x,y,m,rho,u,v,p\n")
         for row in zip(x, y, m, rho, u, v, p): f.write(",".join(f"{a:.17g}" for a in row) + "\n")
@@ -26,6 +27,16 @@ for k, t in enumerate(T):
         for name, values in dict(x=x, y=y, m=m, rho=rho, u=u, v=v, p=p).items():
             a.create_dataset(name, data=values, compression="gzip")
 np.savez("objects.npz", x=np.array([{"t": 1}], dtype=object), y=np.zeros(1))
+np.savez("records.npz", x=np.zeros(2, [("first", "<f8"), ("second", "<f8")]), y=np.zeros(2))
+with open("whole.npy", "wb") as f: np.save(f, np.zeros(2))
+import zipfile
+whole = open("whole.npy", "rb").read()
+with zipfile.ZipFile("nul.npz", "w") as z:  # a type that ends before its letter
+    z.writestr("x.npy", whole.replace(b"'<f8'", b"'<\0\0'")); z.writestr("y.npy", whole)
+with h5py.File("pysph0.hdf5", "a") as f:
+    f["particles/fluid/arrays/long"] = np.zeros(801)
+    f["particles/fluid/arrays/short"] = np.zeros(799)
+    f["particles/fluid/arrays/wide"] = vel0
 np.savez("lengths.npz", x=np.zeros(3), y=np.zeros(2))
 np.savez("cube.npz", x=np.zeros((2, 2, 2)), y=np.zeros(2))
 np.savez("halves.npz", x=np.zeros(2, np.float16), y=np.zeros(2))
@@ -97,16 +108,28 @@ refused() { # sidecar, sed, message
   grep -qF "plunge: wrong.yaml:$3" log || fail "$2: $(cat log)"
 }
 refused plain 's/x: x/x: X/' "5: particles.files[0]: plain0.npz has no column 'X'; it has x, y, m, rho, p, wide, kind, when"
-refused plain 's/wide:1/wide:3/' "5: particles.files[0]: plain0.npz: 'wide:3' has 3 components, from 0"
-refused plain 's/plain0/objects/' "5: particles.files[0]: objects.npz: 'x' is not of plain numbers ('|O',"
+refused plain 's/wide:1/wide:3/' "5: particles.files[0]: plain0.npz has no component 3 of 'wide', which has 3, from 0"
+refused plain 's/wide:1/wide/' "5: particles.files[0]: plain0.npz has 3 components of 'wide'; ask for one, as 'wide:0'"
+refused pysph "s|$a/v|$a/wide|" "5: particles.files[0]: pysph0.hdf5 has 3 components of '$a/wide'; ask for one, as '$a/wide:0'"
+refused pysph "s|$a/v|$a/wide:3|" "5: particles.files[0]: pysph0.hdf5 has no component 3 of '$a/wide', which has 3, from 0"
+refused over_time 's/velocity:1/velocity/' "2: particles.file: text.h5 has 3 components of 'velocity'; ask for one, as 'velocity:0'"
+for other in long:801 short:799; do
+  refused pysph "s|$a/v|$a/${other%:*}|" "5: particles.files[0]: pysph0.hdf5: '$a/${other%:*}' has ${other#*:} rows, other columns 800"
+  refused pysph "s|x: $a/x|x: $a/${other%:*}|" "5: particles.files[0]: pysph0.hdf5: '$a/y' has 800 rows, other columns ${other#*:}"
+done
+refused plain 's/plain0/records/' "5: particles.files[0]: records.npz: 'x' is not of plain numbers ([('first', '<f8'), ('second', '<f8')]);"
+refused plain 's/plain0/nul/' "5: particles.files[0]: nul.npz: 'x' is not of plain numbers ('<);"
+mkdir folder.hdf5
+refused pysph 's/pysph0/folder/' "5: particles.files[0]: folder.hdf5 is a directory, not an HDF5 file"
+refused plain 's/plain0/objects/' "5: particles.files[0]: objects.npz: 'x' is not of plain numbers ('|O');"
 refused plain 's/plain0/lengths/' "5: particles.files[0]: lengths.npz: 'y' has 2 rows, other columns 3"
 refused plain 's/plain0/cube/' "5: particles.files[0]: cube.npz: 'x' has more than two dimensions"
-refused plain 's/plain0/halves/' "5: particles.files[0]: halves.npz: 'x' is not of plain numbers ('<f2',"
+refused plain 's/plain0/halves/' "5: particles.files[0]: halves.npz: 'x' is not of plain numbers ('<f2');"
 refused plain 's/plain0.npz/p0.csv/' "5: particles.files[0]: p0.csv is no npz: it cannot be read as a zip"
 refused plain 's/: when/: wide/' "5: particles.files[0]: plain0.npz: 'wide' is not one number"
-refused pysph "s|$a/x|$a/z|" "5: particles.files[0]: pysph0.hdf5 has no column '$a/z'; it has m, p, rho, u, v, x, y"
+refused pysph "s|$a/x|$a/z|" "5: particles.files[0]: pysph0.hdf5 has no column '$a/z'; it has long, m, p, rho, short, u, v, wide, x, y"
 refused pysph 's/data@t/data@time/' "5: particles.files[0]: pysph0.hdf5: 'solver_data' has no numeric attribute 'time'"
-refused pysph 's/pysph0.hdf5/p0.csv/' "5: particles.files[0]: p0.csv is not a result file: it is not HDF5"
+refused pysph 's/pysph0.hdf5/p0.csv/' "5: particles.files[0]: p0.csv is not HDF5"
 refused pysph "s|x: $a/x|x: particles|" "5: particles.files[0]: pysph0.hdf5: 'particles' is not a dataset of one or two dimensions"
 head -c 1500 small1.npz >cut.npz
 refused small 's/small1/cut/' "6: particles.files[1]: cut.npz is no npz: it cannot be read as a zip"

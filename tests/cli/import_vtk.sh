@@ -217,10 +217,24 @@ refused() { # sidecar, sed, message
   [ $code = 2 ] && [ ! -e wrong.h5 ] || fail "$2: exit code $code"
   grep -qF "plunge: wrong.yaml:$3" log || fail "$2: $(cat log)"
 }
-refused vti 's/: "alpha"/: beta/' "11: grid.files[0]: a0.vti has no array 'beta'; it has Points, alpha"
+refused vti 's/: "alpha"/: beta/' "11: grid.files[0]: a0.vti has no array 'beta'; it has alpha"
 refused vts 's/up: z/up: y/' "11: grid.files[0]: a0.vts: the field goes from 0.65 to 0.77 there, so it has no contour at 0.5; correct the field, the level or the axes"
 refused slice 's/slice: 0.05/slice: 0.7/' "12: grid.files[0]: a0.vts goes from 0 to 0.2 across the tank; slice is at 0.7"
-refused vtp 's/Vel:2/Vel:5/' "10: particles.files[0]: cloud0.vtp has no component 5 of 'Vel'"
+refused vtp 's/Vel:2/Vel:5/' "10: particles.files[0]: cloud0.vtp has no component 5 of 'Vel', which has 3, from 0"
+refused vtp 's/"Vel:2"/Vel/' "10: particles.files[0]: cloud0.vtp has 3 components of 'Vel'; ask for one, as 'Vel:0'"
+refused vtp 's/Points:2/Points/' "10: particles.files[0]: cloud0.vtp has 3 components of 'Points'; ask for one, as 'Points:0'"
+# a flat grid has one place across
+sed 's/^  up: y/&\n  slice: 0/' vti.yaml >at.yaml
+"$program" import at.yaml -o at.h5 >log 2>&1 && "$program" diff vti.h5 at.h5 >log 2>&1 || fail "a slice where a flat grid is: $(cat log)"
+refused at 's/slice: 0/slice: 0.3/' "12: grid.files[0]: a0.vti is flat, at 0 across the tank; slice is at 0.3"
+# legacy files that end early, in text and in binary, points and fields
+for cut in a1.vtk:vtk:11:grid ascii1.vtk:ascii:11:grid cloud1.vtk:legacy:10:particles; do
+  IFS=: read -r file sidecar line section <<<"$cut"
+  for percent in 20 50 90; do
+    head -c $(($(stat -c %s $file) * percent / 100)) $file >cut.vtk
+    refused $sidecar "s/$file/cut.vtk/" "$line: $section.files[1]: cut.vtk "
+  done
+done
 refused pvd 's/all.pvd/up.pvd/' "9: grid.file: up.pvd names the file '../../etc/passwd', which is not in its folder; name that file in the sidecar"
 refused vti 's/a0.vti/cloud0.csv/' "11: grid.files[0]: cloud0.csv is no file of VTK: allowed are"
 refused vti 's/a0.vti/none.vti/' "11: grid.files[0]: cannot read none.vti: No such file or directory"
