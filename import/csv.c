@@ -6,6 +6,7 @@
  * asked for by its place, from 1. */
 #include <ctype.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -108,19 +109,34 @@ static bool is_of_word(char c) {
   return isalnum((unsigned char)c) || c == '_' || (unsigned char)c >= 0x80;
 }
 
-/* A number behind the words that are asked for, which are not the end of longer ones: "t=" is not
- * in "dt=". */
-static void note_time(struct csv *c, const char *line) {
+/* Whether this is a decimal number: "1,5" and "0x10" are none; a unit may follow. */
+static bool is_decimal(const char *begin, const char *end) {
+  const size_t n = (size_t)(end - begin);
+  return strspn(begin, " \t+-.0123456789eE") >= n && *end != '.' &&
+         !(*end == ',' && isdigit((unsigned char)end[1])) && *end != 'x';
+}
+
+/* The one number behind the words that are asked for, which are not the end of longer ones: "t=" is
+ * not in "dt=". */
+static enum status note_time(struct csv *c, const char *line, size_t number) {
   const char *words = c->ask->time_after;
-  if (!words) return;
-  for (const char *at = line; (at = strstr(at, words)); at++) {
+  const size_t n = words ? strlen(words) : 0;
+  for (const char *at = line; words && (at = strstr(at, words)); at += n) {
     char *end;
+    const char *begin = at + n;
     if (at > line && is_of_word(*words) && is_of_word(at[-1])) continue;
-    const double time = strtod(at + strlen(words), &end);
-    if (end == at + strlen(words)) continue;
+    const double time = strtod(begin, &end);
+    if (end == begin) continue;
+    CHECK(is_decimal(begin, end), ERR_INPUT,
+          "%s:%zu: found the time '%.*s'; allowed: a decimal number; correct that line",
+          c->ask->path, number, (int)(end - begin + (ptrdiff_t)strcspn(end, " \t")), begin);
+    CHECK(isnan(c->time) || c->time == time, ERR_INPUT,
+          "%s:%zu: found the time %.9g after %.9g; allowed: one time in a file; divide it, or make "
+          "the times a column",
+          c->ask->path, number, time, c->time);
     c->time = time;
-    return;
   }
+  return OK;
 }
 
 /* The place of a column, by name, or by number. */
@@ -183,7 +199,7 @@ static enum status read_lines(struct csv *c, struct import_table *t) {
     number++;
     const char *begin = line + strspn(line, " \t");
     if (!line[strspn(line, blank)]) continue;
-    if (*begin == '#') note_time(c, begin);
+    if (*begin == '#') TRY(note_time(c, begin, number));
     bool row = *begin != '#';
     if (row && !rows) TRY(find_row(c, line, number, &row));
     if (!rows && !row) {

@@ -92,9 +92,11 @@ static const struct param energy_rows[] = {
 };
 static const struct param probe_rows[] = {
     TEXT(struct import_section, name, 64, NULL, "name of the probe"),
-    NODE(struct files_section, at, NULL, "a point [x, y] on a wall"),
     REAL(struct import_section, size, QTY_LENGTH, 0, 1e6, "0",
          "length along the wall over which it averages"),
+};
+static const struct param place_rows[] = {
+    NODE(struct files_section, at, NULL, "a point [x, y] on a wall"),
 };
 static const struct param gauge_rows[] = {
     TEXT(struct import_section, name, 64, NULL, "name of the gauge"),
@@ -127,6 +129,7 @@ const struct case_table import_section_tables[] = {
     TABLE("series (a list)", kind_rows),
     TABLE("series of kind energy", energy_rows),
     TABLE("series of kind probe", probe_rows),
+    TABLE("the same: its place", place_rows),
     TABLE("series of kind gauge", gauge_rows),
     {0},
 };
@@ -250,6 +253,11 @@ static enum status read_files(struct import_reader *r, int node, const char *pat
 static void check_times(struct import_reader *r, int node, const char *path,
                         const struct import_section *section) {
   const bool inside = section->column[IMPORT_time] || section->time_after;
+  if (section->column[IMPORT_time] && section->time_after) {
+    import_complain(r, case_doc_member(&r->d.doc, node, "time_after"), path,
+                    "time_after beside columns.time", "one of them", "remove one");
+    return;
+  }
   for (size_t i = 0; i < section->n_items; i++) {
     const bool told = !isnan(section->items[i].time);
     char found[CASE_PATH + 64];
@@ -263,10 +271,16 @@ static void check_times(struct import_reader *r, int node, const char *path,
   }
 }
 
-/* The parts that all sections have; `more` is a table of the section's own. */
+/* A table of the section's own. */
+struct own_block {
+  struct case_block block;
+  bool of_files; /* it describes the files_section, not the import_section */
+};
+
+/* The parts that all sections have, and those of its own. */
 static enum status read_section(struct import_reader *r, int node, const char *path,
                                 const struct roles *roles, size_t n_more,
-                                const struct case_block *more, struct import_section *section) {
+                                const struct own_block *more, struct import_section *section) {
   struct files_section f = {0};
   struct param rows[IMPORT_N_ROLES];
   struct case_block blocks[8] = {{format_rows, ROWS(format_rows), section, NULL},
@@ -275,8 +289,8 @@ static enum status read_section(struct import_reader *r, int node, const char *p
   char columns[CASE_PATH], at[CASE_PATH];
   size_t n = 3;
   for (size_t k = 0; k < n_more; k++, n++) {
-    blocks[n] = more[k];
-    if (!blocks[n].into) blocks[n].into = more[k].params == probe_rows + 1 ? (void *)&f : section;
+    blocks[n] = more[k].block;
+    blocks[n].into = more[k].of_files ? (void *)&f : section;
   }
   section->given = true;
   section->line = case_doc_line(&r->d.doc, node);
@@ -298,17 +312,18 @@ static enum status read_section(struct import_reader *r, int node, const char *p
   return status;
 }
 
-static const struct case_block blocks_of_particles[] = {{only_rows, ROWS(only_rows), NULL, NULL}},
-                               blocks_of_grid[] = {{grid_rows, ROWS(grid_rows), NULL, NULL}},
-                               blocks_of_series[][3] = {
-                                   [IMPORT_ENERGY] = {{kind_rows, 1, NULL, NULL},
-                                                      {energy_rows, 1, NULL, NULL}},
-                                   [IMPORT_PROBE] = {{kind_rows, 1, NULL, NULL},
-                                                     {probe_rows, 1, NULL, NULL},
-                                                     {probe_rows + 1, 1, NULL, NULL}},
-                                   [IMPORT_GAUGE] = {{kind_rows, 1, NULL, NULL},
-                                                     {gauge_rows, ROWS(gauge_rows), NULL, NULL}},
-                                   [IMPORT_RUN] = {{kind_rows, 1, NULL, NULL}},
+#define OWN(table)                                                                                 \
+  { {table, ROWS(table), NULL, NULL}, false }
+static const struct own_block blocks_of_particles[] = {OWN(only_rows)},
+                              blocks_of_grid[] = {OWN(grid_rows)},
+                              blocks_of_series[][3] = {
+                                  [IMPORT_ENERGY] = {OWN(kind_rows), OWN(energy_rows)},
+                                  [IMPORT_PROBE] = {OWN(kind_rows),
+                                                    OWN(probe_rows),
+                                                    {{place_rows, ROWS(place_rows), NULL, NULL},
+                                                     true}},
+                                  [IMPORT_GAUGE] = {OWN(kind_rows), OWN(gauge_rows)},
+                                  [IMPORT_RUN] = {OWN(kind_rows)},
 };
 
 /* The kind decides which keys there are. */

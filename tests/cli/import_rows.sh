@@ -81,6 +81,12 @@ for text in "# dt=0.5\n" "# T=3\n" "# t=soon\n" ""; do
   refused "$text$rows" when.yaml "profiles.file: text.csv has no comment with a number after 't='; correct time_after, or give the files their time by another key"
 done
 
+for word in 1,5 1.2.3 0x10 inf; do
+  refused "# t=$word s\n$rows" when.yaml "profiles.file: text.csv:1: found the time '$word'; allowed: a decimal number; correct that line"
+done
+time_of "# t=3s, then words\n# t=3\n$rows" 3
+refused "# t=0\n$rows# t=1\n0,2.2\n4,1.8\n" when.yaml "profiles.file: text.csv:5: found the time 1 after 0; allowed: one time in a file; divide it, or make the times a column"
+
 # ---- the kind ----
 sidecar kind <<<'particles: {format: csv, file: text.csv, columns: {time: t, x: x, y: y, only: kind}, is: 1}'
 cloud() { # of each time its kind, one row of 40 x 20 particles
