@@ -49,8 +49,8 @@ static enum status put_surface(struct work *w, double time) {
 
 static enum status take_profile(void *data, const struct import_rows *r) {
   struct work *w = data;
-  TRY(import_profile(r->path, r->time, r->n, r->column[IMPORT_x], r->column[IMPORT_y],
-                     r->column[IMPORT_piece], &w->surface));
+  TRY(import_profile(r->path, r->time, w->s->spacing, r->n, r->column[IMPORT_x],
+                     r->column[IMPORT_y], r->column[IMPORT_piece], &w->surface));
   return put_surface(w, r->time);
 }
 

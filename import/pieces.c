@@ -9,6 +9,9 @@
 
 /* ---- profiles ---- */
 
+/* Of the spacing: what texts of few digits and sines leave between the ends of a closed piece. */
+static const double CLOSED = 1e-3;
+
 static void reverse(struct geo_lines *l, size_t piece) {
   if (l->first[piece + 1] == l->first[piece]) return;
   for (size_t a = l->first[piece], b = l->first[piece + 1] - 1; a < b; a++, b--)
@@ -19,12 +22,13 @@ static void reverse(struct geo_lines *l, size_t piece) {
     }
 }
 
-/* Whether a point has water above it and below it: straight upwards from it an odd number of open
- * curves is crossed. */
-static bool is_under(const struct geo_lines *l, const double *p) {
+/* Whether a piece is in the water: straight upwards from it the others are crossed an odd number of
+ * times. */
+static bool is_under(const struct geo_lines *l, size_t piece) {
+  const double *p = l->p[l->first[piece]];
   bool under = false;
   for (size_t k = 0; k < l->pieces; k++) {
-    if (l->closed[k]) continue;
+    if (k == piece) continue;
     for (size_t i = 0; i < geo_piece_segments(l, k); i++) {
       const double *a = l->p[l->first[k] + i], *b = geo_segment_end(l, k, i);
       if ((a[0] <= p[0]) == (b[0] <= p[0])) continue;
@@ -40,12 +44,21 @@ static void orient(struct geo_lines *l) {
     if (!l->closed[k] && l->p[l->first[k]][0] > l->p[l->first[k + 1] - 1][0]) reverse(l, k);
   for (size_t k = 0; k < l->pieces; k++) {
     if (!l->closed[k]) continue;
-    const bool cavity = is_under(l, l->p[l->first[k]]);
+    const bool cavity = is_under(l, k);
     if ((geo_piece_area(l, k) > 0) != cavity) reverse(l, k);
   }
 }
 
-enum status import_profile(const char *name, double time, size_t n, const double *x,
+/* The largest distance of points from the first one of their piece. */
+static double reach(const struct geo_lines *l, size_t k) {
+  const double *a = l->p[l->first[k]];
+  double most = 0;
+  for (size_t i = l->first[k]; i < l->first[k + 1]; i++)
+    most = fmax(most, hypot(l->p[i][0] - a[0], l->p[i][1] - a[1]));
+  return most;
+}
+
+enum status import_profile(const char *name, double time, double spacing, size_t n, const double *x,
                            const double *y, const double *piece, struct geo_lines *out) {
   geo_lines_clear(out);
   for (size_t i = 0; i < n; i++) {
@@ -59,7 +72,11 @@ enum status import_profile(const char *name, double time, size_t n, const double
     const size_t a = out->first[k], b = out->first[k + 1];
     CHECK(b - a >= 2, ERR_INPUT,
           "%s: a piece of the profile at %g s has one point; it needs at least two", name, time);
-    if (b - a < 4 || out->p[a][0] != out->p[b - 1][0] || out->p[a][1] != out->p[b - 1][1]) continue;
+    CHECK(reach(out, k) > 0, ERR_INPUT,
+          "%s: a piece of the profile at %g s has all its points in one place, (%g, %g) m", name,
+          time, out->p[a][0], out->p[a][1]);
+    const double apart = hypot(out->p[b - 1][0] - out->p[a][0], out->p[b - 1][1] - out->p[a][1]);
+    if (b - a < 4 || apart > CLOSED * spacing) continue;
     /* the point that is there twice goes */
     memmove(out->p + b - 1, out->p + b, (out->points - b) * sizeof *out->p);
     out->points--;

@@ -4,10 +4,11 @@
 #include "import/table.h"
 
 /* Pieces of a profile: points in a row, of one piece or, by the column `piece`, of several. One
- * whose last point is its first is closed. Open ones are turned to run from left to right; closed
- * ones below an open one become cavities (counter-clockwise), others drops. `name` and `time` are
- * for messages. ERR_INPUT: points that are not finite, a piece of one point. */
-enum status import_profile(const char *name, double time, size_t n, const double *x,
+ * whose last point is its first, to a thousandth of `spacing` (m), is closed. Open ones are turned
+ * to run from left to right; closed ones below an odd number of other curves become cavities
+ * (counter-clockwise), others drops. `name` and `time` are for messages. ERR_INPUT: points that are
+ * not finite, a piece of one point or in one place. */
+enum status import_profile(const char *name, double time, double spacing, size_t n, const double *x,
                            const double *y, const double *piece, struct geo_lines *out);
 
 /* The contour of `field` at `level` on triangles: water is above it, or `below`. Curves end where

@@ -35,7 +35,7 @@ ending="allowed: a file whose name ends in .h5; correct --out"
 refused flat.yaml flat.yaml "$ending"
 refused flat.yaml flat.csv "$ending"
 refused flat.yaml result "$ending"
-refused flat.yaml .h5 "$ending"
+for target in .h5 . "" folder/; do refused flat.yaml "$target" "$ending"; done
 [ ! -e result ] || fail "a file without the ending"
 for input in flat.yaml case.yaml flat.csv; do # under another name they are still what is read
   ln $input "hard-$input.h5"

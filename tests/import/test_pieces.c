@@ -78,11 +78,77 @@ static void test_profile_closes_and_turns(void) {
   static const double px[] = {2, 1, 0, 0.5, 0.7, 0.7, 0.5}, py[] = {1, 1.1, 1, 0.2, 0.2, 0.4, 0.2};
   static const double piece[] = {1, 1, 1, 2, 2, 2, 2};
   struct geo_lines l = {0};
-  EXPECT_OK(import_profile("p", 0, 7, px, py, piece, &l));
+  EXPECT_OK(import_profile("p", 0, 0.1, 7, px, py, piece, &l));
   EXPECT(l.pieces == 2 && l.points == 6 && !l.closed[0] && l.closed[1]);
   EXPECT(l.p[0][0] == 0 && l.p[2][0] == 2);
   EXPECT_NEAR(geo_piece_area(&l, 1), 0.02, 1e-15); /* a cavity, which was written so */
-  EXPECT(import_profile("p", 0, 1, px, py, NULL, &l) == ERR_INPUT);
+  EXPECT(import_profile("p", 0, 0.1, 1, px, py, NULL, &l) == ERR_INPUT);
+  geo_lines_destroy(&l);
+}
+
+enum { CORNERS = 101 };
+
+/* Appends a circle whose last point is its first but for the rounding of sines, and more. */
+static size_t add_circle(size_t at, double *piece, double radius, double more) {
+  for (size_t i = 0; i < CORNERS; i++) {
+    const double angle = 2 * M_PI * (double)i / (CORNERS - 1);
+    piece[at + i] = radius;
+    x[at + i] = 2 + radius * cos(angle);
+    y[at + i] = 2 + radius * sin(angle) + (i + 1 == CORNERS ? more : 0);
+  }
+  return at + CORNERS;
+}
+
+static void test_pieces_close_but_for_rounding(void) {
+  static double piece[MOST];
+  struct geo_lines l = {0};
+  add_circle(0, piece, 0.5, 0);
+  EXPECT(y[CORNERS - 1] != y[0]); /* sin 2 pi is not 0 */
+  EXPECT_OK(import_profile("p", 0, 0.01, CORNERS, x, y, NULL, &l));
+  EXPECT(l.pieces == 1 && l.closed[0] && l.points == CORNERS - 1);
+  add_circle(0, piece, 0.5, 1e-6); /* as six digits have it */
+  EXPECT_OK(import_profile("p", 0, 0.01, CORNERS, x, y, NULL, &l));
+  EXPECT(l.closed[0]);
+  add_circle(0, piece, 0.5, 0.005); /* half a spacing is a gap */
+  EXPECT_OK(import_profile("p", 0, 0.01, CORNERS, x, y, NULL, &l));
+  EXPECT(!l.closed[0]);
+  geo_lines_destroy(&l);
+}
+
+/* A drop in a hole in a drop, in whichever order and direction, beside the open surface. */
+static void test_holes_of_drops_are_air(void) {
+  static double piece[4 * CORNERS + 2];
+  static const double radius[] = {0.9, 0.6, 0.3};
+  const double corners = 0.5 * (CORNERS - 1) * sin(2 * M_PI / (CORNERS - 1)); /* area over r^2 */
+  struct geo_lines l = {0};
+  for (size_t turn = 0; turn < 3; turn++) {
+    size_t n = 0;
+    for (size_t k = 0; k < 3; k++) n = add_circle(n, piece, radius[(k + turn) % 3], 0);
+    for (size_t k = 0; k < 2; k++, n++) {
+      piece[n] = -1;
+      x[n] = 4 * (double)k;
+      y[n] = 0.5;
+    }
+    EXPECT_OK(import_profile("p", 0, 0.01, n, x, y, piece, &l));
+    EXPECT(l.pieces == 4);
+    for (size_t k = 0; k < 3 && l.pieces == 4; k++) {
+      const double r = radius[(k + turn) % 3], sign = r == 0.6 ? 1 : -1; /* air: to the left */
+      EXPECT_NEAR(geo_piece_area(&l, k), sign * corners * r * r, 1e-13);
+    }
+  }
+  /* under the surface all is the other way round */
+  y[3 * CORNERS] = y[3 * CORNERS + 1] = 3.5;
+  EXPECT_OK(import_profile("p", 0, 0.01, 3 * CORNERS + 2, x, y, piece, &l));
+  for (size_t k = 0; k < 3; k++)
+    EXPECT((geo_piece_area(&l, k) > 0) == (radius[(k + 2) % 3] != 0.6));
+  geo_lines_destroy(&l);
+}
+
+static void test_points_in_one_place_are_no_profile(void) {
+  static const double same[] = {1, 1, 1, 1, 1};
+  struct geo_lines l = {0};
+  for (size_t n = 2; n <= 5; n++)
+    EXPECT(import_profile("p", 0, 0.1, n, same, same, NULL, &l) == ERR_INPUT);
   geo_lines_destroy(&l);
 }
 
@@ -105,6 +171,9 @@ int main(void) {
   RUN(test_disc_is_clockwise_and_of_second_order);
   RUN(test_slope_runs_from_left_to_right_through_nodes_and_between_them);
   RUN(test_profile_closes_and_turns);
+  RUN(test_pieces_close_but_for_rounding);
+  RUN(test_holes_of_drops_are_air);
+  RUN(test_points_in_one_place_are_no_profile);
   RUN(test_walls_move_into_the_water);
   free(mesh.corner);
   return TEST_RESULT;
