@@ -140,7 +140,7 @@ static enum status take_case(struct import_reader *r, const struct registry *reg
   } else if (status == OK) {
     case_destroy(r->d.c);
     r->d.c = c;
-    r->s->has_case = true;
+    r->s->has_case = r->d.good.tank = true;
   }
   problems_destroy(&theirs);
   return status;
@@ -149,8 +149,13 @@ static enum status take_case(struct import_reader *r, const struct registry *reg
 static enum status take_tank(struct import_reader *r) {
   struct tank_section s = {0};
   if (!r->top.tank) return OK;
+  const size_t faults = r->d.doc.faults;
   if (case_read_section(&r->d, r->top.tank, "tank", tank_rows, ROWS(tank_rows), &s))
-    return case_read_walls(&r->d, s.walls);
+    TRY(case_read_walls(&r->d, s.walls));
+  if (r->d.doc.faults > faults) return OK;
+  r->d.at.tank = r->top.tank;
+  r->d.c->tank = geo_lines_box(&r->d.c->walls);
+  case_check_walls(&r->d);
   return OK;
 }
 

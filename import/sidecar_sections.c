@@ -340,6 +340,9 @@ static void check_series(struct import_reader *r, int node, const char *path, si
     import_complain(r, node, path, "energies without their value at rest, and no case",
                     "the key rest: the potential energy of the same water at rest, in units.energy",
                     "add it");
+  if (one->kind == IMPORT_PROBE && r->d.good.tank)
+    case_check_probe(&r->d, &(struct case_probe){one->name, one->x, one->y, one->size}, node, path);
+  if (one->kind == IMPORT_GAUGE && r->d.good.tank) case_check_gauge(&r->d, one->x, node, path);
   if (one->n_items > 1)
     import_complain(r, node, path, "more than one file", "one file", "put the rows into one");
   for (size_t k = 0; k < i; k++) {

@@ -91,9 +91,9 @@ static bool is_on_bed(const struct case_file *c, double x, double y) {
   return nearest <= 1e-6 * case_tank_size(c);
 }
 
-static void check_probe(struct case_draft *d, size_t i, int item, const char *path) {
+void case_check_probe(struct case_draft *d, const struct case_probe *p, int item,
+                      const char *path) {
   const struct case_file *c = d->c;
-  const struct case_probe *p = &c->probes[i];
   double nearest[2] = {0};
   size_t piece = 0;
   char full[CASE_PATH + 8], found[96], todo[96];
@@ -117,6 +117,17 @@ static void check_probe(struct case_draft *d, size_t i, int item, const char *pa
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "size"), full, found,
                      "at most the length of its wall", "make it smaller");
   }
+}
+
+void case_check_gauge(struct case_draft *d, double x, int item, const char *path) {
+  const struct geo_box *t = &d->c->tank;
+  char full[CASE_PATH + 8], found[64], allowed[96];
+  if (x >= t->min[0] && x <= t->max[0]) return;
+  snprintf(full, sizeof full, "%s.x", path);
+  snprintf(found, sizeof found, "%.6g m", x);
+  snprintf(allowed, sizeof allowed, "inside the tank, from %.6g to %.6g m", t->min[0], t->max[0]);
+  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "x"), full, found, allowed,
+                   "move the gauge");
 }
 
 static void check_point(struct case_draft *d, size_t i, int item, const char *path) {
@@ -171,28 +182,21 @@ static void check_instruments(struct case_draft *d) {
   const struct case_file *c = d->c;
   size_t n = 0;
   const char *names[3 * CASE_MOST_ITEMS + 1] = {"front"}; /* what an experiment may name besides */
-  char path[CASE_PATH], full[CASE_PATH + 8], found[64], allowed[96];
+  char path[CASE_PATH];
   n = 1;
   for (size_t i = 0; i < c->n_probes; i++) {
     int item = case_doc_item(&d->doc, d->at.probes, i);
     case_doc_item_path(&d->doc, "probes", item, i, path);
     check_name(d, item, path, c->probes[i].name, names, n);
     names[n++] = c->probes[i].name;
-    if (d->good.probes && d->good.tank) check_probe(d, i, item, path);
+    if (d->good.probes && d->good.tank) case_check_probe(d, &c->probes[i], item, path);
   }
   for (size_t i = 0; i < c->n_gauges; i++) {
     int item = case_doc_item(&d->doc, d->at.gauges, i);
-    double x = c->gauges[i].x;
     case_doc_item_path(&d->doc, "gauges", item, i, path);
     check_name(d, item, path, c->gauges[i].name, names, n);
     names[n++] = c->gauges[i].name;
-    if (!d->good.gauges || !d->good.tank || (x >= c->tank.min[0] && x <= c->tank.max[0])) continue;
-    snprintf(full, sizeof full, "%s.x", path);
-    snprintf(found, sizeof found, "%.6g m", x);
-    snprintf(allowed, sizeof allowed, "inside the tank, from %.6g to %.6g m", c->tank.min[0],
-             c->tank.max[0]);
-    case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "x"), full, found, allowed,
-                     "move the gauge");
+    if (d->good.gauges && d->good.tank) case_check_gauge(d, c->gauges[i].x, item, path);
   }
   for (size_t i = 0; i < c->n_points; i++) {
     int item = case_doc_item(&d->doc, d->at.points, i);

@@ -108,7 +108,7 @@ static bool check_obstacles(struct case_draft *d) {
   return true;
 }
 
-static void check_walls(struct case_draft *d) {
+void case_check_walls(struct case_draft *d) {
   const struct geo_lines *w = &d->c->walls;
   char path[CASE_PATH], found[96];
   bool good = true;
@@ -318,7 +318,7 @@ static void check_pressure(struct case_draft *d) {
 void case_check_geometry(struct case_draft *d) {
   struct case_file *c = d->c;
   size_t faults = d->doc.faults;
-  if (d->good.tank) check_walls(d);
+  if (d->good.tank) case_check_walls(d);
   if (d->good.tank && c->periodic[1] && (!c->periodic[0] || c->gravity > 0))
     case_doc_problem(&d->doc, case_doc_member_line(&d->doc, d->at.tank, "bed"), "tank.bed",
                      c->gravity > 0 ? "'periodic' with gravity" : "'periodic' between walls",

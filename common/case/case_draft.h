@@ -80,6 +80,9 @@ void case_check_spectra(struct case_draft *d, double end, const char *what);
 
 /* case_check.c: whether what was read makes sense together. */
 void case_check(struct case_draft *d);
+/* A probe or a gauge of the mapping `item`, called `path`, in a tank that is good. */
+void case_check_probe(struct case_draft *d, const struct case_probe *p, int item, const char *path);
+void case_check_gauge(struct case_draft *d, double x, int item, const char *path);
 void case_check_tolerances(struct case_draft *d); /* their times are among compare.times */
 /* That *time, the key of an item, is one of compare.times, and then exactly that; a problem if not.
  */
@@ -92,6 +95,7 @@ void case_check_window(struct case_draft *d);
 
 /* case_check_geometry.c: tank and water; what fails is no longer good. */
 void case_check_geometry(struct case_draft *d);
+void case_check_walls(struct case_draft *d); /* the walls of `at.tank` alone */
 
 /* case_lines.c: walls and regions, and what their points are made of. */
 bool case_read_pair(struct case_doc *doc, int node, const char *path, const struct param *row,
