@@ -165,26 +165,71 @@ static double value_of(const struct pack *p, const struct result_water *w, size_
   return w->value[VELOCITY][2 * i + field - 1] / speed;
 }
 
-static enum status cloud_pack(struct pack *p, const struct result_file *f,
-                              const struct result_water *any, json_t *object) {
+static void box_join(struct geo_box *a, const struct geo_lines *l) {
+  const struct geo_box b = geo_lines_box(l);
+  for (int k = 0; k < 2 && l->points; k++) {
+    a->min[k] = fmin(a->min[k], b.min[k]);
+    a->max[k] = fmax(a->max[k], b.max[k]);
+  }
+}
+
+/* The tank and the water as it begins, and as far again around them as they are large: what is
+ * further away has escaped, and would take the steps of positions from all others. */
+static struct geo_box reach_of(const struct comparison *c, const struct cmp_data *d) {
+  struct geo_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+  box_join(&box, &c->ref.data.walls);
+  box_join(&box, &d->walls);
+  if (d->n) box_join(&box, &d->surface[0]);
+  if (!(box.min[0] <= box.max[0])) box = c->window;
+  const double around = fmax(box.max[0] - box.min[0], box.max[1] - box.min[1]);
+  for (int k = 0; k < 2; k++) box.min[k] -= around, box.max[k] += around;
+  return box;
+}
+
+struct packing { /* the particles of a run */
+  struct pack *p;
+  const struct result_file *f;
+  const size_t *output;
+  json_t *list;
+  struct geo_box reach;
+  size_t escaped; /* at most, of an output */
+};
+
+/* Positions of those within reach that there is room for, and their indices; how many. */
+static size_t positions_take(struct packing *q, const struct result_water *w, double *x, double *y,
+                             size_t *kept) {
+  const double H = q->p->c->scales.H;
+  size_t n = 0, escaped = 0;
+  for (size_t i = 0; i < w->n; i++) {
+    const bool here = geo_box_contains(&q->reach, w->p[i][0] / H, w->p[i][1] / H);
+    escaped += !here; /* also what has no position */
+    if (!here || i % q->p->point_every) continue;
+    x[n] = w->p[i][0] / H;
+    y[n] = w->p[i][1] / H;
+    kept[n++] = i;
+  }
+  if (escaped > q->escaped) q->escaped = escaped;
+  return n;
+}
+
+static enum status cloud_pack(struct packing *q, const struct result_water *any, json_t *object) {
   enum status status = OK;
+  struct pack *p = q->p;
   double *column[2 + FIELDS] = {NULL}, *moved = NULL;
   struct sorted *order = NULL;
   json_t *fields = json_array(), *planes = NULL;
-  size_t n = 0, columns = 2;
+  size_t *kept = NULL, columns = 2;
   set(&p->m, object, "fields", fields);
   if (!any->value[PRESSURE] && !any->value[VELOCITY] && !any->value[DENSITY]) return OK;
   for (size_t i = 0; i < 2 + FIELDS; i++) ATTEMPT(array_create(&column[i], any->n, "particles"));
   ATTEMPT(array_create(&order, any->n, "particles"));
   ATTEMPT(array_create(&moved, any->n, "particles"));
-  for (size_t i = 0; i < any->n; i += p->point_every, n++) {
-    column[0][n] = any->p[i][0] / p->c->scales.H;
-    column[1][n] = any->p[i][1] / p->c->scales.H;
-  }
+  ATTEMPT(array_create(&kept, any->n, "particles"));
+  const size_t n = positions_take(q, any, column[0], column[1], kept);
   for (size_t field = 0; field < FIELDS; field++) {
     if (!any->value[stored_of(field)]) continue;
-    for (size_t i = 0, m = 0; i < any->n; i += p->point_every)
-      column[columns][m++] = value_of(p, any, field, i, f->density);
+    for (size_t m = 0; m < n; m++)
+      column[columns][m] = value_of(p, any, field, kept[m], q->f->density);
     add(&p->m, fields, json_string(field_names[field]));
     columns++;
   }
@@ -199,23 +244,30 @@ done:
   for (size_t i = 0; i < 2 + FIELDS; i++) free(column[i]);
   free(order);
   free(moved);
+  free(kept);
   return status;
 }
 
-struct packing {
-  struct pack *p;
-  const struct result_file *f;
-  const size_t *output;
-  json_t *list;
-};
-
 static enum status water_take(void *data, size_t k, struct result_water *w) {
-  const struct packing *q = data;
+  struct packing *q = data;
   json_t *object = json_object();
   add(&q->p->m, q->list, object);
   set(&q->p->m, object, "t", number(q->f->output_time[q->output[k]] / q->p->c->scales.T));
   set(&q->p->m, object, "every", json_integer((json_int_t)q->p->point_every));
-  return cloud_pack(q->p, q->f, w, object);
+  return cloud_pack(q, w, object);
+}
+
+/* What is not in the page, and what cannot be read at all. */
+static void particles_remark(struct packing *q, const char *label, enum status read) {
+  if (read != OK) {
+    fprintf(q->p->remarks, " Particles of %s are left out: %s.", label, status_message());
+    json_array_clear(q->list);
+  } else if (q->escaped) {
+    fprintf(q->p->remarks,
+            " Particles of %s without a position, or further from the tank than it is large, are "
+            "left out: at most %zu of an output.",
+            label, q->escaped);
+  }
 }
 
 static enum status points_pack(struct pack *p, const struct cmp_run *run, json_t *list) {
@@ -226,11 +278,13 @@ static enum status points_pack(struct pack *p, const struct cmp_run *run, json_t
     if (has_points(run, k) &&
         is_packed(p->c, p->point_stride, k, f->n_outputs, f->output_time[k] / p->c->scales.T))
       output[n++] = k;
-  const enum status status = n ? result_stream(f->path, STORED, stored, n, output, water_take,
-                                               &(struct packing){p, f, output, list})
-                               : OK;
+  struct packing q = {p, f, output, list, reach_of(p->c, &run->data), 0};
+  const enum status status =
+      n ? result_stream(f->path, STORED, stored, n, output, water_take, &q) : OK;
   free(output);
-  return status;
+  if (status != OK && status != ERR_INPUT) return status;
+  particles_remark(&q, run->data.label, status);
+  return OK;
 }
 
 /* ---- all of it ---- */
@@ -253,8 +307,8 @@ static enum status run_pack(struct pack *p, size_t i, json_t *runs) {
   return points_pack(p, run, points);
 }
 
-static json_t *thinned_say(const struct pack *p) {
-  char surfaces[96] = "of every output", points[160] = "of every output", every[64] = "";
+static json_t *thinned_say(const struct pack *p, const char *remarks) {
+  char *said, surfaces[96] = "of every output", points[160] = "of every output", every[64] = "";
   if (p->surface_stride > 1)
     snprintf(surfaces, sizeof surfaces, "of one in %zu outputs and of the comparison times",
              p->surface_stride);
@@ -262,23 +316,34 @@ static json_t *thinned_say(const struct pack *p) {
     snprintf(points, sizeof points, "of one in %zu outputs and of the comparison times",
              p->point_stride);
   if (p->point_every > 1) snprintf(every, sizeof every, ", one in %zu of them", p->point_every);
-  return json_sprintf(
-      "In this page: surfaces %s; particles %s%s; of series longer than %d rows the lowest and "
-      "highest value of each stretch (%zu series). Numbers of the drawing have 10 to 16 bits, "
-      "those of "
-      "tables all that report.json has.",
-      surfaces, points, every, CMP_SERIES_ROWS, p->rows_thinned);
+  if (asprintf(
+          &said,
+          "In this page: surfaces %s; particles %s%s; of series longer than %d rows the lowest and "
+          "highest value of each stretch (%zu series). Numbers of the drawing have 10 to 16 bits, "
+          "those of "
+          "tables all that report.json has.%s",
+          surfaces, points, every, CMP_SERIES_ROWS, p->rows_thinned, remarks) < 0)
+    return NULL;
+  json_t *value = text(said);
+  free(said);
+  return value;
 }
 
 enum status cmp_pack_create(const struct comparison *c, json_t **out) {
   enum status status = OK;
-  struct pack pack = {.c = c, .packer = cmp_packer_create(), .m = {true}}, *p = &pack;
+  char *remarks = NULL;
+  size_t length;
+  struct pack pack = {.c = c,
+                      .packer = cmp_packer_create(),
+                      .remarks = open_memstream(&remarks, &length),
+                      .m = {true}},
+              *p = &pack;
   json_t *root = json_object(), *runs = json_array(), *charts = json_array(),
          *walls = json_object();
   set(&p->m, root, "runs", runs);
   set(&p->m, root, "charts", charts);
   set(&p->m, root, "walls", walls);
-  if (!p->packer || !p->m.ok) {
+  if (!p->packer || !p->remarks || !p->m.ok) {
     status = status_raise(ERR_MEMORY, "no memory for the data of the page");
     goto done;
   }
@@ -291,10 +356,13 @@ enum status cmp_pack_create(const struct comparison *c, json_t **out) {
   ATTEMPT(lines_pack(p, &c->ref.data.walls, walls));
   for (size_t i = 0; i <= c->n_runs; i++) ATTEMPT(run_pack(p, i, runs));
   ATTEMPT(cmp_charts_pack(p, charts));
-  set(&p->m, root, "thinned", thinned_say(p));
+  if (fflush(p->remarks) != 0) p->m.ok = false;
+  set(&p->m, root, "thinned", thinned_say(p, remarks));
   if (!p->m.ok) status = status_raise(ERR_MEMORY, "no memory for the data of the page");
 done:
   cmp_packer_destroy(p->packer);
+  if (p->remarks) fclose(p->remarks);
+  free(remarks);
   if (status != OK) {
     json_decref(root);
     root = NULL;

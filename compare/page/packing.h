@@ -11,6 +11,7 @@ struct pack {
   struct cmp_packer *packer;
   size_t surface_stride, point_stride, point_every;
   size_t rows_thinned; /* series */
+  FILE *remarks;       /* sentences about particles that are not in the page */
   struct maker m;
 };
 
