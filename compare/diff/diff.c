@@ -25,27 +25,58 @@ static enum status add(struct cmp_diff *d, const char *name, const char *a, cons
   return OK;
 }
 
+/* What a name that ends like a result leads to; links are followed, but not those to nowhere. */
 static bool is_result(const FTSENT *e) {
-  return e->fts_info == FTS_F && e->fts_name[0] != '.' && e->fts_namelen > 3 &&
+  return (e->fts_info == FTS_F || e->fts_info == FTS_NS || e->fts_info == FTS_SLNONE) &&
+         e->fts_level && e->fts_name[0] != '.' && e->fts_namelen > 3 &&
          !strcmp(e->fts_name + e->fts_namelen - 3, ".h5");
+}
+
+static enum status entry_check(const FTSENT *e) {
+  switch (e->fts_info) {
+  case FTS_DNR:
+  case FTS_ERR:
+    return status_raise(ERR_INPUT, "cannot read the folder %s: %s", e->fts_path,
+                        strerror(e->fts_errno));
+  case FTS_DC:
+    return status_raise(ERR_INPUT, "%s is a link to the folder that it is in: remove it",
+                        e->fts_path);
+  case FTS_NS:
+    return e->fts_level && !is_result(e)
+               ? OK
+               : status_raise(ERR_INPUT, "cannot read %s: %s", e->fts_path, strerror(e->fts_errno));
+  case FTS_SLNONE:
+    return is_result(e)
+               ? status_raise(ERR_INPUT, "%s is a link to a file that is not there", e->fts_path)
+               : OK;
+  default:
+    return OK;
+  }
+}
+
+static enum status entry_add(struct cmp_diff *d, const FTSENT *e, const char *folder, int side) {
+  const char *name = e->fts_path + strlen(folder);
+  name += strspn(name, "/");
+  return add(d, name, side ? NULL : e->fts_path, side ? e->fts_path : NULL);
 }
 
 /* The results of one folder and the folders in it, by their paths from there. */
 static enum status folder_add(struct cmp_diff *d, const char *folder, int side) {
   char *roots[] = {(char *)folder, NULL};
-  FTS *tree = fts_open(roots, FTS_PHYSICAL | FTS_NOCHDIR, NULL);
+  FTS *tree = fts_open(roots, FTS_LOGICAL | FTS_NOCHDIR, NULL);
   CHECK(tree, ERR_INPUT, "cannot read the folder %s: %s", folder, strerror(errno));
   enum status status = OK;
-  for (FTSENT *e; status == OK && (e = fts_read(tree));) {
-    if (e->fts_info == FTS_DNR || e->fts_info == FTS_ERR)
-      status = status_raise(ERR_INPUT, "cannot read the folder %s: %s", e->fts_path,
-                            strerror(e->fts_errno));
-    if (e->fts_info == FTS_D && e->fts_level && e->fts_name[0] == '.') fts_set(tree, e, FTS_SKIP);
-    if (status != OK || !is_result(e)) continue;
-    const char *name = e->fts_path + strlen(folder);
-    name += strspn(name, "/");
-    status = add(d, name, side ? NULL : e->fts_path, side ? e->fts_path : NULL);
+  FTSENT *e;
+  while (status == OK && (errno = 0, e = fts_read(tree))) {
+    if (e->fts_info == FTS_D && e->fts_level && e->fts_name[0] == '.') {
+      fts_set(tree, e, FTS_SKIP);
+      continue;
+    }
+    status = entry_check(e);
+    if (status == OK && is_result(e)) status = entry_add(d, e, folder, side);
   }
+  if (status == OK && errno)
+    status = status_raise(ERR_INPUT, "cannot read the folder %s: %s", folder, strerror(errno));
   fts_close(tree);
   return status;
 }

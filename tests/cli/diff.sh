@@ -96,6 +96,24 @@ grep -q "bem.h5" talk && grep -qx "1 of 3 runs differ, 1 only in B, 1 could not 
 mv moved.h5 now/bem.h5
 rm -r now/more
 
+# ---- links are followed; those that lead nowhere, or round, are named ----
+mkdir linked && ln -s ../baseline/bem.h5 linked/bem.h5 && ln -s nowhere linked/notes.txt
+mkdir linked/more && ln -s ../../baseline linked/more/folder
+mkdir plain plain/more && cp -r baseline plain/more/folder && cp baseline/bem.h5 plain
+code 0 "$program" diff linked plain
+grep -qx "0 of 3 runs differ" log || fail "links: $(cat log)"
+ln -s nowhere.h5 linked/gone.h5
+code 2 "$program" diff linked plain
+says "plunge: linked/gone.h5 is a link to a file that is not there"
+rm linked/gone.h5
+ln -s .. linked/more/round
+code 2 "$program" diff linked plain
+says "plunge: linked/more/round is a link to the folder that it is in: remove it"
+rm linked/more/round
+ln -s loop.h5 linked/loop.h5
+code 2 "$program" diff linked plain
+grep -q "^plunge: .*linked/loop.h5" talk && [ "$(wc -l <talk)" = 1 ] || fail "a link to itself: $(cat talk)"
+
 # ---- times ----
 echo "* ignore
 series/energy/* 0 0 t*>0.3
