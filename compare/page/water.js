@@ -13,17 +13,22 @@ class Cells {
 
   key(a, b) { return (a + 32768) * 65536 + b + 32768; }
 
+  /* Calls see(k) for the points in the ring of cells r away from that of (x, y). */
+  ring(x, y, r, see) {
+    const a = Math.floor(x / this.size), b = Math.floor(y / this.size);
+    for (let i = a - r; i <= a + r; i++)
+      for (let j = b - r; j <= b + r; j += Math.abs(i - a) === r ? 1 : Math.max(1, 2 * r))
+        (this.cells.get(this.key(i, j)) || []).forEach(see);
+  }
+
   /* The point nearest to (x, y), looked for in rings of cells up to `rings` away; -1: none. */
   nearest(x, y, rings = 8) {
-    const a = Math.floor(x / this.size), b = Math.floor(y / this.size);
     let best = -1, least = Infinity;
     for (let r = 0; r <= rings && (best < 0 || (r - 1) * this.size < Math.sqrt(least)); r++)
-      for (let i = a - r; i <= a + r; i++)
-        for (let j = b - r; j <= b + r; j += Math.abs(i - a) === r ? 1 : Math.max(1, 2 * r))
-          for (const k of this.cells.get(this.key(i, j)) || []) {
-            const d = (this.x[k] - x) ** 2 + (this.y[k] - y) ** 2;
-            if (d < least) [best, least] = [k, d];
-          }
+      this.ring(x, y, r, k => {
+        const d = (this.x[k] - x) ** 2 + (this.y[k] - y) ** 2;
+        if (d < least) [best, least] = [k, d];
+      });
     return best;
   }
 }
@@ -93,17 +98,31 @@ function distanceFrom(surface, x, y) {
   return least;
 }
 
-/* The same for every point of another surface: of the segments that meet at the nearest nodes. */
-function distancesFrom(surface, other) {
-  surface.cells ||= new Cells(surface.x, surface.y, 0.05);
+/* The segments of a surface by cells: places along them, half a cell apart at most, and whose they are. */
+function segmentCells(surface) {
   surface.segments ||= segmentsOf(surface);
-  if (!surface.meeting) {
-    surface.meeting = Array.from({length: surface.x.length}, () => []);
-    for (const s of surface.segments) surface.meeting[s[0]].push(s), surface.meeting[s[1]].push(s);
-  }
+  const length = ([a, b]) => Math.hypot(surface.x[b] - surface.x[a], surface.y[b] - surface.y[a]), x = [], y = [], of = [];
+  const size = surface.segments.reduce((most, s) => Math.max(most, length(s) / 500), 0.05);
+  surface.segments.forEach((s, k) => {
+    const [a, b] = s, n = Math.ceil(2 * length(s) / size);
+    for (let i = 0; i <= n; i++) {
+      const way = n ? i / n : 0;
+      x.push(surface.x[a] + way * (surface.x[b] - surface.x[a]));
+      y.push(surface.y[a] + way * (surface.y[b] - surface.y[a]));
+      of.push(k);
+    }
+  });
+  return Object.assign(new Cells(x, y, size), {of});
+}
+
+/* The same for every point of another surface. What has no place within r rings is further than r - 1/4 cells. */
+function distancesFrom(surface, other) {
+  const cells = surface.cells ||= segmentCells(surface), rings = 12;
   return Float64Array.from(other.x, (x, k) => {
-    const y = other.y[k], node = surface.cells.nearest(x, y, 12);
-    if (node < 0) return distanceFrom(surface, x, y);
-    return surface.meeting[node].reduce((least, s) => Math.min(least, distanceToSegment(surface, s, x, y)), Infinity);
+    const y = other.y[k];
+    let least = Infinity, r = -1;
+    while (++r <= rings && least > (r - 1.25) * cells.size)
+      cells.ring(x, y, r, at => { least = Math.min(least, distanceToSegment(surface, surface.segments[cells.of[at]], x, y)); });
+    return r <= rings || least <= (rings - 0.25) * cells.size ? least : distanceFrom(surface, x, y);
   });
 }

@@ -118,6 +118,22 @@ def check_controls(b):
     claim("x = " in b.run("return document.getElementById('pointed').textContent"), "the pointer shows where it is")
 
 
+def check_distances(b):
+    """Of surfaces with few nodes: a zigzag whose segments are long, and places near their middles and far away."""
+    water = pathlib.Path(__file__).resolve().parents[2] / "compare/page/water.js"
+    off = b.run(water.read_text() + """const x = [0, 3, 0, 3, 3.5], y = [0, 0.3, 0.6, 0.9, 5];
+      const surface = {x, y, pieces: [2, 3], closed: [0, 1]}, places = {x: [], y: []};
+      for (let i = 0; i < 4000; i++) { places.x.push(-1 + 7 * (i * 0.618034 % 1)); places.y.push(-1 + 8 * (i * 0.414214 % 1)); }
+      const to = (a, b, px, py) => {
+        const l = (b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2, w = ((px - a[0]) * (b[0] - a[0]) + (py - a[1]) * (b[1] - a[1])) / l;
+        const v = Math.max(0, Math.min(1, w));
+        return Math.hypot(a[0] + v * (b[0] - a[0]) - px, a[1] + v * (b[1] - a[1]) - py);
+      };
+      const p = k => [x[k], y[k]], sides = [[0, 1], [2, 3], [3, 4], [4, 2]], found = distancesFrom(surface, places);
+      return places.x.reduce((most, px, i) => Math.max(most, Math.abs(found[i] - Math.min(...sides.map(([m, n]) => to(p(m), p(n), px, places.y[i]))))), 0);""")
+    claim(off < 1e-12, f"distances from a surface of long segments are off by {off}")
+
+
 def check_tables(b):
     rows = b.run("""const t = document.getElementById('summary-table'), sort = t.tHead.querySelectorAll('.sort')[3];
       sort.click(); sort.click(); return [...t.tBodies[0].rows].map(r => parseFloat(r.cells[3].textContent))""")
@@ -182,7 +198,7 @@ browser = Browser()
 try:
     browser.open(sys.argv[1])
     browser.wait("document.documentElement.dataset.ready === 'yes'", "the page")
-    for check in (check_text, check_time, check_controls, check_tables, lambda b: check_access(b, "light"), check_looks):
+    for check in (check_text, check_time, check_controls, check_distances, check_tables, lambda b: check_access(b, "light"), check_looks):
         check(browser)
     for line in browser.ask("POST", "/se/log", {"type": "browser"}):
         claim(False, f"console: {line['level']} {line['message']}")
