@@ -85,8 +85,9 @@ static enum status time_read(const char *option, const char *text, const struct 
 
 static enum status what_read(const struct movie_arguments *a, struct cmp_movie_plan *plan) {
   char allowed[128] = "overlay";
-  plan->overlay = !strcmp(a->what, "overlay") && a->n > 1;
-  if (!strcmp(a->what, "overlay")) return OK;
+  plan->surfaces = !strcmp(a->what, "overlay");
+  plan->overlay = plan->surfaces && a->n > 1;
+  if (plan->surfaces) return OK;
   for (size_t k = 0; k < CMP_FIELDS; k++) {
     plan->field = (enum cmp_field)k;
     if (!strcmp(a->what, cmp_fields[k].name)) return OK;
@@ -98,6 +99,10 @@ static enum status what_read(const struct movie_arguments *a, struct cmp_movie_p
 
 /* A name with a suffix is meant to be a film. */
 static enum status out_check(const struct movie_arguments *a) {
+  const size_t length = strlen(a->out);
+  CHECK(length <= CMP_MOVIE_PATH, ERR_USAGE,
+        "--out: found a path of %zu bytes, allowed: at most %d; choose a shorter one", length,
+        CMP_MOVIE_PATH);
   const char *slash = strrchr(a->out, '/'), *dot = strrchr(slash ? slash : a->out, '.');
   const char *suffix =
       dot && dot[1] && dot != a->out && dot[-1] != '/' && dot[-1] != '.' ? dot : "";

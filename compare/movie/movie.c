@@ -106,7 +106,7 @@ static enum status look_choose(struct movie *m) {
   m->shades.film = true;
   bool any = false;
   TRY(cmp_shades_choose(c, LOOKS, look, &m->shades, &any));
-  CHECK(any || m->plan->overlay, ERR_USAGE,
+  CHECK(any || m->plan->surfaces, ERR_USAGE,
         "none of the results has points in its water with %s; --what overlay draws surfaces alone",
         cmp_fields[m->plan->field].stored);
   return OK;

@@ -8,10 +8,13 @@
 #include "common/result/result.h"
 #include "compare/cloud.h"
 
+enum { CMP_MOVIE_PATH = PATH_MAX - 64 }; /* bytes: frames have longer paths than their film */
+
 struct cmp_movie_plan {
   bool overlay;         /* the first result's surface over all others; else each for itself */
+  bool surfaces;        /* are enough, where no result has points */
   enum cmp_field field; /* that points are coloured by */
-  const char *out;      /* .mp4, .webm, .gif; else a folder for frames */
+  const char *out;      /* .mp4, .webm, .gif; else a folder for frames; at most CMP_MOVIE_PATH */
   double fps;
   int width, height; /* px; 0: as they come */
   double from, to;   /* s */

@@ -57,6 +57,10 @@ for what in pressure speed; do
   cmp -s $what/frame-00001.png later/frame-00001.png && fail "$what is density"
 done
 
+# ---- one result without points: its surface ----
+code 0 "$program" movie bem.h5 --out surface
+[ "$(ls surface | wc -l)" = 6 ] && [ "$(md5sum surface/*.png | cut -c1-32 | sort -u | wc -l)" = 6 ] || fail "one surface: $(ls surface)"
+
 # ---- without ffmpeg: the frames, with a word ----
 mkdir bin
 ln -s "$(command -v gnuplot)" bin/gnuplot
@@ -118,6 +122,9 @@ done
 refuse "--size 641x480: such a film has even numbers of pixels" sph.h5 --size 641x480 --out film.mp4
 refuse "--out: found a name that ends in .avi, allowed: .mp4, .webm, .gif, or a folder for frames, without a suffix" sph.h5 --out film.avi
 refuse "--out: the name is empty" sph.h5 --out=
+long=$(printf 'long/%.0s' $(seq 900))
+refuse "--out: found a path of 4508 bytes, allowed: at most 4032; choose a shorter one" sph.h5 --out "${long}film.mp4"
+[ ! -e long ] || fail "a path that is too long leaves folders"
 mkdir taken.mp4
 refuse "taken.mp4 is a folder; choose another --out" sph.h5 --out taken.mp4
 touch taken
