@@ -145,10 +145,12 @@ static enum status compare_words(struct differ *d, const char *attribute) {
   return status;
 }
 
-static enum status compare_number(struct differ *d, const char *attribute, const char *units) {
+/* `absent`: what it is of a file without it. */
+static enum status compare_number(struct differ *d, const char *attribute, const char *units,
+                                  double absent) {
   struct result_quantity *q;
   char name[64];
-  double value[2] = {NAN, NAN}; /* two that are not there are the same */
+  double value[2] = {absent, absent};
   snprintf(name, sizeof name, "@%s", attribute);
   TRY(begin(d, name, &q));
   for (int k = 0; k < 2; k++)
@@ -162,12 +164,16 @@ static enum status compare_number(struct differ *d, const char *attribute, const
 }
 
 static enum status compare_attributes(struct differ *d) {
-  static const char *const names[] = {"solver",   "run",         "title",  "version",
-                                      "revision", "fingerprint", "created"};
+  static const char *const names[] = {"solver",  "run",      "title",       "settings", "imported",
+                                      "version", "revision", "fingerprint", "created",  "ended"};
   for (size_t i = 0; i < sizeof names / sizeof *names; i++) TRY(compare_words(d, names[i]));
-  TRY(compare_number(d, "complete", ""));
+  bool both = true; /* files of older programs have none */
+  for (int k = 0; k < 2; k++) both = both && H5Aexists(result_diff_turn(d, k), "water") > 0;
+  if (both) TRY(compare_words(d, "water"));
+  TRY(compare_number(d, "complete", "", NAN)); /* two that are not there are the same */
+  TRY(compare_number(d, "floats", "", 0));
   for (int i = 0; i < RESULT_SCALES; i++)
-    TRY(compare_number(d, result_scales[i].name, result_scales[i].units));
+    TRY(compare_number(d, result_scales[i].name, result_scales[i].units, NAN));
   return OK;
 }
 

@@ -29,6 +29,7 @@ enum status result_tolerances_default(struct result_tolerances *t, double relati
                                         "@version",
                                         "@revision",
                                         "@fingerprint",
+                                        "@imported", /* says the version, too */
                                         "series/run/wall_time",
                                         "statistics/wall_time*"};
   *t = (struct result_tolerances){0};

@@ -107,6 +107,41 @@ static void test_every_change_is_found_and_located(void) {
   }
 }
 
+/* Attributes of the file, absent ones too, are compared as what they say. */
+static void test_changes_of_attributes_are_found(void) {
+  static const struct {
+    const char *name, *text, *says;
+  } words[] = {{"settings", "half as stiff", "@settings: '' against 'half as stiff'"},
+               {"imported", "from points.csv", "@imported: '' against 'from points.csv'"},
+               {"ended", "the jet falls", "@ended: '' against 'the jet falls'"},
+               {"water", "other water", "' against 'other water'"},
+               {"floats", NULL, "@floats: 0 against 1"}};
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+    bool same;
+    write_result(path[1], 5);
+    hid_t file = H5Fopen(path[1], H5F_ACC_RDWR, H5P_DEFAULT);
+    if (H5Aexists(file, words[i].name) > 0) EXPECT(H5Adelete(file, words[i].name) >= 0);
+    EXPECT_OK(words[i].text ? hdf_set_string(file, words[i].name, words[i].text)
+                            : hdf_set_integers(file, words[i].name, 1, (int64_t[]){1}));
+    H5Fclose(file);
+    const char *report = diff("@* 0 0\n@created ignore\n", 0, 0, false, &same);
+    EXPECT(!same);
+    if (report[0] != '@' || !strstr(report, words[i].says) || !strstr(report, "\n1 of "))
+      TEST_FAIL("after a change of %s the report is: %s", words[i].name, report);
+  }
+}
+
+static void test_a_file_without_the_waters_fingerprint_differs_by_nothing(void) {
+  bool same;
+  write_result(path[1], 5);
+  hid_t file = H5Fopen(path[1], H5F_ACC_RDWR, H5P_DEFAULT);
+  EXPECT(H5Adelete(file, "water") >= 0);
+  EXPECT(H5Adelete(file, "floats") >= 0);
+  H5Fclose(file);
+  const char *report = diff(NULL, 0, 0, false, &same);
+  if (!same) TEST_FAIL("without attributes of newer files the report is: %s", report);
+}
+
 static void test_tolerances_are_obeyed(void) {
   bool same;
   write_result(path[1], 5);
@@ -407,6 +442,8 @@ int main(void) {
   snprintf(tolerance_path, sizeof tolerance_path, "%s/tolerances", sample_folder());
   RUN(test_equal_runs_are_the_same);
   RUN(test_every_change_is_found_and_located);
+  RUN(test_changes_of_attributes_are_found);
+  RUN(test_a_file_without_the_waters_fingerprint_differs_by_nothing);
   RUN(test_tolerances_are_obeyed);
   RUN(test_drafted_tolerances_pass);
   RUN(test_lengths_and_missing_sets_are_reported);
