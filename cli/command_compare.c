@@ -24,7 +24,9 @@ int command_report(const struct case_file *c, const struct result_file *ref, siz
     printf("%zu of %zu checks passed; ", verdict.passed, verdict.passed + verdict.failed);
   else
     printf("the case sets no tolerance to check; ");
-  printf("report: %s/report.html\n", out);
+  fputs("report: ", stdout);
+  text_show(stdout, out, "");
+  puts("/report.html");
   return verdict.failed ? EXIT_VERDICT : EXIT_FINE;
 }
 

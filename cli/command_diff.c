@@ -149,7 +149,9 @@ static enum status report_write(const struct cmp_diff *d, const char *out, struc
   if (drawn == INTERRUPTED) return drawn;
   if (drawn != OK) command_warn("%s", status_message());
   TRY(cmp_diff_write(d, &r->figures, out));
-  printf("report: %s/diff.html\n", out);
+  fputs("report: ", stdout);
+  text_show(stdout, out, "");
+  puts("/diff.html");
   return OK;
 }
 

@@ -48,6 +48,10 @@ grep -q "^first difference at t = .*: series/energy/" log || fail "no first diff
 code 0 "$program" diff baseline now --tol tolerances --out allowed
 code 1 "$program" diff baseline/bem.h5 now/sph.h5 --out two
 grep -q "report: two/diff.html" log || fail "two files: $(cat log)"
+code 0 "$program" diff baseline/bem.h5 now/bem.h5 --out $'a\e[31mred'
+grep -qxF 'report: a\x1b[31mred/diff.html' log || fail "a name commands the terminal: $(cat -v log)"
+code 0 "$program" compare baseline/bem.h5 baseline/sph.h5 --out $'b\e[31mred'
+grep -qF 'report: b\x1b[31mred/report.html' log || fail "a name commands the terminal: $(cat -v log)"
 
 # ---- what the report says ----
 $python - changed same <<'E2' || fail "diff.json"
