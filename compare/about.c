@@ -7,24 +7,12 @@
 #include "compare/measure.h"
 #include "compare/outline.h"
 
-static const char *const section_names[] = {[CMP_SECTION_CHECKS] = "checks",
-                                            [CMP_SECTION_DISTANCE] = "distance",
-                                            [CMP_SECTION_OVERLAY] = "overlays",
-                                            [CMP_SECTION_JET] = "jet",
-                                            [CMP_SECTION_FRONT] = "front",
-                                            [CMP_SECTION_ENERGY] = "energy",
-                                            [CMP_SECTION_PRESSURE] = "pressure",
-                                            [CMP_SECTION_GAUGE] = "gauges",
-                                            [CMP_SECTION_SPECTRA] = "spectra",
-                                            [CMP_SECTION_DIAGNOSTICS] = "diagnostics",
-                                            [CMP_SECTION_CONVERGENCE] = "convergence"};
-
 static json_t *measures(struct maker *m) {
   json_t *list = json_array();
   for (size_t k = 0; k < CMP_N_MEASURES; k++)
     add(m, list,
         json_pack("{s:s,s:s,s:s,s:s}", "name", cmp_measures[k].name, "units", cmp_measures[k].units,
-                  "help", cmp_measures[k].help, "section", section_names[cmp_measure_sections[k]]));
+                  "help", cmp_measures[k].help, "section", cmp_section_name(cmp_measure_sections[k])));
   return list;
 }
 

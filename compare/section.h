@@ -1,16 +1,31 @@
-/* The sections of the report that figures and measures have their place in. */
+/* The sections of the report that figures and measures have their place in: as they are called here,
+ * and in the page and report.json. */
 #pragma once
 
+#define CMP_SECTIONS(X)                                                                            \
+  X(CHECKS, checks) /* of a measure: shown where it has a limit, and in report.json */             \
+  X(DISTANCE, distance)                                                                            \
+  X(OVERLAY, overlays)                                                                             \
+  X(JET, jet)                                                                                      \
+  X(FRONT, front)                                                                                  \
+  X(ENERGY, energy)                                                                                \
+  X(PRESSURE, pressure)                                                                            \
+  X(GAUGE, gauges)                                                                                 \
+  X(SPECTRA, spectra)                                                                              \
+  X(DIAGNOSTICS, diagnostics)                                                                      \
+  X(CONVERGENCE, convergence)
+
 enum cmp_section {
-  CMP_SECTION_CHECKS, /* of a measure: shown where it has a limit, and in report.json */
-  CMP_SECTION_DISTANCE,
-  CMP_SECTION_OVERLAY,
-  CMP_SECTION_JET,
-  CMP_SECTION_FRONT,
-  CMP_SECTION_ENERGY,
-  CMP_SECTION_PRESSURE,
-  CMP_SECTION_GAUGE,
-  CMP_SECTION_SPECTRA,
-  CMP_SECTION_DIAGNOSTICS,
-  CMP_SECTION_CONVERGENCE
+#define X(section, name) CMP_SECTION_##section,
+  CMP_SECTIONS(X)
+#undef X
 };
+
+static inline const char *cmp_section_name(enum cmp_section section) {
+  static const char *const names[] = {
+#define X(section, name) #name,
+      CMP_SECTIONS(X)
+#undef X
+  };
+  return names[section];
+}

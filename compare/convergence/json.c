@@ -4,34 +4,6 @@
 
 #include "compare/chart.h"
 
-static const char *section_name(enum cmp_section section) {
-  switch (section) {
-  case CMP_SECTION_CHECKS:
-    return "checks";
-  case CMP_SECTION_DISTANCE:
-    return "distance";
-  case CMP_SECTION_OVERLAY:
-    return "overlay";
-  case CMP_SECTION_JET:
-    return "jet";
-  case CMP_SECTION_FRONT:
-    return "front";
-  case CMP_SECTION_ENERGY:
-    return "energy";
-  case CMP_SECTION_PRESSURE:
-    return "pressure";
-  case CMP_SECTION_GAUGE:
-    return "gauge";
-  case CMP_SECTION_SPECTRA:
-    return "spectra";
-  case CMP_SECTION_DIAGNOSTICS:
-    return "diagnostics";
-  case CMP_SECTION_CONVERGENCE:
-    return "convergence";
-  }
-  return "";
-}
-
 /* ---- rows ---- */
 
 static void set_triple(struct maker *m, json_t *object, const struct cmp_triple *t) {
@@ -85,7 +57,7 @@ static json_t *row_of(struct maker *m, const struct comparison *c, const struct 
   cmp_row_say(g, row, says, sizeof says);
   set(m, object, "name", text(row->name));
   set(m, object, "of", row->of ? text(row->of) : json_null());
-  set(m, object, "section", text(section_name(row->section)));
+  set(m, object, "section", text(cmp_section_name(row->section)));
   set(m, object, "units", text(row->units));
   set(m, object, "t_star", row->time == SIZE_MAX ? json_null() : number(c->times[row->time]));
   set(m, object, "is_difference", json_boolean(row->is_difference));

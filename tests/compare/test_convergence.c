@@ -190,6 +190,7 @@ static void test_values_that_are_not_there(void) {
   for (size_t i = 0; i < runs[1]->gauges->n; i++) runs[1]->gauges->value[i] = NAN;
   compare(&settings, ref, 3, runs);
   json_t *row = row_of(0, "highest_level", NAN);
+  EXPECT_STR(words_of(row, "section"), "gauges"); /* as in the list of measures */
   EXPECT(isnan(item_of(row, "values", 1)));
   EXPECT(json_is_string(json_array_get(json_object_get(row, "values_unavailable"), 1)));
   EXPECT(json_is_null(json_array_get(json_object_get(row, "values_unavailable"), 0)));
