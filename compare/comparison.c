@@ -9,6 +9,17 @@
 
 /* ---- what is compared where and when ---- */
 
+struct case_file cmp_settings_at(const struct case_file *settings, const struct geo_box *window,
+                                 double *times, size_t n) {
+  struct case_file s = settings ? *settings : (struct case_file){0};
+  const struct geo_box all = {{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
+  memset(&s.compare, 0, sizeof s.compare);
+  s.compare.window = window ? *window : all;
+  s.compare.times = times;
+  s.compare.n_times = n;
+  return s;
+}
+
 static enum status times_set(struct comparison *c) {
   const struct case_file *s = c->settings;
   size_t room = s->compare.n_times + s->compare.n_tolerances + 3, n = 0;

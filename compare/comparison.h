@@ -71,6 +71,10 @@ struct comparison {
   double *times; /* t*, ascending */
 };
 
+/* The settings of a case (NULL: with walls at rest), but for what is to be compared: nothing but
+ * outputs at `times` (s, [n], borrowed), within the window (NULL: all). */
+struct case_file cmp_settings_at(const struct case_file *settings, const struct geo_box *window,
+                                 double *times, size_t n);
 /* `anyway`: also what is of another tank, water or scale; each is then measured by its own scales.
  */
 enum status cmp_comparison_create(const struct case_file *settings, const struct result_file *ref,

@@ -20,16 +20,6 @@ enum { MOST_ROWS = 4000 }; /* of a curve in a picture */
 
 /* ---- surfaces ---- */
 
-/* The settings of the case, but for what is to be compared: all of it, at `times` (s). */
-static struct case_file settings_at(const struct case_file *settings, double *times, size_t n) {
-  struct case_file s = settings ? *settings : (struct case_file){0};
-  memset(&s.compare, 0, sizeof s.compare);
-  s.compare.window = (struct geo_box){{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
-  s.compare.times = times;
-  s.compare.n_times = n;
-  return s;
-}
-
 /* "bem (A)" and "bem (B)": what they are called in pictures. */
 static enum status name_sides(struct result_file *const file[2]) {
   for (int k = 0; k < 2; k++) {
@@ -52,6 +42,18 @@ static double time_of_most(const struct comparison *c) {
   return t * c->scales.T;
 }
 
+/* A graph of one curve with n rows, which are freed. */
+static enum status curve_draw(const struct cmp_graph *about, const char *name, size_t n,
+                              double *row, struct cmp_figures *f) {
+  const struct cmp_graph_curve curve = {.name = name, .n = n, .row = row};
+  struct cmp_graph graph = *about;
+  graph.n_curves = 1;
+  graph.curve = &curve;
+  const enum status status = cmp_graph_write(&graph, f);
+  free(row);
+  return status;
+}
+
 /* How far the surfaces are apart at every output. */
 static enum status distances_draw(const struct comparison *c, struct cmp_figures *f) {
   enum { T, MEAN, LARGEST, COLUMNS };
@@ -66,18 +68,13 @@ static enum status distances_draw(const struct comparison *c, struct cmp_figures
       [T] = {.head = "t_star [sqrt(H/g)]", .label = "t √(g/H)"},
       [MEAN] = {.head = "mean_distance [H]", .label = "mean", .axis = "distance / H"},
       [LARGEST] = {.head = "largest_distance [H]", .label = "largest"}};
-  const struct cmp_graph_curve curve = {.name = "distance", .n = e->n, .row = row};
   const struct cmp_graph graph = {.name = "distance",
                                   .title = "between both free surfaces",
                                   .caption = "How far the free surfaces are apart at every output.",
                                   .section = CMP_SECTION_DISTANCE,
                                   .n_columns = COLUMNS,
-                                  .n_curves = 1,
-                                  .column = column,
-                                  .curve = &curve};
-  const enum status status = cmp_graph_write(&graph, f);
-  free(row);
-  return status;
+                                  .column = column};
+  return curve_draw(&graph, "distance", e->n, row, f);
 }
 
 /* Both surfaces around the place where they are furthest apart, so near that this is seen. */
@@ -146,14 +143,14 @@ static double time_of_first(const struct result_diff *d) {
 static enum status surfaces_draw(struct cmp_diff_run *run, const struct case_file *settings,
                                  struct cmp_figures *f) {
   double times[2] = {time_of_first(run->d)};
-  struct case_file s = settings_at(settings, times, 1);
+  struct case_file s = cmp_settings_at(settings, NULL, times, 1);
   struct comparison *c = NULL;
   enum status status;
   ATTEMPT(comparison_at(run, &s, &c));
   const double most = time_of_most(c);
   if (isfinite(most)) { /* all that is new is known only now */
     times[1] = most;
-    s = settings_at(settings, times, 2);
+    s = cmp_settings_at(settings, NULL, times, 2);
     cmp_comparison_destroy(c);
     c = NULL;
     ATTEMPT(comparison_at(run, &s, &c));
@@ -231,18 +228,13 @@ static enum status series_draw(const struct result_quantity *q, double scale,
       [A] = {.head = "A", .label = "A", .axis = axis[0]},
       [B] = {.head = "B", .label = "B"},
       [DIFFERENCE] = {.head = "B - A", .label = axis[1], .panel = 1, .level = "0"}};
-  const struct cmp_graph_curve curve = {.name = "both", .n = n, .row = row};
   const struct cmp_graph graph = {.name = name,
                                   .title = title,
                                   .caption = caption,
                                   .section = CMP_SECTION_ENERGY,
                                   .n_columns = COLUMNS,
-                                  .n_curves = 1,
-                                  .column = column,
-                                  .curve = &curve};
-  const enum status status = cmp_graph_write(&graph, f);
-  free(row);
-  return status;
+                                  .column = column};
+  return curve_draw(&graph, "both", n, row, f);
 }
 
 /* ---- all of a run ---- */

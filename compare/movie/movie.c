@@ -56,18 +56,6 @@ static enum status times_take(const struct result_file *file, const struct cmp_m
   return OK;
 }
 
-/* Nothing is measured: only what is drawn is compared, at every frame. */
-static struct case_file settings_at(const struct case_file *settings, double *times, size_t n) {
-  struct case_file s = settings ? *settings : (struct case_file){0};
-  const struct geo_box all = {{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
-  const struct geo_box window = settings ? settings->compare.window : all;
-  memset(&s.compare, 0, sizeof s.compare);
-  s.compare.window = window;
-  s.compare.times = times;
-  s.compare.n_times = n;
-  return s;
-}
-
 /* By the names of their runs; a name that came before is numbered. */
 static void name_alone(struct comparison *c) {
   for (size_t r = 0; r < c->n_runs; r++) {
@@ -256,7 +244,8 @@ enum status cmp_movie_write(const struct case_file *settings, size_t n,
   size_t n_times = 0;
   enum status status;
   ATTEMPT(times_take(files[0], plan, &times, &n_times));
-  const struct case_file s = settings_at(settings, times, n_times);
+  const struct case_file s =
+      cmp_settings_at(settings, settings ? &settings->compare.window : NULL, times, n_times);
   ATTEMPT(
       cmp_comparison_open(&s, files[0], alone ? n : n - 1, alone ? files : files + 1, true, &m.c));
   ATTEMPT(cmp_runs_rank(m.c));
