@@ -4,4 +4,4 @@
 #include "compare/comparison.h"
 #include "compare/json_maker.h"
 
-json_t *cmp_about_json(struct maker *m, const struct comparison *c);
+json_t *cmp_about_json(struct cmp_json_maker *m, const struct comparison *c);

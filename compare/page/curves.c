@@ -44,7 +44,7 @@ static enum status curve_pack(struct pack *p, const struct cmp_series *s, const 
     for (size_t i = 0; i < n; i++) column[k][i] = all[k][kept[i]];
   }
   ATTEMPT(cmp_planes_pack(p->packer, n, planes, (const double *const *)column, cmp_fine, &packed));
-  set(&p->m, curve, "planes", packed);
+  cmp_json_set(&p->m, curve, "planes", packed);
 done:
   for (size_t k = 0; k < 3; k++) free(column[k]);
   free(kept);
@@ -55,17 +55,17 @@ static enum status curves_add(struct pack *p, json_t *curves, json_int_t run,
                               const char *experiment, const struct cmp_series *s) {
   if (!s || !s->n) return OK;
   json_t *curve = json_object();
-  add(&p->m, curves, curve);
-  set(&p->m, curve, "run", experiment ? json_null() : json_integer(run));
-  set(&p->m, curve, "experiment", experiment ? text(experiment) : json_null());
-  set(&p->m, curve, "averaged_over", number(s->average));
+  cmp_json_add(&p->m, curves, curve);
+  cmp_json_set(&p->m, curve, "run", experiment ? json_null() : json_integer(run));
+  cmp_json_set(&p->m, curve, "experiment", experiment ? cmp_json_text(experiment) : json_null());
+  cmp_json_set(&p->m, curve, "averaged_over", cmp_json_number(s->average));
   TRY(curve_pack(p, s, s->value, s->error, curve));
   if (!s->raw) return OK;
   json_t *raw = json_object();
-  add(&p->m, curves, raw);
-  set(&p->m, raw, "run", experiment ? json_null() : json_integer(run));
-  set(&p->m, raw, "experiment", experiment ? text(experiment) : json_null());
-  set(&p->m, raw, "raw", json_true());
+  cmp_json_add(&p->m, curves, raw);
+  cmp_json_set(&p->m, raw, "run", experiment ? json_null() : json_integer(run));
+  cmp_json_set(&p->m, raw, "experiment", experiment ? cmp_json_text(experiment) : json_null());
+  cmp_json_set(&p->m, raw, "raw", json_true());
   return curve_pack(p, s, s->raw, NULL, raw);
 }
 
@@ -146,14 +146,19 @@ static enum status chart_pack(struct pack *p, const struct kind *kind, const str
   if (charted(charts, title)) return OK;
   chart = json_object();
   curves = json_array();
-  add(&p->m, charts, chart);
-  set(&p->m, chart, "section", json_string(kind->section));
-  set(&p->m, chart, "name", text(s->name));
-  set(&p->m, chart, "title", text(title));
-  set(&p->m, chart, "unit", text(*kind->unit ? kind->unit : s->label ? s->label : ""));
-  set(&p->m, chart, "at",
-      kind->at == probe_at || kind->at == gauge_at ? place(s->x, s->y) : json_null());
-  set(&p->m, chart, "curves", curves);
+  cmp_json_add(&p->m, charts, chart);
+  cmp_json_set(&p->m, chart, "section", json_string(kind->section));
+  cmp_json_set(&p->m, chart, "name", cmp_json_text(s->name));
+  cmp_json_set(&p->m, chart, "title", cmp_json_text(title));
+  cmp_json_set(&p->m, chart, "unit",
+               cmp_json_text(*kind->unit ? kind->unit
+                             : s->label  ? s->label
+                                         : ""));
+  cmp_json_set(&p->m, chart, "at",
+               kind->at == probe_at || kind->at == gauge_at
+                   ? cmp_json_point(&p->m, (double[]){s->x, s->y})
+                   : json_null());
+  cmp_json_set(&p->m, chart, "curves", curves);
   for (size_t i = 0; i <= p->c->n_runs; i++)
     TRY(curves_add(p, curves, (json_int_t)i, NULL,
                    find(kind, &cmp_packed_run(p, i)->data, s->name)));

@@ -1,10 +1,12 @@
 /* The packed data of the page. Lengths in H, times in sqrt(H/g), as in report.json.
  *
- * runs: the reference and then the runs: {"label", "colour", "dashes", "named", "noise", "dx",
- * "spacing", "surfaces": [{"t", "tip": [x, y] or null, "pieces": [n], "closed": [0/1], "planes": x,
- * y}], "points": [{"t", "every", "fields": ["p", "u", "v", "rho"], "planes": x, y, fields}]}
- * charts: [{"section", "title", "unit", "x", "y" of a sensor, "curves": [{"run" or "experiment",
- * "raw", "planes": t, value, error}]}]
+ * runs: the reference and then the runs: {"label", "colour", "dashes", "named", "dx",
+ * "surfaces": [{"t", "tip": [x, y] or null, "pieces": [n], "closed": [0/1], "planes": x, y}],
+ * "points": [{"t", "every", "fields": ["p", "u", "v", "rho"], "planes": x, y, fields}]}
+ * charts: [{"section", "name", "title", "unit", "at": [x, y] of a sensor or null, "curves":
+ * [{"run", "experiment": the other is null, "averaged_over" or "raw", "planes": t, value, error}]}]
+ * walls, of the reference: {"pieces", "closed", "planes": x, y}
+ * thinned: sentences about what of all this is not in the page.
  */
 #include "compare/page/pack.h"
 
@@ -79,17 +81,17 @@ static enum status lines_pack(struct pack *p, const struct geo_lines *l, json_t 
   enum status status = OK;
   double *x = NULL, *y = NULL;
   json_t *planes = NULL, *pieces = json_array(), *closed = json_array();
-  set(&p->m, object, "pieces", pieces);
-  set(&p->m, object, "closed", closed);
+  cmp_json_set(&p->m, object, "pieces", pieces);
+  cmp_json_set(&p->m, object, "closed", closed);
   for (size_t k = 0; k < l->pieces; k++) {
-    add(&p->m, pieces, json_integer((json_int_t)(l->first[k + 1] - l->first[k])));
-    add(&p->m, closed, json_integer(l->closed[k]));
+    cmp_json_add(&p->m, pieces, json_integer((json_int_t)(l->first[k + 1] - l->first[k])));
+    cmp_json_add(&p->m, closed, json_integer(l->closed[k]));
   }
   ATTEMPT(array_create(&x, l->points, "a surface"));
   ATTEMPT(array_create(&y, l->points, "a surface"));
   for (size_t i = 0; i < l->points; i++) x[i] = l->p[i][0], y[i] = l->p[i][1];
   ATTEMPT(cmp_planes_pack(p->packer, l->points, 2, (const double *[]){x, y}, cmp_fine, &planes));
-  set(&p->m, object, "planes", planes);
+  cmp_json_set(&p->m, object, "planes", planes);
 done:
   free(x);
   free(y);
@@ -100,10 +102,10 @@ static enum status surfaces_pack(struct pack *p, const struct cmp_data *d, json_
   for (size_t k = 0; k < d->n; k++) {
     if (!is_packed(p->c, p->surface_stride, k, d->n, d->t[k])) continue;
     json_t *object = json_object();
-    add(&p->m, list, object);
-    set(&p->m, object, "t", number(d->t[k]));
-    set(&p->m, object, "tip",
-        d->jet[k].found ? place(d->jet[k].tip[0], d->jet[k].tip[1]) : json_null());
+    cmp_json_add(&p->m, list, object);
+    cmp_json_set(&p->m, object, "t", cmp_json_number(d->t[k]));
+    cmp_json_set(&p->m, object, "tip",
+                 d->jet[k].found ? cmp_json_point(&p->m, d->jet[k].tip) : json_null());
     TRY(lines_pack(p, &d->surface[k], object));
   }
   return OK;
@@ -219,7 +221,7 @@ static enum status cloud_pack(struct packing *q, const struct result_water *any,
   struct sorted *order = NULL;
   json_t *fields = json_array(), *planes = NULL;
   size_t *kept = NULL, columns = 2;
-  set(&p->m, object, "fields", fields);
+  cmp_json_set(&p->m, object, "fields", fields);
   if (!any->value[PRESSURE] && !any->value[VELOCITY] && !any->value[DENSITY]) return OK;
   for (size_t i = 0; i < 2 + FIELDS; i++) ATTEMPT(array_create(&column[i], any->n, "particles"));
   ATTEMPT(array_create(&order, any->n, "particles"));
@@ -230,7 +232,7 @@ static enum status cloud_pack(struct packing *q, const struct result_water *any,
     if (!any->value[stored_of(field)]) continue;
     for (size_t m = 0; m < n; m++)
       column[columns][m] = value_of(p, any, field, kept[m], q->f->density);
-    add(&p->m, fields, json_string(field_names[field]));
+    cmp_json_add(&p->m, fields, json_string(field_names[field]));
     columns++;
   }
   sort(n, column[0], column[1], order);
@@ -239,7 +241,7 @@ static enum status cloud_pack(struct packing *q, const struct result_water *any,
     memcpy(column[i], moved, n * sizeof *moved);
   }
   ATTEMPT(cmp_planes_pack(p->packer, n, columns, (const double *const *)column, coarse, &planes));
-  set(&p->m, object, "planes", planes);
+  cmp_json_set(&p->m, object, "planes", planes);
 done:
   for (size_t i = 0; i < 2 + FIELDS; i++) free(column[i]);
   free(order);
@@ -251,9 +253,10 @@ done:
 static enum status water_take(void *data, size_t k, struct result_water *w) {
   struct packing *q = data;
   json_t *object = json_object();
-  add(&q->p->m, q->list, object);
-  set(&q->p->m, object, "t", number(q->f->output_time[q->output[k]] / q->p->c->scales.T));
-  set(&q->p->m, object, "every", json_integer((json_int_t)q->p->point_every));
+  cmp_json_add(&q->p->m, q->list, object);
+  cmp_json_set(&q->p->m, object, "t",
+               cmp_json_number(q->f->output_time[q->output[k]] / q->p->c->scales.T));
+  cmp_json_set(&q->p->m, object, "every", json_integer((json_int_t)q->p->point_every));
   return cloud_pack(q, w, object);
 }
 
@@ -294,15 +297,14 @@ static enum status run_pack(struct pack *p, size_t i, json_t *runs) {
   const size_t r = i ? i - 1 : SIZE_MAX;
   const struct cmp_style style = cmp_run_style(p->c, r);
   json_t *object = json_object(), *surfaces = json_array(), *points = json_array();
-  add(&p->m, runs, object);
-  set(&p->m, object, "label", text(run->data.label));
-  set(&p->m, object, "colour", json_string(style.colour));
-  set(&p->m, object, "dashes", json_integer(style.dashes));
-  set(&p->m, object, "named", json_boolean(!i || cmp_run_is_picked(p->c, r, CMP_NAMED)));
-  set(&p->m, object, "noise", number(run->noise));
-  set(&p->m, object, "dx", number(run->data.dx));
-  set(&p->m, object, "surfaces", surfaces);
-  set(&p->m, object, "points", points);
+  cmp_json_add(&p->m, runs, object);
+  cmp_json_set(&p->m, object, "label", cmp_json_text(run->data.label));
+  cmp_json_set(&p->m, object, "colour", json_string(style.colour));
+  cmp_json_set(&p->m, object, "dashes", json_integer(style.dashes));
+  cmp_json_set(&p->m, object, "named", json_boolean(!i || cmp_run_is_picked(p->c, r, CMP_NAMED)));
+  cmp_json_set(&p->m, object, "dx", cmp_json_number(run->data.dx));
+  cmp_json_set(&p->m, object, "surfaces", surfaces);
+  cmp_json_set(&p->m, object, "points", points);
   if (json_is_true(json_object_get(object, "named"))) TRY(surfaces_pack(p, &run->data, surfaces));
   return points_pack(p, run, points);
 }
@@ -324,7 +326,7 @@ static json_t *thinned_say(const struct pack *p, const char *remarks) {
           "tables all that report.json has.%s",
           surfaces, points, every, CMP_SERIES_ROWS, p->rows_thinned, remarks) < 0)
     return NULL;
-  json_t *value = text(said);
+  json_t *value = cmp_json_text(said);
   free(said);
   return value;
 }
@@ -340,9 +342,9 @@ enum status cmp_pack_create(const struct comparison *c, json_t **out) {
               *p = &pack;
   json_t *root = json_object(), *runs = json_array(), *charts = json_array(),
          *walls = json_object();
-  set(&p->m, root, "runs", runs);
-  set(&p->m, root, "charts", charts);
-  set(&p->m, root, "walls", walls);
+  cmp_json_set(&p->m, root, "runs", runs);
+  cmp_json_set(&p->m, root, "charts", charts);
+  cmp_json_set(&p->m, root, "walls", walls);
   if (!p->packer || !p->remarks || !p->m.ok) {
     status = status_raise(ERR_MEMORY, "no memory for the data of the page");
     goto done;
@@ -350,14 +352,11 @@ enum status cmp_pack_create(const struct comparison *c, json_t **out) {
   p->surface_stride = stride_for(p, surface_cost, SURFACES_ROOM);
   p->point_stride = stride_for(p, point_cost, POINTS_ROOM);
   p->point_every = (size_t)fmax(1, ceil(point_cost(p, p->point_stride) / POINTS_ROOM));
-  set(&p->m, root, "window",
-      json_pack("[[f,f],[f,f]]", c->window.min[0], c->window.min[1], c->window.max[0],
-                c->window.max[1]));
   ATTEMPT(lines_pack(p, &c->ref.data.walls, walls));
   for (size_t i = 0; i <= c->n_runs; i++) ATTEMPT(run_pack(p, i, runs));
   ATTEMPT(cmp_charts_pack(p, charts));
   if (fflush(p->remarks) != 0) p->m.ok = false;
-  set(&p->m, root, "thinned", thinned_say(p, remarks));
+  cmp_json_set(&p->m, root, "thinned", thinned_say(p, remarks));
   if (!p->m.ok) status = status_raise(ERR_MEMORY, "no memory for the data of the page");
 done:
   cmp_packer_destroy(p->packer);

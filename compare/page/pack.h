@@ -5,7 +5,7 @@
 
 #include "compare/comparison.h"
 
-/* {"runs": [reference, run, ...], "charts": [...], "walls", "window", "thinned"}, see pack.c. What
+/* {"runs": [reference, run, ...], "charts": [...], "walls", "thinned"}, see pack.c. What
  * there is too much of is thinned: fewer outputs, then fewer particles in each, which "thinned"
  * says. `out` is the caller's. ERR_MEMORY, ERR_IO. */
 enum status cmp_pack_create(const struct comparison *c, json_t **out);

@@ -12,14 +12,10 @@ struct pack {
   size_t surface_stride, point_stride, point_every;
   size_t rows_thinned; /* series */
   FILE *remarks;       /* sentences about particles that are not in the page */
-  struct maker m;
+  struct cmp_json_maker m;
 };
 
 static const uint16_t cmp_fine[3] = {65534, 65534, 65534};
-
-static inline json_t *place(double x, double y) {
-  return json_pack("[o,o]", number(x), number(y));
-}
 
 /* The reference, and then the runs. */
 static inline const struct cmp_run *cmp_packed_run(const struct pack *p, size_t i) {
