@@ -1,8 +1,8 @@
 /* The packed data of the page. Lengths in H, times in sqrt(H/g), as in report.json.
  *
  * runs: the reference and then the runs: {"label", "colour", "dashes", "named", "dx",
- * "surfaces": [{"t", "tip": [x, y] or null, "pieces": [n], "closed": [0/1], "planes": x, y}],
- * "points": [{"t", "every", "fields": ["p", "u", "v", "rho"], "planes": x, y, fields}]}
+ * "surfaces": [{"t", "tip": [x, y] or null, "overhang", "pieces": [n], "closed": [0/1], "planes":
+ * x, y}], "points": [{"t", "every", "fields": ["p", "u", "v", "rho"], "planes": x, y, fields}]}
  * charts: [{"section", "name", "title", "unit", "at": [x, y] of a sensor or null, "curves":
  * [{"run", "experiment": the other is null, "averaged_over" or "raw", "planes": t, value, error}]}]
  * walls, of the reference: {"pieces", "closed", "planes": x, y}
@@ -106,6 +106,8 @@ static enum status surfaces_pack(struct pack *p, const struct cmp_data *d, json_
     cmp_json_set(&p->m, object, "t", cmp_json_number(d->t[k]));
     cmp_json_set(&p->m, object, "tip",
                  d->jet[k].found ? cmp_json_point(&p->m, d->jet[k].tip) : json_null());
+    cmp_json_set(&p->m, object, "overhang",
+                 d->jet[k].found ? cmp_json_number(d->jet[k].overhang) : json_null());
     TRY(lines_pack(p, &d->surface[k], object));
   }
   return OK;

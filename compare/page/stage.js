@@ -181,11 +181,13 @@ async function draw(t) {
   scene = made;
 }
 
-/* The time nearest to t at which there is a jet: of the reference or the run whose particles are shown, else of any. */
+/* The time nearest to t at which there is a jet with half of its largest overhang: of the reference or the run whose particles
+   are shown, else of any; until touchdown. So nobody is led to the first fold of a film on the wall. */
 function jetTime(t) {
-  const tips = list => list.flatMap(r => r.surfaces.filter(s => s.tip).map(s => s.t)), own = tips([pack.runs[0], pack.runs[shown.of]]);
-  const having = own.length ? own : tips(pack.runs);
-  return having.reduce((best, s) => Math.abs(s - t) < Math.abs(best - t) ? s : best, Infinity);
+  const until = i => runs[i].touchdown.t_star ?? Infinity;
+  const jets = list => list.flatMap(i => pack.runs[i].surfaces.filter(s => s.tip && s.t < until(i) + 1e-6)), own = jets([0, shown.of]);
+  const having = own.length ? own : jets([...pack.runs.keys()]), largest = Math.max(...having.map(s => s.overhang));
+  return having.filter(s => s.overhang >= largest / 2).reduce((best, s) => Math.abs(s.t - t) < Math.abs(best - t) ? s.t : best, Infinity);
 }
 
 /* The tip of the jet of the run whose particles are shown, or else of any. */

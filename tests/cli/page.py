@@ -118,6 +118,16 @@ def check_controls(b):
     claim("x = " in b.run("return document.getElementById('pointed').textContent"), "the pointer shows where it is")
 
 
+def check_jet(b):
+    """Where "Follow the jet" leads: past a short fold at 4.25, and not to what overhangs after touchdown."""
+    stage = pathlib.Path(__file__).resolve().parents[2] / "compare/page/stage.js"
+    led = b.run("""const s = (t, overhang) => ({t, overhang, tip: overhang ? [5, 1] : null}), none = [s(0, null), s(9, null)];
+      const pack = {runs: [{surfaces: none}, {surfaces: [s(4, null), s(4.25, 0.02), s(5, 0.3), s(5.5, 0.45), s(6, 0.5), s(6.4, 1.2)]}, {surfaces: none}]};
+      const runs = [{touchdown: {t_star: null}}, {touchdown: {t_star: 6.05}}, {touchdown: {t_star: null}}], named = [0, 1, 2], byId = () => ({});
+      """ + stage.read_text() + "return [1, 2].flatMap(of => { shown.of = of; return [3.5, 5.6, 9].map(jetTime); })")
+    claim(led == [5, 5.5, 6] * 2, f"the jet is found at {led}")
+
+
 def check_distances(b):
     """Of surfaces with few nodes: a zigzag whose segments are long, and places near their middles and far away."""
     water = pathlib.Path(__file__).resolve().parents[2] / "compare/page/water.js"
@@ -198,7 +208,7 @@ browser = Browser()
 try:
     browser.open(sys.argv[1])
     browser.wait("document.documentElement.dataset.ready === 'yes'", "the page")
-    for check in (check_text, check_time, check_controls, check_distances, check_tables, lambda b: check_access(b, "light"), check_looks):
+    for check in (check_text, check_time, check_controls, check_jet, check_distances, check_tables, lambda b: check_access(b, "light"), check_looks):
         check(browser)
     for line in browser.ask("POST", "/se/log", {"type": "browser"}):
         claim(False, f"console: {line['level']} {line['message']}")
