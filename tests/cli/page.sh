@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The report's page in a real browser. With AXE_CORE=axe.min.js (npm pack axe-core) its rules of accessibility are checked too.
+# The report's page in a real browser. With AXE_CORE=axe.min.js (npm pack axe-core, as
+# ./quickstart test does) its rules of accessibility are checked too.
 source "$2/tests/cli/begin"
 
 for tool in chromium chromedriver; do
