@@ -181,6 +181,23 @@ def check_looks(b):
         wide = b.run("return document.documentElement.scrollWidth")
         claim(wide <= width, f"at {width} px nothing sticks out: {wide}")
     b.tell("Emulation.clearDeviceMetricsOverride")
+    b.tell("Emulation.setEmulatedMedia", media="print")
+    hidden = b.run("""const rows = '<tr><td>1</td></tr>'.repeat(60), box = document.createElement('div');
+      box.className = 'scroll';
+      box.innerHTML = `<table><tbody>${rows}</tbody></table>`;
+      document.querySelector('main').append(box);
+      const off = box.scrollHeight - box.clientHeight;
+      box.remove();
+      return off""")
+    claim(hidden <= 1, f"a long table is printed whole: {hidden} px are hidden")
+    b.run("""const tall = document.createElement('img');
+      tall.id = 'tall';
+      tall.src = 'data:image/svg+xml,' + encodeURIComponent('<svg xmlns="http://www.w3.org/2000/svg" width="500" height="5000"/>');
+      document.querySelector('.paper').append(tall)""")
+    b.wait("document.getElementById('tall').naturalHeight === 5000", "a tall figure")
+    height = b.run("const tall = document.getElementById('tall'), h = tall.getBoundingClientRect().height; tall.remove(); return h")
+    claim(0 < height <= 1027, f"a tall figure stays on one sheet: {height} px")  # of A4 without its margins, at 96 px an inch
+    b.tell("Emulation.setEmulatedMedia", media="")
     pdf = base64.b64decode(b.tell("Page.printToPDF", printBackground=False)["data"])
     pages = len(re.findall(rb"/Type\s*/Page\b", pdf))
     claim(pdf.startswith(b"%PDF") and pdf.rstrip().endswith(b"%%EOF") and pages >= 3, f"it prints: {pages} pages")
