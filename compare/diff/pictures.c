@@ -77,13 +77,16 @@ static enum status distances_draw(const struct comparison *c, struct cmp_figures
   return curve_draw(&graph, "distance", e->n, row, f);
 }
 
+/* H: surfaces nearer to each other are the same in the digits that pictures have. */
+static const double SEEN = 1e-6;
+
 /* Both surfaces around the place where they are furthest apart, so near that this is seen. */
 static enum status closeup_draw(const struct comparison *c, struct cmp_figures *f) {
   enum { SIZE = 480, LEFT = 130, EDGE = 20, BELOW = 90 }; /* px */
   const size_t time = c->n_times - 1;
   const struct cmp_at *at = &c->run[0].at[time];
-  if (!cmp_known(&at->largest) || !(at->largest.value > 0)) return OK;
-  const double reach = fmax(4 * at->largest.value, 1e-12);
+  if (!cmp_known(&at->largest) || !(at->largest.value > SEEN)) return OK;
+  const double reach = 4 * at->largest.value;
   const struct cmp_frame frame = {-reach, reach};
   const double tick = cmp_tick_step(&frame);
   struct cmp_figure *fig;
@@ -99,10 +102,11 @@ static enum status closeup_draw(const struct comparison *c, struct cmp_figures *
       "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
       "set bmargin at screen %.5f\nset xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n"
       "set xlabel 'x / H'\nset ylabel 'y / H'\nset xtics %.6g\nset ytics %.6g\nset clip two\n"
+      "set format '%%.%df'\n"
       "set key at screen 0.5, screen 0.01 bottom center horizontal noenhanced\nplot NaN notitle",
       (double)LEFT / fig->width, 1 - (double)EDGE / fig->width, 1 - (double)EDGE / fig->height,
       (double)BELOW / fig->height, at->where[0] - reach, at->where[0] + reach, at->where[1] - reach,
-      at->where[1] + reach, 2 * tick, tick);
+      at->where[1] + reach, 2 * tick, tick, (int)fmax(0, ceil(-log10(tick))));
   cmp_panes_plot(fig, 2, "linewidth 1.6 linecolor '#666666'");
   cmp_panes_plot(fig, 1, "linewidth 2 linecolor '#000000'");
   cmp_panes_plot(fig, 0, "linewidth 1.2 linecolor '#d55e00'");

@@ -159,6 +159,20 @@ done
 $python -c 'import h5py' 2>/dev/null || exit $failed
 unset -f pretend_gnuplot
 PATH=${PATH#"$folder/.bin:"}
+
+# ---- surfaces that are the same but for rounding have no close-up; those a little further apart have one ----
+for raised in 1e-13 2e-6; do
+  cp baseline/bem.h5 raised.h5
+  $python - $raised <<'E2' || fail "no raised surface"
+import h5py, sys
+with h5py.File("raised.h5", "r+") as f: f["surface/points"][:, 1] += float(sys.argv[1]) * 0.6
+E2
+  code 1 "$program" diff baseline/bem.h5 raised.h5 --out raised-$raised
+  [ "$(cat talk)" = "drawing $(ls raised-$raised/figures/*.gp | wc -l) figures" ] || fail "raised by $raised: $(cat talk)"
+done
+ls raised-1e-13/figures/closeup* >talk 2>&1 && fail "a close-up of rounding"
+ls raised-2e-6/figures/closeup*.png >talk 2>&1 || fail "no close-up of a difference"
+
 mkdir -p "evil/a" "evil/b"
 name='</script><img src=x onerror=alert(1)>`|@all $(touch hit) '"'"'; system "touch hit" #.h5'
 cp baseline/sph.h5 "evil/a/${name//\//}"
