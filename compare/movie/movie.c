@@ -93,6 +93,12 @@ static enum status look_choose(struct movie *m) {
   m->shades.alone = !m->plan->overlay;
   m->shades.film = true;
   bool any = false;
+  bool common = !m->plan->overlay;
+  for (size_t k = 0; k < c->n_times; k++) common = common || cmp_comparison_has_output(c, k);
+  CHECK(common, ERR_USAGE,
+        "no other result has an output at any of the %zu times of %s; --what pressure shows each "
+        "for itself, and the first named is the one whose times are taken",
+        c->n_times, c->ref.data.file->path);
   TRY(cmp_shades_choose(c, LOOKS, look, &m->shades, &any));
   CHECK(any || m->plan->surfaces, ERR_USAGE,
         "none of the results has points in its water with %s; --what overlay draws surfaces alone",

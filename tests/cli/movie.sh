@@ -138,6 +138,9 @@ refuse "none of the results has points in its water with velocity; --what overla
 refuse "missing.h5" missing.h5 --out film.mp4
 refuse "dam.yaml is not a result file" dam.yaml --out film.mp4
 
+"$program" run dam.yaml --out other --only sph --set time.end="0.4 sqrt(H/g)" --threads 1 --no-report -q >log 2>&1 || fail "no run: $(cat log)"
+refuse "no other result has an output at any of the 2 times of bem.h5" bem.h5 other/sph.h5 --from 0.18 --out film.mp4
+
 # ---- a name that would be a command ----
 /usr/bin/python3 -c 'import h5py' 2>/dev/null || exit $failed
 cp sph.h5 evil.h5
