@@ -65,6 +65,14 @@ static bool column_shown(const struct cmp_page_content *w, size_t k) {
   return false;
 }
 
+/* Grey below its noise floor (NaN: none). */
+static void noisy_cell(struct markup *m, const struct cmp_value *v, double noise) {
+  if (cmp_known(v) && v->value < noise)
+    cmp_markup_element(m, "td", "below", "%.3g", v->value);
+  else
+    value_cell(m, v);
+}
+
 static void summary_row(struct markup *m, const struct cmp_page_content *w, size_t r) {
   const struct cmp_run *run = &w->c->run[r];
   const double shared = cmp_summary_shared(run);
@@ -76,15 +84,12 @@ static void summary_row(struct markup *m, const struct cmp_page_content *w, size
   else
     cmp_markup_element(m, "td", NULL, "%.4g (end%s)", shared,
                      isnan(run->blind[0]) ? "" : ", with gaps");
-  for (size_t k = 0; k < w->c->n_times; k++) {
-    const struct cmp_value *v = &run->at[k].mean;
-    if (cmp_known(v) && v->value < run->noise)
-      cmp_markup_element(m, "td", "below", "%.3g", v->value);
-    else
-      value_cell(m, v);
+  for (size_t k = 0; k < w->c->n_times; k++) noisy_cell(m, &run->at[k].mean, run->noise);
+  for (size_t k = 0; k < COLUMNS; k++) {
+    if (!column_shown(w, k)) continue;
+    const struct cmp_row *row = column_row(w, k, r);
+    noisy_cell(m, &row->value, row->noise);
   }
-  for (size_t k = 0; k < COLUMNS; k++)
-    if (column_shown(w, k)) value_cell(m, &column_row(w, k, r)->value);
   cmp_markup_close(m);
 }
 
@@ -120,8 +125,8 @@ enum status cmp_page_summary(struct markup *m, const struct cmp_page_content *w)
   cmp_markup_table_close(m);
   cmp_markup_element(m, "p", "soft",
                    "All against %s. Distances in H, times in √(H/g), pressures in ρgH (the worst "
-                   "probe), energies in E0; grey: below the noise floor of half a particle "
-                   "spacing.",
+                   "probe), energies in E0; grey: below the noise floor, of "
+                   "distances half a particle spacing, of instants their error bars.",
                    w->c->ref.data.label);
   free(order);
   return OK;

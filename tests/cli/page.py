@@ -148,6 +148,13 @@ def check_tables(b):
     rows = b.run("""const t = document.getElementById('summary-table'), sort = t.tHead.querySelectorAll('.sort')[3];
       sort.click(); sort.click(); return [...t.tBodies[0].rows].map(r => parseFloat(r.cells[3].textContent))""")
     claim(rows == sorted(rows, reverse=True) and len(rows) == len(report["runs"]), f"the summary sorts: {rows}")
+    places = b.run("""const t = document.getElementById('summary-table'), heads = [...t.tHead.querySelectorAll('th')].map(h => h.textContent);
+      const column = heads.findIndex(h => h.startsWith('front'));
+      return [...t.tBodies[0].rows].map(r => [r.cells[0].textContent, r.cells[column].className])""")
+    for row in report["measures"]:
+        if row["measure"] == "front" and row["t_star"] is None and row["value"] is not None:
+            grey = next(look for name, look in places if row["run"] in name) == "below"
+            claim(grey == (row["value"] < (row["noise_floor"] or 0)), f"front of {row['run']} in the summary: grey is {grey}")
     shown = b.run("return document.querySelector('main').textContent")
     for row in report["measures"]:
         if row["value"] is not None:
