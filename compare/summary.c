@@ -210,7 +210,11 @@ static void append_until(struct text *t, const struct comparison *c, const struc
     if (one_spacing(c)) append(t, "%.3g H, ", run->data.dx);
     append(t, "on average along the surface) of %.60s", c->ref.data.label);
   }
-  bool leaves = cmp_known(&run->agreement);
+  const bool leaves = cmp_known(&run->agreement);
+  if (leaves && run->evolution.n && !(run->agreement.value > run->evolution.t[0])) {
+    append(t, " at no time");
+    return;
+  }
   append(t, leaves ? " until t* = %.3g" : " to the end of what they share, t* = %.3g",
          leaves ? run->agreement.value : shared);
   if (!leaves && !run->data.file->complete) append(t, " (unfinished)");

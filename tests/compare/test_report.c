@@ -108,6 +108,20 @@ static void test_missing_times_are_not_zero(void) {
   result_file_destroy(b);
 }
 
+/* A run that is further than a spacing from the first output on never stays within it. */
+static void test_sentence_of_a_run_that_is_never_near(void) {
+  struct case_file c;
+  settings_make(&c);
+  struct result_file *a = made_up("a", "near", (struct flaws){.until = end}),
+                     *b = made_up("b", "far", (struct flaws){.raised = 0.137, .until = end});
+  struct cmp_verdict v = compare(&c, a, 1, &b);
+  EXPECT(strstr(v.sentence, "along the surface) of a at no time."));
+  EXPECT(!strstr(v.sentence, "until t* = 0"));
+  settings_free(&c);
+  result_file_destroy(a);
+  result_file_destroy(b);
+}
+
 /* Runs that do equally well are named together. */
 static void test_sentence_groups_runs(void) {
   struct case_file c;
@@ -486,6 +500,7 @@ int main(void) {
   RUN(test_what_a_tank_that_moves_takes_is_not_lost);
   RUN(test_measures_list_themselves);
   RUN(test_missing_times_are_not_zero);
+  RUN(test_sentence_of_a_run_that_is_never_near);
   RUN(test_sentence_groups_runs);
   RUN(test_page_without_figures);
   RUN(test_many_runs);
