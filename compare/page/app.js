@@ -1,6 +1,8 @@
 /* The page as a whole: one time, keys, and what starts when. */
 const state = {t: 0, playing: 0, note: '', busy: false, again: false};
-const times = [...new Set(pack.runs.flatMap(r => r.surfaces.map(s => Math.round(s.t * 1e6) / 1e6)))].sort((a, b) => a - b);
+/* Those of all runs; what is written as the same is one. */
+const times = pack.runs.flatMap(r => r.surfaces.map(s => Math.round(s.t * 1e6) / 1e6)).sort((a, b) => a - b)
+  .filter((t, k, all) => !k || t - all[k - 1] > 1e-3);
 
 /* Draws, and once more when something changed meanwhile. */
 async function redraw() {
@@ -198,6 +200,11 @@ function makeControls() {
     shown.points = false;
     for (const id of ['of', 'show-points', 'show-velocity']) byId(id).closest('label').hidden = true;
   }
+  const fields = new Set(pack.runs.flatMap(r => r.points.flatMap(p => p.fields))), colour = byId('colour');
+  const needs = {p: 'p', speed: 'u', rho: 'rho'};
+  for (const option of [...colour.options]) if (needs[option.value] && !fields.has(needs[option.value])) option.remove();
+  if (!fields.size) colour.prepend(make('option', {value: 'none'}, 'nothing'));
+  shown.colour = colour.value = colour.options[0].value;
   byId('jet-view').hidden = !pack.runs.some(r => r.surfaces.some(s => s.tip));
 }
 

@@ -108,6 +108,7 @@ static bool has_spectra(const struct cmp_page_content *w) {
     return false;                                                                                  \
   }
 ANY(has_jet, cmp_known(&d->overturning.time) || cmp_known(&d->touchdown.time))
+ANY(has_energies, d->file->n_energy > 0)
 ANY(has_probes, d->n_probes > 0)
 ANY(has_gauges, d->n_gauges > 0)
 ANY(has_diagnostics, d->n_diagnostics > 0)
@@ -128,7 +129,7 @@ static const struct {
     {"overlays", "Overlays", has_overlays, NULL, CMP_SECTION_OVERLAY},
     {"jet", "Plunging jet", has_jet, NULL, CMP_SECTION_JET},
     {"front", "Front", has_front, NULL, CMP_SECTION_FRONT},
-    {"energy", "Energy", always, NULL, CMP_SECTION_ENERGY},
+    {"energy", "Energy", has_energies, NULL, CMP_SECTION_ENERGY},
     {"pressure", "Pressure", has_probes, NULL, CMP_SECTION_PRESSURE},
     {"gauges", "Water height", has_gauges, NULL, CMP_SECTION_GAUGE},
     {"spectra", "Spectra", has_spectra, NULL, CMP_SECTION_SPECTRA},

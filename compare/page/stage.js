@@ -68,6 +68,7 @@ function drawPoints(c, made) {
     shades[values && Number.isFinite(values[k]) ? shadeOf(quantity, range, values[k]) : SHADES].push(px, py);
   }
   shades.forEach((list, shade) => {
+    if (!list.length) return;
     c.fillStyle = shade < SHADES ? quantity.shades[shade] : '#b9c2c9';
     for (let k = 0; k < list.length; k += 2)
       if (side < 6) c.fillRect(list[k] - side / 2, list[k + 1] - side / 2, side, side);
