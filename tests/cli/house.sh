@@ -12,14 +12,14 @@ complain() {
 forbidden() { # folder, what it must not include
   grep -nE "#include \"($2)/" -r "$1" && complain "$1/ includes what docs/architecture.md forbids"
 }
-forbidden common 'sph|bem|exact|theory|compare|import|cli'
+forbidden common 'sph|bem|exact|theory|compare|gallery|import|cli'
 forbidden common/base 'common/(tank|cloud|case|flow|result)'
 forbidden common/tank 'common/(cloud|case|flow|result)'
 forbidden common/cloud 'common/(case|flow|result)'
 forbidden common/case 'common/result'
 forbidden common/flow 'common/result'
-forbidden sph 'bem|exact|theory|compare|import|cli'
-forbidden bem 'sph|exact|theory|compare|import|cli'
+forbidden sph 'bem|exact|theory|compare|gallery|import|cli'
+forbidden bem 'sph|exact|theory|compare|gallery|import|cli'
 forbidden bem/map 'bem/(shape|kernel|motion|water|start|breaking|run)'
 forbidden bem/shape 'bem/(kernel|motion|water|start|breaking|run)'
 forbidden bem/kernel 'bem/(motion|water|start|breaking|run)'
@@ -27,10 +27,11 @@ forbidden bem/motion 'bem/(water|start|breaking|run)'
 forbidden bem/water 'bem/(start|breaking|run)'
 forbidden bem/start 'bem/(breaking|run)'
 forbidden bem/breaking 'bem/run'
-forbidden exact 'sph|bem|theory|compare|import|cli'
-forbidden import 'sph|bem|exact|theory|compare|cli'
-forbidden theory 'bem|exact|compare|import|cli'
-forbidden compare 'sph|bem|exact|theory|import|cli'
+forbidden exact 'sph|bem|theory|compare|gallery|import|cli'
+forbidden import 'sph|bem|exact|theory|compare|gallery|cli'
+forbidden theory 'bem|exact|compare|gallery|import|cli'
+forbidden compare 'sph|bem|exact|theory|gallery|import|cli'
+forbidden gallery 'sph|bem|exact|import|cli'
 
 exported() { # library, allowed prefixes
   local strangers
@@ -45,8 +46,9 @@ exported exact 'exact'
 exported theory 'theory'
 exported import import
 exported compare cmp
+exported gallery gallery
 
 while read -r lines file; do
   complain "$file has $lines lines"
-done < <(find common sph bem exact theory compare import cli tests bench -name "*.[ch]" -exec wc -l {} + | awk '$1 > 600 && $2 != "total"')
+done < <(find common sph bem exact theory compare gallery import cli tests bench -name "*.[ch]" -exec wc -l {} + | awk '$1 > 600 && $2 != "total"')
 exit $failed

@@ -1,0 +1,5 @@
+# The gallery's files, as the program carries them: entries, case files, and the data that these read.
+file(GLOB shelf RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS gallery/entries/*.yaml gallery/cases/*.yaml
+  gallery/cases/data/* cases/*.yaml cases/data/*)
+list(SORT shelf)
+embed_table(plunge_gallery gallery_shelf "gallery/shelf.h" gallery_shelf_file ${shelf})
