@@ -24,12 +24,13 @@ bool cmp_cloud_has_field(const struct result_file *f, const char *name) {
   return false;
 }
 
-double cmp_cloud_spacing(const struct cmp_data *d, size_t n) {
-  const struct cmp_series *volume = &d->volume;
-  const double area = (double)n * d->dx * d->dx;
+double cmp_cloud_spacing(const struct result_file *f, size_t n) {
+  const double area = (double)n * f->spacing * f->spacing;
   if (!n) return 0;
-  if (!(volume->n && fabs(area / volume->value[0] - 1) > 0.5)) return d->dx;
-  return cmp_cloud_has_field(d->file, "volume") ? sqrt(volume->value[0] / (double)n) : 0;
+  if (!f->n_steps) return f->spacing;
+  const double volume = f->steps[0].volume + f->steps[0].removed_volume;
+  if (!(fabs(area / volume - 1) > 0.5)) return f->spacing;
+  return cmp_cloud_has_field(f, "volume") ? sqrt(volume / (double)n) : 0;
 }
 
 static double unit_of(const struct comparison *c, const struct cmp_run *run, enum cmp_field field) {
@@ -88,7 +89,7 @@ static enum status cloud_take(void *data, size_t k, struct result_water *w) {
   const struct taking *t = data;
   const struct cmp_run *run = &t->c->run[t->r];
   const size_t i = t->index[k];
-  const double spacing = cmp_cloud_spacing(&run->data, w->n);
+  const double spacing = cmp_cloud_spacing(run->data.file, w->n) / t->c->scales.H;
   values_scale(w, cmp_fields[t->field].vector, unit_of(t->c, run, t->field));
   if (t->figure && spacing > 0) TRY(table_write(t, &t->f->figure[t->figure[t->time[i]]], w));
   t->cloud[i] = cloud_of(w, spacing);

@@ -45,5 +45,5 @@ size_t cmp_cloud_output(const struct comparison *c, const struct result_file *f,
 bool cmp_cloud_has_field(const struct result_file *f, const char *name);
 
 /* Of n points that fill the water, particles of the run's spacing or others that say which volume
- * they stand for: their spacing, H; 0 of boundary nodes. */
-double cmp_cloud_spacing(const struct cmp_data *d, size_t n);
+ * they stand for: their spacing, m; 0 of boundary nodes. */
+double cmp_cloud_spacing(const struct result_file *f, size_t n);

@@ -38,7 +38,7 @@ static enum status look(const struct comparison *c, size_t time, size_t r, struc
   *out = (struct current){.run = r};
   out->output = cmp_cloud_output(c, f, r == SIZE_MAX ? c->times[time] : run->at[time].t);
   if (out->output == SIZE_MAX) return OK;
-  out->spacing = cmp_cloud_spacing(&run->data, (size_t)f->output_points[out->output]);
+  out->spacing = cmp_cloud_spacing(f, (size_t)f->output_points[out->output]) / c->scales.H;
   if (!(out->spacing > 0)) return OK;
   if (result_read_vectors(f->path, "velocity", 1, &out->output, &out->points) != OK)
     out->spacing = 0; /* points that do not say how they move */

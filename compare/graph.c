@@ -89,6 +89,21 @@ static struct range range_of(const struct cmp_graph *g, size_t panel, bool log) 
   return r;
 }
 
+/* Puts the ends that a column asks for in the place of those of its curves. */
+static void ends_take(const struct cmp_graph_column *c, double *low, double *high) {
+  if (c->ends && isfinite(c->ends[0])) *low = c->ends[0];
+  if (c->ends && isfinite(c->ends[1])) *high = c->ends[1];
+}
+
+static void log_range_write(const struct graph *d, const struct cmp_graph_column *c,
+                            const struct range *r) {
+  double low = r->low / 1.3, high = r->high * 1.3;
+  ends_take(c, &low, &high);
+  fprintf(d->panels.fig->script,
+          "set logscale y\nset yrange [%.6g:%.6g]\nset ytics auto\nset format y '%s'\n", low, high,
+          r->high / r->low > 1e4 || r->low < 1e-3 ? "10^{%L}" : "%g");
+}
+
 static void range_write(const struct graph *d, size_t panel) {
   const struct cmp_graph_column *c = first_of(d->g, panel);
   struct range r = range_of(d->g, panel, c->log);
@@ -96,18 +111,21 @@ static void range_write(const struct graph *d, size_t panel) {
   if (!(r.low <= r.high)) r = (struct range){1, 10};
   if (c->span > 0 && r.low < r.high / c->span) r.low = r.high / c->span;
   if (c->top > 0 && r.low < c->top) r.high = fmin(r.high, c->top);
-  if (c->log && r.high > 20 * r.low) { /* else it would have a tick or two */
-    fprintf(s, "set logscale y\nset yrange [%.6g:%.6g]\nset ytics auto\nset format y '%s'\n",
-            r.low / 1.3, r.high * 1.3, r.high / r.low > 1e4 || r.low < 1e-3 ? "10^{%L}" : "%g");
+  ends_take(c, &r.low, &r.high);
+  if (c->log && r.low > 0 && r.high > 20 * r.low) { /* else it would have a tick or two */
+    log_range_write(d, c, &r);
     return;
   }
   double margin = fmax(0.06 * (r.high - r.low), 1e-9 * fmax(fabs(r.high), DBL_MIN));
   struct cmp_frame frame = {r.low - margin, r.high + margin};
+  ends_take(c, &frame.low, &frame.high);
   fprintf(s, "unset logscale y\nset yrange [%.9g:%.9g]\nset ytics %.9g\nset format y '%%g'\n",
           frame.low, frame.high, cmp_tick_step(&frame));
 }
 
 static bool has_points(const struct cmp_graph *g) {
+  for (size_t c = 0; c < g->n_curves; c++)
+    if (g->curve[c].points) return true;
   for (size_t k = 1; k < g->n_columns; k++)
     if (g->column[k].points && !g->column[k].undrawn) return true;
   return false;
@@ -127,7 +145,9 @@ static void axis_write(const struct graph *d) {
   if (log) fputs("set logscale x\n", s);
   double margin = has_points(g) && !log ? 0.03 * (r.high - r.low) : 0;
   if (!log && r.low > 0 && r.low < 0.02 * r.high) r.low = 0;
-  if (r.low < r.high) fprintf(s, "set xrange [%.9g:%.9g]\n", r.low - margin, r.high + margin);
+  r = (struct range){r.low - margin, r.high + margin};
+  ends_take(&g->column[0], &r.low, &r.high);
+  if (r.low < r.high) fprintf(s, "set xrange [%.9g:%.9g]\n", r.low, r.high);
 }
 
 /* ---- curves ---- */
@@ -148,13 +168,16 @@ static struct cmp_style style_of(const struct cmp_graph *g, size_t curve, size_t
   return style;
 }
 
+static void symbol_write(FILE *s, size_t rank, const struct cmp_style *style) {
+  static const int symbols[] = {7, 6, 5, 4, 9, 8}; /* discs, rings, squares, triangles */
+  fprintf(s, " with points pointtype %d pointsize 0.7 linewidth 1 linecolor '%s' ",
+          symbols[rank % (sizeof symbols / sizeof *symbols)], style->colour);
+}
+
 static void look_write(FILE *s, const struct cmp_graph *g, size_t column,
                        const struct cmp_style *style) {
-  static const int symbols[] = {7, 6, 5, 4, 9, 8}; /* discs, rings, squares, triangles */
-  size_t n = sizeof symbols / sizeof *symbols;
   if (g->column[column].points)
-    fprintf(s, " with points pointtype %d pointsize 0.7 linewidth 1 linecolor '%s' ",
-            symbols[rank_of(g, column, false) % n], style->colour);
+    symbol_write(s, rank_of(g, column, false), style);
   else
     fprintf(s, " with lines linewidth 1.3 dashtype %s linecolor '%s' ", cmp_dashes(style),
             style->colour);
@@ -166,7 +189,10 @@ static void curve_draw(struct graph *d, size_t curve, size_t column) {
   open_curve(d);
   FILE *s = d->panels.fig->script;
   fprintf(s, "'%s.csv' skip 1 using ($1==%zu?$3:NaN):%zu", d->panels.fig->name, curve, column + 3);
-  look_write(s, g, column, &style);
+  if (g->curve[curve].points)
+    symbol_write(s, curve, &style);
+  else
+    look_write(s, g, column, &style);
   fputs("notitle", s);
 }
 
@@ -182,8 +208,13 @@ static void key_draw(struct graph *d) {
   for (size_t c = 0; has_names(g) && c < g->n_curves; c++) {
     struct cmp_style style = g->curve[c].style ? *g->curve[c].style : cmp_style_of(c);
     open_curve(d);
-    fprintf(s, "keyentry with lines linewidth 1.3 dashtype %s linecolor '%s' title ",
-            cmp_dashes(&style), style.colour);
+    fputs("keyentry", s);
+    if (g->curve[c].points)
+      symbol_write(s, c, &style);
+    else
+      fprintf(s, " with lines linewidth 1.3 dashtype %s linecolor '%s' ", cmp_dashes(&style),
+              style.colour);
+    fputs("title ", s);
     cmp_key_string(s, g->curve[c].name, NULL);
   }
   for (size_t k = 1; k < g->n_columns; k++) {
@@ -199,6 +230,10 @@ static void key_draw(struct graph *d) {
   }
 }
 
+static int width_of(const struct cmp_graph *g) {
+  return g->narrow ? CMP_PANELS_NARROW : CMP_PANELS_WIDTH;
+}
+
 static void key_measure(const struct cmp_graph *g, struct cmp_panels *p) {
   size_t n = 0, longest = 0;
   for (size_t c = 0; has_names(g) && c < g->n_curves; c++, n++)
@@ -208,12 +243,13 @@ static void key_measure(const struct cmp_graph *g, struct cmp_panels *p) {
     n++;
     if (cmp_key_length(g->column[k].label) > longest) longest = cmp_key_length(g->column[k].label);
   }
-  p->columns = cmp_key_columns(longest, CMP_PANELS_WIDTH - 40);
+  p->columns = cmp_key_columns(longest, width_of(g) - 40);
   p->bottom = cmp_key_height(n, p->columns);
 }
 
 static void title_write(const struct graph *d) {
   FILE *s = d->panels.fig->script;
+  if (!d->g->title) return;
   fputs("set label ", s);
   cmp_gnuplot_string(s, d->g->title);
   fputs(" at graph 0, graph 1 offset 0, character 0.8 left noenhanced font small\n", s);
@@ -273,7 +309,7 @@ enum status cmp_graph_write(const struct cmp_graph *g, struct cmp_figures *f) {
                                  : n == 2 ? ONE_OF_TWO
                                           : ONE_OF_MANY,
                                  d.panels.bottom);
-  TRY(cmp_figure_begin(f, g->section, g->raster, CMP_PANELS_WIDTH, height, &d.panels.fig, "%s",
+  TRY(cmp_figure_begin(f, g->section, g->raster, width_of(g), height, &d.panels.fig, "%s",
                        g->name));
   if (g->caption) snprintf(d.panels.fig->caption, sizeof d.panels.fig->caption, "%s", g->caption);
   TRY(table_write(g, f, d.panels.fig));

@@ -15,6 +15,8 @@ struct cmp_graph_column {
   double top;        /* its panel goes no higher; 0: as high as its curves. Of its first column */
   int panel;         /* from the top; the first column is the axis of all */
   double span; /* of a log axis: it ends so many times below its top; 0: with the lowest value */
+  const double *ends; /* [2] where the axis begins and ends; NaN: where its curves do. Of its first
+                         column; NULL: where they do */
   bool log, points, same; /* its axis; symbols, no line; alike in all curves, and drawn once */
   bool undrawn;           /* only in the table */
 };
@@ -24,14 +26,16 @@ struct cmp_graph_curve {
   const struct cmp_style *style; /* NULL: the k-th has the k-th */
   size_t n;
   const double *row; /* [n][n_columns]; NaN breaks a line */
+  bool points;       /* symbols, no line */
 };
 
 struct cmp_graph {
   const char *name;         /* of its files */
-  const char *title;        /* above the first panel */
+  const char *title;        /* above the first panel; NULL: none */
   const char *caption;      /* NULL: none */
   enum cmp_section section; /* of a report */
   bool raster;              /* heavy: see cmp_figure_begin */
+  bool narrow;              /* one column of a journal in place of two */
   size_t n_columns, n_curves;
   const struct cmp_graph_column *column; /* [n_columns] */
   const struct cmp_graph_curve *curve;   /* [n_curves] */

@@ -57,7 +57,7 @@ void cmp_panel_place(const struct cmp_panels *p, size_t k, const char *x_label) 
 void cmp_panel_labels(const struct cmp_panels *p, const char *label, const char *title) {
   FILE *s = p->fig->script;
   fprintf(s, "set label '%s' at screen %.5f, graph 0.5 center rotate\n", label,
-          LABEL_X / CMP_PANELS_WIDTH);
+          LABEL_X / p->fig->width);
   if (!title) return;
   fputs("set label ", s);
   cmp_key_string(s, title, NULL);

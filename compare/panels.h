@@ -4,7 +4,7 @@
 #include "compare/figure.h"
 #include "compare/frame.h"
 
-enum { CMP_PANELS_WIDTH = 900 }; /* px of a page */
+enum { CMP_PANELS_WIDTH = 900, CMP_PANELS_NARROW = 426 }; /* px of a page; of a column of it */
 
 struct cmp_panels {
   struct cmp_figure *fig;

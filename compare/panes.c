@@ -18,10 +18,15 @@ const char cmp_panes_palette[] =
 
 static const double LOW = 90; /* px: lower panels are stretched */
 
+/* Moreland's cool to warm ("Diverging color maps for scientific visualization", 2009). */
+const char cmp_panes_diverging[] =
+    "set palette defined (0 '#3b4cc0', 1 '#6282ea', 2 '#8db0fe', 3 '#b8d0f9', 4 '#dddddd', "
+    "5 '#f5c4ad', 6 '#f49a7b', 7 '#de604d', 8 '#b40426')\n";
+
 /* ---- data files ---- */
 
 /* Pieces are kept apart by an empty line, which CSV readers skip and gnuplot needs. */
-static void lines_write(FILE *data, size_t id, const char *name, const struct geo_lines *l) {
+void cmp_pane_lines(FILE *data, size_t id, const char *name, const struct geo_lines *l) {
   for (size_t k = 0; k < l->pieces; k++) {
     size_t a = l->first[k], n = l->first[k + 1] - a;
     for (size_t i = 0; i < n + l->closed[k] && n; i++) {
@@ -66,7 +71,7 @@ static enum status walls_then(const struct comparison *c, size_t time, struct ge
 static enum status tank_write(const struct comparison *c, FILE *data, size_t time) {
   struct geo_lines walls = {0};
   const enum status status = walls_then(c, time, &walls);
-  if (status == OK) lines_write(data, c->n_runs + 1, "tank", &walls);
+  if (status == OK) cmp_pane_lines(data, c->n_runs + 1, "tank", &walls);
   geo_lines_destroy(&walls);
   return status;
 }
@@ -77,16 +82,16 @@ enum status cmp_panes_surfaces(const struct comparison *c, struct cmp_figures *f
                                const struct cmp_figure *fig, size_t time, size_t most) {
   FILE *data;
   TRY(cmp_figure_data(f, fig, "-surfaces.csv", &data));
-  fputs("series,name,piece,x [H],y [H]\n", data);
+  fputs(CMP_PANE_LINES_HEAD, data);
   const enum status status = tank_write(c, data, time);
   profiles_write(c, data, time);
   bool reference = false;
   for (size_t r = 0; r < c->n_runs; r++) {
     const struct cmp_at *at = &c->run[r].at[time];
     if (at->output != SIZE_MAX && cmp_run_is_picked(c, r, most))
-      lines_write(data, r, c->run[r].data.label, &c->run[r].data.surface[at->output]);
+      cmp_pane_lines(data, r, c->run[r].data.label, &c->run[r].data.surface[at->output]);
     if (at->ref_output == SIZE_MAX || reference) continue;
-    lines_write(data, c->n_runs, c->ref.data.label, &c->ref.data.surface[at->ref_output]);
+    cmp_pane_lines(data, c->n_runs, c->ref.data.label, &c->ref.data.surface[at->ref_output]);
     reference = true;
   }
   TRY(cmp_figure_data_end(fig, data));

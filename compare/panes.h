@@ -21,7 +21,7 @@ struct cmp_layout {
   int total;            /* height of the figure, px */
 };
 
-extern const char cmp_panes_palette[]; /* gnuplot's commands */
+extern const char cmp_panes_palette[], cmp_panes_diverging[]; /* gnuplot's commands */
 
 /* The tank's width, up to a little above the main surfaces; spray may fly out of the picture. */
 struct geo_box cmp_panes_view(const struct comparison *c, size_t time);
@@ -48,6 +48,10 @@ void cmp_pane_colours(const struct cmp_figure *fig, const struct cmp_layout *l, 
 enum status cmp_panes_surfaces(const struct comparison *c, struct cmp_figures *f,
                                const struct cmp_figure *fig, size_t time, size_t most);
 bool cmp_panes_profiled(const struct comparison *c, size_t time); /* surfaces were measured then */
+
+/* Rows of that table for a series `id`, its lines in H. */
+#define CMP_PANE_LINES_HEAD "series,name,piece,x [H],y [H]\n"
+void cmp_pane_lines(FILE *data, size_t id, const char *name, const struct geo_lines *l);
 
 /* Adds a series of it to gnuplot's plot command. */
 void cmp_panes_plot(const struct cmp_figure *fig, size_t id, const char *style);

@@ -41,7 +41,7 @@ static bool is_packed(const struct comparison *c, size_t stride, size_t i, size_
 
 static bool has_points(const struct cmp_run *run, size_t output) {
   const int64_t n = run->data.file->output_points[output];
-  return n > 0 && cmp_cloud_spacing(&run->data, (size_t)n) > 0;
+  return n > 0 && cmp_cloud_spacing(run->data.file, (size_t)n) > 0;
 }
 
 static double surface_cost(const struct pack *p, size_t stride) {
