@@ -4,8 +4,10 @@
  * and likewise of the density. Its matrix, with X = (c dt F)^2 of the shortest wave (|sin kh| = 1)
  * or of a decaying mode, has the eigenvalues
  *     lambda = [1 + X/2 +- sqrt(1 + X - 2 zeta + zeta^2)]/zeta,
- * here those of the solver's step. Waves are stable up to s^2 = 2 sqrt(2 zeta (zeta - 1)), s^2 =
+ * here those of the solver's step, beside this closed form and the scheme itself, carried out for
+ * `steps` steps. Waves are stable up to s^2 = 2 sqrt(2 zeta (zeta - 1)), s^2 =
  * -X; without damping (zeta = 1) never. Decaying modes grow with any. */
+#include <complex.h>
 #include <math.h>
 
 #include "theory/linear.h"
@@ -17,7 +19,7 @@ static const char *const mode_helps[] = {"e^(i k x), X = -(mu_c sin kh)^2",
 
 struct damping {
   double zeta, to;
-  int mode, points;
+  int mode, points, steps;
 };
 
 static const struct param params[] = {
@@ -25,6 +27,7 @@ static const struct param params[] = {
     THEORY_CHOICE(damping, mode, mode_names, mode_helps, "oscillating", "form of the mode"),
     THEORY_REAL(damping, to, PARAM_ABOVE_0, 100, "1", "largest c dt |F|"),
     THEORY_POINTS(damping),
+    THEORY_INT(damping, steps, 0, 1000000, "0", "how many are carried out, of `after`"),
 };
 static const struct theory_column columns[] = {
     {.key = "courant",
@@ -37,6 +40,16 @@ static const struct theory_column columns[] = {
      .axis = "|λ| of a step",
      .level = "1",
      .help = "largest factor of a step"},
+    {.key = "closed",
+     .unit = "1",
+     .label = "closed form",
+     .undrawn = true,
+     .help = "its closed form"},
+    {.key = "after",
+     .unit = "1",
+     .label = "after the steps",
+     .undrawn = true,
+     .help = "amplitude after `steps` steps from 1, position and velocity over c F"},
 };
 enum { LIMIT };
 static const struct theory_value values[] = {
@@ -49,13 +62,30 @@ static struct theory_matrix step_of(const struct damping *p, double x) {
   return theory_step(&sph_damped_pc, &z, 2 * (p->zeta - 1));
 }
 
+static double closed(const struct damping *p, double x) {
+  double complex root = csqrt(1 + x - 2 * p->zeta + p->zeta * p->zeta);
+  return fmax(cabs(1 + x / 2 + root), cabs(1 + x / 2 - root)) / p->zeta;
+}
+
+/* The scheme (3.36)-(3.39), of y and dt v. */
+static double carried_out(const struct damping *p, double x) {
+  double y = 1, v = 0;
+  for (int i = 0; i < p->steps; i++) {
+    double y_p = y + v / 2, v_p = (v + x * y / 2) / p->zeta;
+    y += v_p;
+    v = 2 / p->zeta * (v + x * y_p / 2) - v;
+  }
+  return x == 0 ? y : hypot(y, v / sqrt(fabs(x)));
+}
+
 static enum status evaluate(const void *with, struct theory_curve *curve) {
   const struct damping *p = with;
   for (int i = 0; i < p->points; i++) {
     double s = theory_between(0, p->to, i, p->points), radius;
-    struct theory_matrix m = step_of(p, p->mode ? s * s : -s * s);
+    double x = p->mode ? s * s : -s * s;
+    struct theory_matrix m = step_of(p, x);
     TRY(theory_radius(&m, &radius));
-    TRY(THEORY_ROW(curve, s, radius));
+    TRY(THEORY_ROW(curve, s, radius, closed(p, x), p->steps ? carried_out(p, x) : NAN));
   }
   curve->value[LIMIT] = p->mode ? 0 : sqrt(2 * sqrt(2 * p->zeta * (p->zeta - 1)));
   return OK;

@@ -2,7 +2,8 @@
  *     direct density   y' = v, v' = c^2 F^2 y        advanced   y' = v, v' = -c^2 F r, r' = -F v
  * with F = sum_b dx W'(x_a - x_b) e^(kappa (x_b - x_a)), i sin(kh)/h and sinh(mu h)/h where dx = h.
  * Both have the eigenvalues +- sqrt(c^2 F^2): waves are neutral, decaying modes grow. T's (3.31) to
- * (3.33) have a factor h too many. */
+ * (3.33) have a factor h too many. The values apply the sum to the particles of a line, one by one:
+ * a ring of 64 with cosines, and the middle of 64 with e^(mu x). */
 #include <math.h>
 
 #include "theory/linear.h"
@@ -52,6 +53,49 @@ static const struct theory_column columns[] = {
      .undrawn = true},
 };
 
+enum { LINE = 64 };
+enum { WAVES_OFF, DECAYING_OFF };
+static const struct theory_value values[] = {
+    [WAVES_OFF] = {"ring_off", "1/h",
+                   "largest difference of the sum over a ring of particles from F, waves"},
+    [DECAYING_OFF] = {"line_off", "1",
+                      "of the sum over a line of particles from F, decaying, over F"},
+};
+
+/* h sum_b dx W'(x_a - x_b) f_b over particles spaced dx = h/ratio; a ring, or a line. */
+static double derivative(const double *f, int a, double ratio, bool ring) {
+  double sum = 0;
+  int reach = (int)(2 * ratio);
+  for (int b = a - reach; b <= a + reach; b++)
+    sum += theory_spline_slope((a - b) / ratio) * f[ring ? (b + LINE) % LINE : b] / ratio;
+  return sum;
+}
+
+static double ring_off(double ratio) {
+  double most = 0, f[LINE];
+  for (int m = 0; m <= LINE / 2; m++) {
+    double step = 2 * M_PI * m / LINE; /* k dx */
+    double F = cimag(theory_spline_slope_symbol(I * step * ratio, ratio));
+    for (int b = 0; b < LINE; b++) f[b] = cos(step * b);
+    for (int a = 0; a < LINE; a++)
+      most = fmax(most, fabs(derivative(f, a, ratio, true) + F * sin(step * a)));
+  }
+  return most;
+}
+
+static double line_off(double ratio) {
+  double most = 0, f[LINE];
+  int reach = (int)(2 * ratio);
+  for (int m = 1; m <= 8; m++) {
+    double step = M_PI * m / 8 / ratio; /* mu dx */
+    double F = creal(theory_spline_slope_symbol(step * ratio, ratio));
+    for (int b = 0; b < LINE; b++) f[b] = exp(step * (b - LINE / 2));
+    for (int a = reach; a < LINE - reach; a++)
+      most = fmax(most, fabs(derivative(f, a, ratio, false) / (F * f[a]) - 1));
+  }
+  return most;
+}
+
 /* The largest real and imaginary parts, in c/h. */
 static enum status rates(double complex f, bool advanced, double *growth, double *frequency) {
   struct theory_matrix direct = {2, {{0, 1}, {f * f, 0}}};
@@ -80,6 +124,8 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
     TRY(THEORY_ROW(curve, k, cimag(wave), creal(decaying), frequency[0], frequency[1], growth[0],
                    growth[1]));
   }
+  curve->value[WAVES_OFF] = ring_off(p->ratio);
+  curve->value[DECAYING_OFF] = line_off(p->ratio);
   return OK;
 }
 
@@ -88,5 +134,6 @@ const struct theory_topic theory_formulations = {
     .help = "symbols and eigenvalues of the scheme with direct and advanced density (T, table 3.1)",
     .params_size = sizeof(struct formulations),
     THEORY_TABLES,
+    THEORY_VALUES,
     .evaluate = evaluate,
 };

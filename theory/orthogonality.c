@@ -4,7 +4,8 @@
  * modes without e^(delta y); they are orthogonal with e^(kappa y) in deep water, and with e^(delta
  * y). (2.88) lacks the weight, (2.89) prints psi(-H) = 0 for psi'(-H) = 0. With the deep psi_-1
  *     I_-1n = -e^(2 delta H) omega_n^2 psi_n(-H) kappa e^(-kappa H)/(omega_n^2 - g kappa).
- * Units: g = H = 1. */
+ * The norm of an acoustic mode is I_nn = omega_n^2 (psi_n(0)^2/g + int e^(-2 delta z) psi_n^2 dz
+ * /c^2). Units: g = H = 1. */
 #include <math.h>
 
 #include "theory/modes.h"
@@ -41,9 +42,39 @@ static const struct theory_column columns[] = {
      .log = true,
      .points = true,
      .help = "the same over both norms"},
+    {.key = "closed",
+     .unit = "1",
+     .label = "closed form",
+     .undrawn = true,
+     .help = "closed form of the product of the deep psi_-1; none for others"},
+    {.key = "own", .unit = "1", .label = "I_{nn}", .undrawn = true, .help = "norm of mode n"},
+    {.key = "own_closed",
+     .unit = "1",
+     .label = "closed form",
+     .undrawn = true,
+     .help = "its closed form, of exact wavenumbers; none for others"},
 };
 enum { NORM };
 static const struct theory_value values[] = {[NORM] = {"norm", "1", "I_mm"}};
+
+static double weighted_square(double z, const void *with) {
+  const struct theory_mode *m = with;
+  return exp(-2 * m->exact.delta * z) * pow(theory_mode_psi(m, z), 2);
+}
+
+/* |I_-1n| with e^(kappa y), and I_nn; NaN where a mode is not exact. */
+static double product_closed(const struct orthogonality *p, const struct theory_mode *n) {
+  double square = n->exact.omega * n->exact.omega, kappa = p->kappa;
+  if (p->mode >= 0 || p->profile != THEORY_DEEP) return NAN;
+  return p->amplitude * exp(2 * n->exact.delta) * square * fabs(theory_mode_psi(n, -1)) * kappa *
+         exp(-kappa) / (square - kappa);
+}
+
+static double norm_closed(const struct orthogonality *p, const struct theory_mode *n) {
+  if (p->profile == THEORY_LEADING) return NAN;
+  return pow(n->exact.omega, 2) *
+         (pow(theory_mode_psi(n, 0), 2) + theory_integral(weighted_square, n) / p->beta);
+}
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {
   const struct orthogonality *p = with;
@@ -53,8 +84,9 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   for (int k = 0; k <= p->last; k++) {
     TRY(theory_mode_find(p->beta, p->kappa, k, (enum theory_profile)p->profile, &n));
     double product = fabs(theory_inner_product(&m, &n));
-    double share = product / sqrt(norm * theory_inner_product(&n, &n));
-    TRY(THEORY_ROW(curve, k, p->amplitude * product, share));
+    double own = theory_inner_product(&n, &n), share = product / sqrt(norm * own);
+    TRY(THEORY_ROW(curve, k, p->amplitude * product, share, product_closed(p, &n), own,
+                   norm_closed(p, &n)));
   }
   curve->value[NORM] = norm;
   return OK;

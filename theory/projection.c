@@ -85,12 +85,33 @@ static const struct theory_column columns[] = {
      .log = true,
      .points = true,
      .help = "its error"},
+    {.key = "closed",
+     .unit = "1",
+     .label = "closed form",
+     .panel = 1,
+     .undrawn = true,
+     .help = "closed form of the error's magnitude"},
 };
 enum { WORST, WORST_AT };
 static const struct theory_value values[] = {
     [WORST] = {"error_most", "1", "largest error"},
     [WORST_AT] = {"error_mode", "1", "n of that"},
 };
+
+static double closed(const struct projection *p, const struct theory_mode *n) {
+  double kappa = p->kappa, delta = n->exact.delta, bed = theory_mode_psi(n, -1);
+  double square = n->exact.omega * n->exact.omega;
+  switch ((enum theory_filter)p->filter) {
+  case THEORY_FILTER_PLAIN:
+    return fabs(n->exact.s - exp(-kappa) * bed) / (1 - exp(-2 * kappa));
+  case THEORY_FILTER_WEIGHTED:
+    return exp(2 * delta) * square * fabs(bed) * exp(-kappa) / (square - kappa) * (kappa - delta) /
+           (kappa * (1 - exp(-2 * (kappa - delta))));
+  case THEORY_FILTER_EXACT:
+    break;
+  }
+  return 0;
+}
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {
   const struct projection *p = with;
@@ -101,7 +122,7 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   for (int k = 0; k <= p->last; k++) {
     TRY(theory_mode_find(p->beta, p->kappa, k, profile, &n));
     double error = theory_filter_apply(filter, &decaying, own_psi, own_slope, &n);
-    TRY(THEORY_ROW(curve, k, 2 + error, fabs(error)));
+    TRY(THEORY_ROW(curve, k, 2 + error, fabs(error), closed(p, &n)));
     if (fabs(error) <= curve->value[WORST]) continue; /* NaN at first */
     curve->value[WORST] = fabs(error);
     curve->value[WORST_AT] = k;

@@ -14,14 +14,18 @@
   X(damping)                                                                                       \
   X(viscosity)                                                                                     \
   X(treatments)                                                                                    \
+  X(derivatives)                                                                                   \
+  X(densities)                                                                                     \
   X(growth)                                                                                        \
   X(oscillation)                                                                                   \
   X(hydrostatic)                                                                                   \
   X(smoothing)                                                                                     \
+  X(rates)                                                                                         \
   X(waves)                                                                                         \
   X(roots)                                                                                         \
   X(acoustic)                                                                                      \
   X(profiles)                                                                                      \
+  X(potentials)                                                                                    \
   X(orthogonality)                                                                                 \
   X(projection)                                                                                    \
   X(filter)

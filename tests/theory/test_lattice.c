@@ -97,6 +97,28 @@ static void test_figure_2_24(void) {
   EXPECT_NEAR(cell_of(&r, 1, 0, "plus"), 0, 1e-13);
   EXPECT_NEAR(cell_of(&r, 1, 0, "minus"), -1. / 2, 1e-13);
   for (size_t k = 0; k < 3; k++) EXPECT_NEAR(cell_of(&r, 1, 1, form[k]), 0, 1e-13);
+  EXPECT_NEAR(cell_of(&r, 0, 0, "gradient_cross"), 0, 1e-15);
+  EXPECT_NEAR(cell_of(&r, 0, 0, "symmetric"), -1. / 2, 1e-13);
+  EXPECT_NEAR(value_of(&r, 0, "slope_integral"), 2. / 3, 1e-13); /* W(0) int W dx */
+  theory_result_destroy(&r);
+  /* the Gaussian's but for its cut at 3h, per dx = 3h/4 */
+  r = THEORY("surface", "rows", "1");
+  EXPECT_NEAR(value_of(&r, 0, "slope_integral"), 0.75 / sqrt(M_PI), 5e-4);
+  theory_result_destroy(&r);
+}
+
+/* With the density of rest and beta = 20, h = 0.04: -(3/8)(g h/c^2) g in the top row by (2.15), to
+ * first order; below, where sums are complete, (h^2/6) P''' of T's kernel. */
+static void test_surface_of_stratified_water(void) {
+  struct theory_result r = THEORY("surface", "kernel", "tensor", "ratio", "1", "rows", "3",
+                                  "stratification", "0.002, 1e-9, 0");
+  EXPECT_NEAR(cell_of(&r, 0, 0, "symmetric") / (-0.375 * 0.002), 1, 3e-3);
+  EXPECT_NEAR(cell_of(&r, 0, 0, "symmetric"), -7.5e-4, 5e-6);
+  EXPECT_NEAR(cell_of(&r, 0, 0, "variable"), -0.2496, 5e-5);
+  EXPECT_NEAR(cell_of(&r, 0, 2, "symmetric"), 0.002 * 0.002 / 6, 1e-9);
+  static const char *const form[] = {"variable", "plus", "minus", "symmetric"};
+  for (size_t k = 0; k < 4; k++)
+    EXPECT_NEAR(cell_of(&r, 1, 0, form[k]), cell_of(&r, 2, 0, form[k]), 1e-8);
   theory_result_destroy(&r);
 }
 
@@ -162,6 +184,7 @@ int main(void) {
   RUN(test_other_spacings_miss_the_moments);
   RUN(test_rows_below_a_surface);
   RUN(test_figure_2_24);
+  RUN(test_surface_of_stratified_water);
   RUN(test_sound_on_a_lattice);
   RUN(test_stable_steps_of_the_solver);
   RUN(test_delta_may_be_auto);

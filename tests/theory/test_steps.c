@@ -102,6 +102,14 @@ static double damped_after(double zeta, double s, int steps) {
 }
 
 static void test_damped_steps_do_what_their_eigenvalues_say(void) {
+  struct theory_result r = THEORY("damping", "to", "0.46", "points", "24", "steps", "20000");
+  for (size_t i = 0; i < 24; i++) {
+    double s = cell_of(&r, 1, i, "courant"), after = damped_after(1.005, s, 20000);
+    EXPECT_NEAR(cell_of(&r, 1, i, "lambda"), cell_of(&r, 1, i, "closed"), 1e-8); /* they meet */
+    if (s > 0) EXPECT_NEAR(cell_of(&r, 1, i, "after") / fmax(after, 1e-300), 1, 1e-9);
+  }
+  EXPECT(cell_of(&r, 1, 23, "after") > 1e3);
+  theory_result_destroy(&r);
   EXPECT(damped_after(1.005, 0.4478, 20000) < 3);
   EXPECT(damped_after(1.005, 0.460, 20000) > 1e3);
   EXPECT(damped_after(1.025, 0.672, 20000) < 3);
@@ -177,6 +185,8 @@ static void test_formulations(void) {
                 cell_of(&r, 0, j, "advanced_growth") / fmax(1, sinh(kh)), 1e-7);
     EXPECT_NEAR(cell_of(&r, 0, j, "advanced_growth"), sinh(kh), 1e-12 * cosh(kh));
   }
+  EXPECT(value_of(&r, 0, "ring_off") < 1e-12);
+  EXPECT(value_of(&r, 0, "line_off") < 1e-12);
   theory_result_destroy(&r);
 }
 

@@ -181,8 +181,11 @@ static void test_orthogonality(void) {
     double law =
         exp(0.1) * square * theory_mode_psi(&m, -1) * kappa * exp(-kappa) / (square - kappa);
     EXPECT_NEAR(cell_of(&r, 1, n, "product") / fabs(law), 1, 1e-6);
+    EXPECT_NEAR(cell_of(&r, 1, n, "closed") / fabs(law), 1, 1e-12);
     double norm = square * (pow(theory_mode_psi(&m, 0), 2) + theory_integral(square_of, &m) / 10);
     EXPECT_NEAR(theory_inner_product(&m, &m) / norm, 1, 1e-10);
+    EXPECT_NEAR(cell_of(&r, 0, n, "own") / cell_of(&r, 0, n, "own_closed"), 1, 1e-10);
+    EXPECT(isnan(cell_of(&r, 0, n, "closed")));
   }
   EXPECT_NEAR(cell_of(&r, 1, 0, "product"), 0.0125, 5e-5);
   EXPECT_NEAR(cell_of(&r, 1, 50, "product"), 0.01234, 5e-6);
@@ -221,6 +224,9 @@ static void test_projection(void) {
     EXPECT_NEAR(cell_of(&r, 0, n, "amplitude"), 2 + plain, 1e-10);
     EXPECT_NEAR(cell_of(&r, 1, n, "error") / fabs(product / norm), 1, 1e-6);
     EXPECT(cell_of(&r, 2, n, "error") < 1e-10);
+    EXPECT_NEAR(cell_of(&r, 0, n, "closed") / fabs(plain), 1, 1e-12);
+    EXPECT_NEAR(cell_of(&r, 1, n, "closed") / fabs(product / norm), 1, 1e-12);
+    EXPECT(cell_of(&r, 2, n, "closed") == 0);
   }
   EXPECT_NEAR(value_of(&r, 0, "error_most"), 9.54e-3, 5e-6);
   EXPECT(value_of(&r, 0, "error_mode") == 2);
