@@ -81,6 +81,7 @@ struct gallery_entry {
   struct gallery_number *numbers;
   struct gallery_check *checks;
   struct gallery_figure *figures;
+  char *text; /* of the entry, as its file has it */
   int line;
 };
 

@@ -11,12 +11,14 @@ enum status gallery_desk_create(const struct gallery_book *book, const char *fol
                                 struct gallery_desk **out);
 void gallery_desk_destroy(struct gallery_desk *desk);
 
-/* From now on curves and numbers are those of this entry. */
-void gallery_desk_begin(struct gallery_desk *desk, const struct gallery_entry *e);
+/* From now on curves and numbers are those of this entry. ERR_MEMORY. */
+enum status gallery_desk_begin(struct gallery_desk *desk, const struct gallery_entry *e);
+const struct gallery_entry *gallery_desk_entry(const struct gallery_desk *desk);
 
 bool gallery_desk_is_quick(const struct gallery_desk *desk);
 
-/* A finished run, "CASE/RUN", read once and kept. ERR_INPUT when it is not there. */
+/* A run, "CASE/RUN", read once and kept, whether it reached its end or broke off: some entries show
+ * how runs break off. ERR_INPUT when it is not there. */
 enum status gallery_desk_result(struct gallery_desk *desk, const char *run,
                                 const struct result_file **file);
 

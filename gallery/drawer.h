@@ -10,8 +10,8 @@ struct gallery_entry;
 
 struct gallery_drawer {
   const char *name, *help;
-  /* Reads the mapping `node`, called `path` in messages; complaints go to the reader's problems.
-   * *spec is NULL after one. */
+  /* Reads the mapping `node`, called `path` in messages, whose keys `kind` and `caption` have been
+   * read; complaints go to the reader's problems. *spec is NULL after one. */
   enum status (*read)(struct gallery_reader *r, int node, const char *path, void **spec);
   void (*destroy)(void *spec); /* NULL is fine */
   /* As gallery_entry_runs. NULL: needs none. */

@@ -311,6 +311,9 @@ void case_fingerprint(const struct case_file *c, const struct case_run *r, char 
  * and the scales, whatever solves them how finely for how long (hex digits, 32 + NUL). */
 void case_water_fingerprint(const struct case_file *c, char out[33]);
 
+/* The same of any text of n bytes. */
+void case_text_fingerprint(const char *text, size_t n, char out[33]);
+
 bool case_water_moves(const struct case_file *c); /* regions, at t = 0 */
 
 double case_water_area(const struct case_file *c); /* m^2, at t = 0 */

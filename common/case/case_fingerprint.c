@@ -60,7 +60,7 @@ static void write_inputs(FILE *out, const struct case_file *c, const struct case
 }
 
 /* FNV-1a in 128 bits (Fowler, Noll, Vo; RFC 9923): a key for "is this the same run", no secret. */
-static void hash(const char *text, size_t n, char out[33]) {
+void case_text_fingerprint(const char *text, size_t n, char out[33]) {
   __extension__ typedef unsigned __int128 wide;
   const wide prime = ((wide)1 << 88) + 0x13b;
   wide h = ((wide)0x6c62272e07bb0142 << 64) + 0x62b821756295c58d;
@@ -129,7 +129,7 @@ static void fingerprint(const struct case_file *c, const struct case_run *r, cha
     fclose(stream);
   }
   out[0] = 0;
-  if (text) hash(text, n, out);
+  if (text) case_text_fingerprint(text, n, out);
   free(text);
 }
 

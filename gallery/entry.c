@@ -1,0 +1,363 @@
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/base/array.h"
+#include "gallery/drawer.h"
+#include "gallery/reader.h"
+#include "gallery/source.h"
+
+/* ---- tables ---- */
+
+#define X(name, help) #name,
+static const char *const kind_names[] = {GALLERY_KINDS(X) NULL};
+static const char *const origin_names[] = {GALLERY_ORIGINS(X) NULL};
+#undef X
+
+enum { LONG = 4000 };
+
+static const struct param entry_rows[] = {
+    TEXT(struct gallery_entry, id, 32, NULL, "as in P 1, T 2-13, T Tab 2.1"),
+    TEXT(struct gallery_entry, title, 200, NULL, "what it shows"),
+    TEXT(struct gallery_entry, where, 200, NULL, "its place in the document"),
+    {.key = "kind",
+     .type = PARAM_CHOICE,
+     .offset = offsetof(struct gallery_entry, kind),
+     .choices = kind_names,
+     .help = "what it is made by"},
+    TEXT(struct gallery_entry, setup, LONG, NULL, "what is computed, and the choices made"),
+    {.key = "corrected",
+     .type = PARAM_BOOL,
+     .offset = offsetof(struct gallery_entry, corrected),
+     .value = "false",
+     .help = "whether it is not what is printed"},
+    {.key = "quick",
+     .type = PARAM_BOOL,
+     .offset = offsetof(struct gallery_entry, quick),
+     .value = "true",
+     .help = "whether it is made in --quick"},
+};
+
+struct lists {
+  int remarks, curves, numbers, checks, figures;
+};
+static const struct param list_rows[] = {
+    NODE(struct lists, remarks, "", "a list of texts"),
+    NODE(struct lists, curves, "", "a list of curves"),
+    NODE(struct lists, numbers, "", "a list of numbers"),
+    NODE(struct lists, checks, "", "a list of checks"),
+    NODE(struct lists, figures, "", "a list of figures"),
+};
+
+static const struct param number_rows[] = {
+    TEXT(struct gallery_number, name, 64, NULL, "name in formulas"),
+    TEXT(struct gallery_number, is, LONG, NULL, "a formula"),
+};
+
+static const struct param check_rows[] = {
+    TEXT(struct gallery_check, says, 300, NULL, "what is checked"),
+    TEXT(struct gallery_check, value, LONG, NULL, "a formula"),
+    TEXT(struct gallery_check, equals, LONG, "", "a formula"),
+    TEXT(struct gallery_check, within, LONG, "", "a formula: the largest difference"),
+    TEXT(struct gallery_check, percent, LONG, "", "a formula: the same of the expected value"),
+    TEXT(struct gallery_check, below, LONG, "", "a formula"),
+    TEXT(struct gallery_check, above, LONG, "", "a formula"),
+    {.key = "of",
+     .type = PARAM_CHOICE,
+     .offset = offsetof(struct gallery_check, of),
+     .choices = origin_names,
+     .help = "whose the expected value is"},
+    TEXT(struct gallery_check, source, 400, NULL, "where the expected value comes from"),
+    TEXT(struct gallery_check, because, LONG, "", "why it does not hold"),
+    {.key = "quick",
+     .type = PARAM_BOOL,
+     .offset = offsetof(struct gallery_check, quick),
+     .value = "true",
+     .help = "whether it is held in --quick"},
+};
+
+/* ---- names ---- */
+
+/* A name that formulas can use. */
+static bool is_identifier(const char *name) {
+  const size_t n = strlen(name);
+  if (!n || n > 64 || !(isalpha((unsigned char)*name) || *name == '_')) return false;
+  for (size_t i = 1; i < n; i++)
+    if (!isalnum((unsigned char)name[i]) && name[i] != '_') return false;
+  return true;
+}
+
+static void check_name(struct gallery_reader *r, int node, const char *path, const char *name) {
+  char found[80];
+  if (!name || is_identifier(name)) return;
+  snprintf(found, sizeof found, "the name '%.60s'", name);
+  gallery_complain(r, node, path, found, "a letter, then letters, digits and '_'", "");
+}
+
+static char *key_of(const char *id) {
+  char *key = strdup(id);
+  for (char *p = key; p && *p; p++)
+    if (*p == ' ' || *p == '/') *p = '-';
+  return key;
+}
+
+/* ---- the lists ---- */
+
+struct items { /* of a list that is being read */
+  int node;
+  char path[CASE_PATH + 40];
+  size_t n;
+};
+
+static struct items list_of(struct gallery_reader *r, int node, const char *path, const char *key) {
+  struct items items = {.node = node};
+  snprintf(items.path, sizeof items.path, "%s.%s", path, key);
+  if (node && case_doc_expect_list(&r->doc, node, items.path, 0, GALLERY_MOST_ITEMS, key))
+    items.n = case_doc_size(&r->doc, node);
+  return items;
+}
+
+static int item_of(struct gallery_reader *r, const struct items *items, size_t i,
+                   char path[CASE_PATH]) {
+  const int node = case_doc_item(&r->doc, items->node, i);
+  case_doc_item_path(&r->doc, items->path, node, i, path);
+  return node;
+}
+
+struct curve_head {
+  char *name, *from;
+};
+static const struct param curve_rows[] = {
+    TEXT(struct curve_head, name, 64, NULL, "name in formulas and figures"),
+    TEXT(struct curve_head, from, 64, NULL, "where it comes from: plunge list"),
+};
+
+static const struct gallery_source *source_of(struct gallery_reader *r, int node,
+                                              const char *path) {
+  const char *names[256];
+  char full[CASE_PATH + 8], found[64];
+  size_t n = 0;
+  const int from = case_doc_member(&r->doc, node, "from");
+  const char *text = case_doc_text(&r->doc, from);
+  const struct gallery_source *source = text ? gallery_source_find(text) : NULL;
+  if (source) return source;
+  for (size_t k = 0; gallery_sources[k] && n < 256; k++) names[n++] = gallery_sources[k]->name;
+  const struct case_offer offer = case_offer("one of ", n, names, text);
+  snprintf(full, sizeof full, "%s.from", path);
+  case_doc_found(&r->doc, from, found);
+  gallery_complain(r, from ? from : node, full, found, offer.allowed, offer.todo);
+  return NULL;
+}
+
+static enum status read_curve(struct gallery_reader *r, int node, const char *path,
+                              struct gallery_curve_spec *c) {
+  struct curve_head head = {0};
+  c->source = source_of(r, node, path);
+  c->line = case_doc_line(&r->doc, node);
+  if (!c->source) return OK;
+  c->params = calloc(1, c->source->params_size);
+  CHECK(c->params, ERR_MEMORY, "no memory for a curve");
+  const struct case_block blocks[] = {
+      {curve_rows, ROWS(curve_rows), &head, NULL},
+      {c->source->params, c->source->n_params, c->params, NULL}};
+  case_doc_read(&r->doc, node, path, 0, 2, blocks);
+  check_name(r, node, path, head.name);
+  free(head.from);
+  c->name = head.name;
+  return OK;
+}
+
+static enum status read_curves(struct gallery_reader *r, int node, const char *path,
+                               struct gallery_entry *e) {
+  const struct items items = list_of(r, node, path, "curves");
+  TRY(array_create(&e->curves, items.n, "curves"));
+  e->n_curves = items.n;
+  for (size_t i = 0; i < items.n; i++) {
+    char full[CASE_PATH];
+    const int item = item_of(r, &items, i, full);
+    TRY(read_curve(r, item, full, &e->curves[i]));
+    for (size_t k = 0; k < i && e->curves[i].name; k++)
+      if (e->curves[k].name && !strcmp(e->curves[k].name, e->curves[i].name))
+        gallery_complain(r, item, full, "a name that another curve has", "each name once", "");
+  }
+  return OK;
+}
+
+static enum status read_numbers(struct gallery_reader *r, int node, const char *path,
+                                struct gallery_entry *e) {
+  const struct items items = list_of(r, node, path, "numbers");
+  TRY(array_create(&e->numbers, items.n, "numbers"));
+  e->n_numbers = items.n;
+  for (size_t i = 0; i < items.n; i++) {
+    char full[CASE_PATH];
+    const int item = item_of(r, &items, i, full);
+    const struct case_block block = {number_rows, ROWS(number_rows), &e->numbers[i], NULL};
+    case_doc_read(&r->doc, item, full, 0, 1, &block);
+    check_name(r, item, full, e->numbers[i].name);
+    for (size_t k = 0; k < i && e->numbers[i].name; k++)
+      if (e->numbers[k].name && !strcmp(e->numbers[k].name, e->numbers[i].name))
+        gallery_complain(r, item, full, "a name that another number has", "each name once", "");
+  }
+  return OK;
+}
+
+static void check_bounds(struct gallery_reader *r, int node, const char *path,
+                         const struct gallery_check *c) {
+  const bool equals = c->equals, bound = c->below || c->above;
+  const int tolerances = (c->within != NULL) + (c->percent != NULL);
+  if (equals == bound)
+    gallery_complain(r, node, path, equals ? "both equals and a bound" : "no expected value",
+                     "equals, or below, above or both", "");
+  else if (tolerances != (equals ? 1 : 0))
+    gallery_complain(r, node, path,
+                     tolerances == 2 ? "both within and percent"
+                     : tolerances    ? "a tolerance of a bound"
+                                     : "equals without a tolerance",
+                     "equals with one of within and percent", "");
+}
+
+static enum status read_checks(struct gallery_reader *r, int node, const char *path,
+                               struct gallery_entry *e) {
+  const struct items items = list_of(r, node, path, "checks");
+  TRY(array_create(&e->checks, items.n, "checks"));
+  e->n_checks = items.n;
+  for (size_t i = 0; i < items.n; i++) {
+    struct gallery_check *c = &e->checks[i];
+    char full[CASE_PATH];
+    const int item = item_of(r, &items, i, full);
+    const struct case_block block = {check_rows, ROWS(check_rows), c, NULL};
+    c->line = case_doc_line(&r->doc, item);
+    if (case_doc_read(&r->doc, item, full, 0, 1, &block)) check_bounds(r, item, full, c);
+  }
+  return OK;
+}
+
+/* ---- figures ---- */
+
+static const struct gallery_drawer *drawer_of(struct gallery_reader *r, int node,
+                                              const char *path) {
+  const char *names[64];
+  char full[CASE_PATH + 8], found[64];
+  size_t n = 0;
+  const int kind = case_doc_member(&r->doc, node, "kind");
+  const char *text = case_doc_text(&r->doc, kind);
+  const struct gallery_drawer *drawer = text ? gallery_drawer_find(text) : NULL;
+  if (drawer) return drawer;
+  for (size_t k = 0; gallery_drawers[k] && n < 64; k++) names[n++] = gallery_drawers[k]->name;
+  const struct case_offer offer = case_offer("one of ", n, names, text);
+  snprintf(full, sizeof full, "%s.kind", path);
+  case_doc_found(&r->doc, kind, found);
+  gallery_complain(r, kind ? kind : node, full, found, offer.allowed, offer.todo);
+  return NULL;
+}
+
+static enum status read_figures(struct gallery_reader *r, int node, const char *path,
+                                struct gallery_entry *e) {
+  const struct items items = list_of(r, node, path, "figures");
+  const struct param caption = {.key = "caption", .type = PARAM_TEXT, .max = 500, .help = ""};
+  TRY(array_create(&e->figures, items.n, "figures"));
+  e->n_figures = items.n;
+  for (size_t i = 0; i < items.n; i++) {
+    struct gallery_figure *f = &e->figures[i];
+    char full[CASE_PATH], key[CASE_PATH + 16];
+    const int item = item_of(r, &items, i, full);
+    const int text = case_doc_member(&r->doc, item, "caption");
+    f->line = case_doc_line(&r->doc, item);
+    f->drawer = drawer_of(r, item, full);
+    if (!f->drawer) continue;
+    snprintf(key, sizeof key, "%s.caption", full);
+    if (text) case_doc_value(&r->doc, text, key, &caption, &f->caption);
+    TRY(f->drawer->read(r, item, full, &f->spec));
+  }
+  return OK;
+}
+
+/* ---- the entry ---- */
+
+/* The lines of the file from that of the node to its end. */
+static char *text_of(struct gallery_reader *r, int node) {
+  const yaml_node_t *n = yaml_document_get_node(&r->doc.yaml, node);
+  const char *from = r->file->text, *end = from + r->file->size;
+  for (size_t k = 0; k < n->start_mark.line && from < end; k++) {
+    const char *line = memchr(from, '\n', (size_t)(end - from));
+    from = line ? line + 1 : end;
+  }
+  const char *to = from;
+  for (size_t k = n->start_mark.line; k <= n->end_mark.line && to < end; k++) {
+    if (k == n->end_mark.line && !n->end_mark.column) break;
+    const char *line = memchr(to, '\n', (size_t)(end - to));
+    to = line ? line + 1 : end;
+  }
+  return strndup(from, (size_t)(to - from));
+}
+
+enum status gallery_entry_read(struct gallery_reader *r, int node, const char *path,
+                               struct gallery_entry *e) {
+  struct lists lists = {0};
+  const struct case_block blocks[] = {{entry_rows, ROWS(entry_rows), e, NULL},
+                                      {list_rows, ROWS(list_rows), &lists, NULL}};
+  char full[CASE_PATH + 16];
+  e->line = case_doc_line(&r->doc, node);
+  e->text = text_of(r, node);
+  CHECK(e->text, ERR_MEMORY, "no memory for an entry");
+  case_doc_read(&r->doc, node, path, 0, 2, blocks);
+  if (e->id) {
+    e->key = key_of(e->id);
+    CHECK(e->key, ERR_MEMORY, "no memory for an entry");
+    if (!case_name_fits(e->key))
+      gallery_complain(r, node, path, "an id that no file can be named after",
+                       "as in P 1, T 2-13, T Tab 2.1", "");
+  }
+  snprintf(full, sizeof full, "%s.remarks", path);
+  TRY(gallery_read_texts(r, lists.remarks, full, "remarks", &e->n_remarks, &e->remarks));
+  TRY(read_curves(r, lists.curves, path, e));
+  TRY(read_numbers(r, lists.numbers, path, e));
+  TRY(read_checks(r, lists.checks, path, e));
+  return read_figures(r, lists.figures, path, e);
+}
+
+static void release(const struct param *rows, size_t n, void *from) {
+  params_release(rows, n, from);
+}
+
+void gallery_entry_free(struct gallery_entry *e) {
+  release(entry_rows, ROWS(entry_rows), e);
+  free(e->key);
+  free(e->text);
+  gallery_texts_free(e->n_remarks, e->remarks);
+  for (size_t i = 0; i < e->n_curves; i++) {
+    const struct gallery_curve_spec *c = &e->curves[i];
+    free(c->name);
+    if (c->source) release(c->source->params, c->source->n_params, c->params);
+    free(c->params);
+  }
+  for (size_t i = 0; i < e->n_numbers; i++)
+    release(number_rows, ROWS(number_rows), &e->numbers[i]);
+  for (size_t i = 0; i < e->n_checks; i++) release(check_rows, ROWS(check_rows), &e->checks[i]);
+  for (size_t i = 0; i < e->n_figures; i++) {
+    free(e->figures[i].caption);
+    if (e->figures[i].drawer) e->figures[i].drawer->destroy(e->figures[i].spec);
+  }
+  free(e->curves);
+  free(e->numbers);
+  free(e->checks);
+  free(e->figures);
+}
+
+enum status gallery_entry_runs(const struct gallery_entry *e,
+                               enum status (*take)(void *data, const char *run), void *data) {
+  for (size_t i = 0; i < e->n_curves; i++) {
+    const struct gallery_curve_spec *c = &e->curves[i];
+    for (size_t k = 0; c->source && k < c->source->n_params; k++) {
+      const struct param *p = &c->source->params[k];
+      if (p->type != PARAM_TEXT || (strcmp(p->key, "run") && strcmp(p->key, "against"))) continue;
+      const char *run = *(char **)((char *)c->params + p->offset);
+      if (run && *run) TRY(take(data, run));
+    }
+  }
+  for (size_t i = 0; i < e->n_figures; i++) {
+    const struct gallery_figure *f = &e->figures[i];
+    if (f->drawer && f->drawer->runs) TRY(f->drawer->runs(f->spec, take, data));
+  }
+  return OK;
+}

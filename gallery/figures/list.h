@@ -1,0 +1,4 @@
+/* The kinds of figures, in the order in which they are listed. */
+#pragma once
+
+#define GALLERY_DRAWERS(X)

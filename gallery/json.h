@@ -1,0 +1,10 @@
+/* What is known of an entry once it has been computed, as JSON (docs/gallery-entries.md). */
+#pragma once
+#include <jansson.h>
+
+#include "gallery/verdict.h"
+
+/* id, key, document, title, where, kind, corrected, setup, remarks, verdict, expected, checks with
+ * their answers, runs. What figures add is theirs. ERR_MEMORY. */
+enum status gallery_json_entry(const struct gallery_entry *e, const struct gallery_answer *answer,
+                               json_t **out);

@@ -1,0 +1,77 @@
+#include "gallery/verdict.h"
+
+#include <math.h>
+#include <string.h>
+
+#define X(name, words) #name,
+const char *const gallery_verdict_names[] = {GALLERY_VERDICTS(X)};
+#undef X
+#define X(name, words) words,
+const char *const gallery_verdict_words[] = {GALLERY_VERDICTS(X)};
+#undef X
+
+static enum status answer_bound(struct gallery_desk *desk, const struct gallery_check *c,
+                                struct gallery_answer *a) {
+  if (c->above) TRY(gallery_desk_formula(desk, c->above, &a->low));
+  if (c->below) TRY(gallery_desk_formula(desk, c->below, &a->high));
+  a->holds = (!c->above || a->value > a->low) && (!c->below || a->value < a->high);
+  return OK;
+}
+
+static enum status answer_equal(struct gallery_desk *desk, const struct gallery_check *c,
+                                struct gallery_answer *a) {
+  double tolerance;
+  TRY(gallery_desk_formula(desk, c->equals, &a->expected));
+  TRY(gallery_desk_formula(desk, c->within ? c->within : c->percent, &tolerance));
+  a->tolerance = c->within ? tolerance : tolerance / 100 * fabs(a->expected);
+  a->low = a->expected - a->tolerance;
+  a->high = a->expected + a->tolerance;
+  a->holds = fabs(a->value - a->expected) <= a->tolerance;
+  return OK;
+}
+
+static enum status answer(struct gallery_desk *desk, const struct gallery_check *c,
+                          struct gallery_answer *a) {
+  TRY(gallery_desk_formula(desk, c->value, &a->value));
+  TRY(c->equals ? answer_equal(desk, c, a) : answer_bound(desk, c, a));
+  CHECK(!isnan(a->value), ERR_INPUT, "%s: there is no such number", c->value);
+  CHECK(!isnan(a->low) || !isnan(a->high), ERR_INPUT, "nothing to hold it against");
+  return OK;
+}
+
+enum status gallery_answer_all(struct gallery_desk *desk, const struct gallery_entry *e,
+                               struct gallery_answer *a) {
+  for (size_t i = 0; i < e->n_checks; i++) {
+    a[i] = (struct gallery_answer){.value = NAN, .expected = NAN, .tolerance = NAN, .low = NAN, .high = NAN};
+    a[i].left = gallery_desk_is_quick(desk) && !e->checks[i].quick;
+    if (a[i].left) continue;
+    const enum status status = answer(desk, &e->checks[i], &a[i]);
+    if (status == OK) continue;
+    if (status != ERR_INPUT) return status;
+    a[i].holds = false;
+    snprintf(a[i].failure, sizeof a[i].failure, "%s", status_message());
+  }
+  return OK;
+}
+
+enum gallery_verdict gallery_verdict_of(const struct gallery_entry *e,
+                                        const struct gallery_answer *a) {
+  bool all = true, ours = true;
+  size_t held = 0;
+  for (size_t i = 0; i < e->n_checks; i++) {
+    if (a[i].left) continue;
+    held++;
+    if (*a[i].failure) return GALLERY_VERDICT_failed;
+    all &= a[i].holds;
+    ours &= a[i].holds || e->checks[i].of == GALLERY_ORIGIN_document;
+  }
+  if (!held) return e->n_checks ? GALLERY_VERDICT_left : GALLERY_VERDICT_none;
+  if (!ours || (!all && !e->corrected)) return GALLERY_VERDICT_disagrees;
+  return e->corrected ? GALLERY_VERDICT_corrected : GALLERY_VERDICT_agrees;
+}
+
+bool gallery_is_expected(const struct gallery_entry *e, const struct gallery_answer *a) {
+  for (size_t i = 0; i < e->n_checks; i++)
+    if (!a[i].left && (*a[i].failure || a[i].holds == (e->checks[i].because != NULL))) return false;
+  return true;
+}

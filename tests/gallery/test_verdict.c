@@ -1,0 +1,121 @@
+/* Entries from text: curves of theory and formulas, checks, and the verdicts that follow. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "gallery/verdict.h"
+#include "tests/test.h"
+
+enum { MOST = 16 };
+
+static const char text[] =
+    "entries:\n"
+    "  - id: P 1\n"
+    "    title: sound\n"
+    "    where: P\n"
+    "    kind: theory\n"
+    "    setup: none\n"
+    "    curves:\n"
+    "      - {name: a, from: theory, topic: dispersion, set: delta=1 points=401 to=4, y: a}\n"
+    "      - {name: twice, from: formula, on: a, y: 2*a - x}\n"
+    "      - {name: loop, from: formula, y: loop + x}\n"
+    "    numbers:\n"
+    "      - {name: one, is: 'at(\"a\", 1)'}\n"
+    "    checks:\n"
+    "      - {says: a, value: one, equals: 0.9981983771, within: 1e-9, of: document, source: P (20)}\n"
+    "      - {says: b, value: 'at(\"twice\", 1)', equals: 2*one - 1, within: 1e-12, of: corrected,\n"
+    "         source: itself}\n"
+    "      - {says: c, value: one, below: 1, above: 0.99, of: corrected, source: P, quick: false}\n";
+
+static struct gallery_book *book_of(const char *words) {
+  const struct gallery_file file = {"entries.yaml", words, strlen(words)};
+  struct problems problems;
+  struct gallery_book *book = NULL;
+  EXPECT_OK(gallery_book_read(1, &file, &problems, &book));
+  for (size_t i = 0; i < problems.n; i++) fprintf(stderr, "%s\n", problems.text[i]);
+  problems_destroy(&problems);
+  return book;
+}
+
+static enum gallery_verdict verdict(const char *words, bool quick, struct gallery_answer *a,
+                                    bool *expected) {
+  struct gallery_book *book = book_of(words);
+  struct gallery_desk *desk = NULL;
+  enum gallery_verdict v = GALLERY_VERDICT_failed;
+  if (!book) return v;
+  EXPECT_OK(gallery_desk_create(book, "/nowhere", quick, &desk));
+  EXPECT_OK(gallery_desk_begin(desk, book->entries));
+  EXPECT_OK(gallery_answer_all(desk, book->entries, a));
+  v = gallery_verdict_of(book->entries, a);
+  *expected = gallery_is_expected(book->entries, a);
+  gallery_desk_destroy(desk);
+  gallery_book_destroy(book);
+  return v;
+}
+
+/* The text with one part of it replaced. */
+static const char *with(const char *part, const char *other) {
+  static char changed[sizeof text + 400];
+  const char *at = strstr(text, part);
+  EXPECT(at != NULL);
+  snprintf(changed, sizeof changed, "%.*s%s%s", (int)(at - text), text, other, at + strlen(part));
+  return changed;
+}
+
+static void test_all_hold(void) {
+  struct gallery_answer a[MOST];
+  bool expected;
+  EXPECT(verdict(text, false, a, &expected) == GALLERY_VERDICT_agrees);
+  EXPECT(expected && a[0].holds && a[1].holds && a[2].holds);
+  EXPECT_NEAR(a[0].low, 0.9981983761, 1e-15);
+  EXPECT_NEAR(a[2].high, 1, 0);
+  EXPECT(verdict(text, true, a, &expected) == GALLERY_VERDICT_agrees);
+  EXPECT(a[2].left);
+}
+
+static void test_what_fails(void) {
+  struct gallery_answer a[MOST];
+  bool expected;
+  EXPECT(verdict(with("0.9981983771", "0.99819838"), false, a, &expected) ==
+         GALLERY_VERDICT_disagrees);
+  EXPECT(!expected && !a[0].holds && a[1].holds);
+  EXPECT(verdict(with("source: P (20)", "source: P (20), because: a reason"), false, a, &expected) ==
+         GALLERY_VERDICT_agrees);
+  EXPECT(!expected); /* it holds, and is said not to */
+  EXPECT(verdict(with("0.9981983771, within: 1e-9,", "5, percent: 1, because: a misprint,"), false,
+                 a, &expected) == GALLERY_VERDICT_disagrees);
+  EXPECT(expected);
+}
+
+static void test_corrected(void) {
+  struct gallery_answer a[MOST];
+  bool expected;
+  char words[sizeof text + 400];
+  snprintf(words, sizeof words, "%s",
+           with("0.9981983771, within: 1e-9,", "5, percent: 1, because: a misprint,"));
+  char *at = strstr(words, "kind: theory"), rest[sizeof words];
+  snprintf(rest, sizeof rest, "%s", at);
+  snprintf(at, sizeof words - (size_t)(at - words), "corrected: true\n    %s", rest);
+  EXPECT(verdict(words, false, a, &expected) == GALLERY_VERDICT_corrected);
+  EXPECT(expected);
+}
+
+static void test_what_cannot_be_computed(void) {
+  struct gallery_answer a[MOST];
+  bool expected;
+  EXPECT(verdict(with("value: one, equals", "value: 'first(\"loop\")', equals"), false, a,
+                 &expected) == GALLERY_VERDICT_failed);
+  EXPECT(strstr(a[0].failure, "needs itself") != NULL);
+  EXPECT(verdict(with("delta=1 points", "delta=-1 points"), false, a, &expected) ==
+         GALLERY_VERDICT_failed);
+  EXPECT(strstr(a[0].failure, "delta") != NULL);
+  EXPECT(verdict(with("y: a}", "y: aa}"), false, a, &expected) == GALLERY_VERDICT_failed);
+  EXPECT(strstr(a[0].failure, "no column 'aa'") != NULL);
+}
+
+int main(void) {
+  RUN(test_all_hold);
+  RUN(test_what_fails);
+  RUN(test_corrected);
+  RUN(test_what_cannot_be_computed);
+  return TEST_RESULT;
+}
