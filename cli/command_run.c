@@ -2,9 +2,7 @@
 #include <argp.h>
 #include <errno.h>
 #include <limits.h>
-#include <math.h>
 #include <omp.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,9 +12,8 @@
 #include "cli/command.h"
 #include "cli/jobs.h"
 #include "cli/room.h"
-#include "cli/traps.h"
+#include "cli/running.h"
 #include "common/base/array.h"
-#include "common/result/health.h"
 
 struct run_arguments {
   const char *case_path, *out;
@@ -67,75 +64,10 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   }
 }
 
-static enum status result_path(const char *folder, const struct case_run *r, char path[PATH_MAX]) {
-  int n = snprintf(path, PATH_MAX, "%s/%s.h5", folder, r->name);
-  CHECK(n > 0 && n < PATH_MAX, ERR_USAGE, "--out %s: the path is too long", folder);
-  return OK;
-}
-
-/* Keeps in the file how it ended, the message of a failure included, and whether it can be
- * believed. A file that cannot take it keeps what was flushed. */
-static enum status end_result(struct result *out, enum status status, struct health *health) {
-  char why[1024];
-  snprintf(why, sizeof why, "%s", status_message());
-  if (status == OK) {
-    TRY(result_health(out, "", health));
-    return result_finish(out);
-  }
-  (void)result_ended(out, why);
-  (void)result_health(out, status == INTERRUPTED ? "" : why, health);
-  return status_raise(status, "%s", why);
-}
-
-/* One line below a run's own: that it is sound, or why not. A run that ended well and still failed
- * is a failure. */
-static enum status tell_health(const struct case_run *r, const struct health *h,
-                               struct progress *progress) {
-  if (h->verdict == HEALTH_SOUND)
-    progress_say(progress, "%-10s sound: %s", r->name,
-                 *h->facts ? h->facts : "nothing to judge by");
-  if (h->verdict == HEALTH_DOUBTFUL) command_warn("run %s is doubtful: %s", r->name, h->reasons);
-  CHECK(h->verdict != HEALTH_FAILED, ERR_DIVERGED, "its result is not to be believed: %s",
-        h->reasons);
-  return OK;
-}
-
-struct running {
-  const struct case_file *c;
-  const char *folder;
-  struct progress *progress;
-};
-
-static enum status run_one(const struct running *g, const struct case_run *r) {
-  struct result *out = NULL;
-  struct health health = {0};
-  char path[PATH_MAX];
-  enum status status;
-  progress_begin(g->progress, r->name, g->c->end, sqrt(g->c->H / g->c->g));
-  ATTEMPT(result_path(g->folder, r, path));
-  ATTEMPT(result_create(path, g->c, r, &out));
-  traps_enable();
-  status = r->solver->run(g->c, r, out, g->progress);
-  traps_disable();
-  status = end_result(out, status, &health);
-done:
-  result_destroy(out);
-  if (status == OK) {
-    progress_end(g->progress, "done");
-    status = tell_health(r, &health, g->progress);
-  } else if (status == INTERRUPTED)
-    progress_end(g->progress, "stopped; its file holds every output so far");
-  else
-    progress_end(g->progress, "FAILED");
-  return status;
-}
-
-/* Run `i` in a process of its own; returns its exit code. */
+/* Run `i` in a process of its own. */
 static int run_job(void *data, size_t i) {
   const struct running *g = data;
-  enum status status = run_one(g, &g->c->runs[i]);
-  if (status == OK || status == INTERRUPTED) return status_exit_code(status);
-  return command_fail(status_context(status, "run %s: ", g->c->runs[i].name));
+  return running_job(g, &g->c->runs[i], g->c->runs[i].name);
 }
 
 /* In what the file of run r belongs to another case than this one is now; NULL when in nothing. */
@@ -160,7 +92,7 @@ static enum status read_current(const struct case_file *c, const struct case_run
                                 struct result_file **file) {
   char path[PATH_MAX];
   struct stat s;
-  TRY(result_path(folder, r, path));
+  TRY(running_path(folder, r, path));
   if (stat(path, &s)) {
     progress_say(progress, "%s is not there: left out of the comparison", path);
     return OK;
@@ -172,13 +104,6 @@ static enum status read_current(const struct case_file *c, const struct case_run
   result_file_destroy(*file);
   *file = NULL;
   return OK;
-}
-
-/* A finished run that failed is one also when it is found there already. */
-static int judge(const struct result_file *f) {
-  struct health h;
-  health_of_file(f, &h);
-  return f->complete && h.verdict == HEALTH_FAILED ? EXIT_RUN_FAILED : EXIT_FINE;
 }
 
 /* A report that is there already could be taken for one of what was run just now. */
@@ -199,7 +124,7 @@ static int report(const struct case_file *c, const char *out, struct progress *p
   for (size_t i = 0; i < c->n_runs; i++) {
     struct result_file *file = NULL;
     enum status status = read_current(c, &c->runs[i], out, progress, &file);
-    int judged = status != OK ? command_fail(status) : file ? judge(file) : EXIT_FINE;
+    int judged = status != OK ? command_fail(status) : file ? running_judge(file) : EXIT_FINE;
     if (judged != EXIT_FINE) exit_code = judged;
     if (status == OK && i == c->compare.reference)
       ref = file;
@@ -217,15 +142,6 @@ static int report(const struct case_file *c, const char *out, struct progress *p
   return exit_code;
 }
 
-/* The exit code of a finished run that no report reads back. */
-static int judge_file(const char *path) {
-  struct result_file *file = NULL;
-  const enum status status = result_read(path, &file);
-  const int exit_code = status == OK ? judge(file) : command_fail(status);
-  result_file_destroy(file);
-  return exit_code;
-}
-
 /* Clears the marks of runs whose finished result is there already. */
 static enum status skip_finished(const struct run_arguments *a, const struct case_file *c,
                                  const char *folder, bool *chosen, struct progress *progress,
@@ -234,12 +150,12 @@ static enum status skip_finished(const struct run_arguments *a, const struct cas
     const struct case_run *r = &c->runs[i];
     char path[PATH_MAX], fingerprint[33];
     if (!chosen[i]) continue;
-    TRY(result_path(folder, r, path));
+    TRY(running_path(folder, r, path));
     case_fingerprint(c, r, fingerprint);
     if (a->force || !result_is_current(path, fingerprint)) continue;
     progress_say(progress, "%-10s is there already, for the same inputs: %s", r->name, path);
     chosen[i] = false;
-    const int judged = a->no_report ? judge_file(path) : EXIT_FINE;
+    const int judged = a->no_report ? running_judge_file(path) : EXIT_FINE;
     if (judged != EXIT_FINE) *exit_code = judged;
   }
   return OK;
@@ -259,9 +175,7 @@ static enum status run_chosen(const struct run_arguments *a, struct running *g, 
     job[n] = (struct job){.name = r->name, .item = i};
     r->solver->estimate(g->c, r, &job[n++].estimate);
   }
-  struct job_plan plan = {.threads = omp_get_max_threads(), .room = room_for_all()};
-  plan.most = a->jobs ? (size_t)a->jobs : omp_get_proc_bind() == omp_proc_bind_false ? SIZE_MAX : 1;
-  plan.exactly = a->jobs > 0;
+  struct job_plan plan = jobs_plan_here(a->jobs, "run", "runs");
   jobs_plan(n, job, &plan);
   status = jobs_run(n, job, &plan, run_job, g, g->progress, exit_code);
 done:

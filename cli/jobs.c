@@ -6,6 +6,7 @@
 #include <omp.h>
 #include <poll.h>
 #include <sched.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
@@ -13,6 +14,7 @@
 #include <unistd.h>
 
 #include "cli/command.h"
+#include "cli/room.h"
 #include "common/base/array.h"
 #include "common/base/file.h"
 
@@ -52,6 +54,18 @@ static size_t most_that_fit(size_t n, const struct job *job, double room, double
   qsort(bytes, n, sizeof *bytes, array_ascending);
   for (double sum = 0; fit < n && (sum += bytes[n - 1 - fit]) <= room;) fit++;
   return fit;
+}
+
+struct job_plan jobs_plan_here(int asked, const char *one, const char *many) {
+  const bool bound = omp_get_proc_bind() != omp_proc_bind_false;
+  return (struct job_plan){.one = one,
+                           .many = many,
+                           .threads = omp_get_max_threads(),
+                           .room = room_for_all(),
+                           .most = asked   ? (size_t)asked
+                                   : bound ? 1
+                                           : SIZE_MAX,
+                           .exactly = asked > 0};
 }
 
 void jobs_plan(size_t n, struct job *job, struct job_plan *plan) {
@@ -135,8 +149,8 @@ static _Noreturn void be_child(const struct crew *crew, size_t k, const struct j
 }
 
 /* Ends that neither process inherits by a program it starts, and that are none of 0, 1 and 2. */
-static enum status pipe_open(int ends[2], const char *name) {
-  CHECK(!pipe2(ends, O_CLOEXEC), ERR_IO, "cannot start run %s: %s", name, strerror(errno));
+static enum status pipe_open(int ends[2], const char *one, const char *name) {
+  CHECK(!pipe2(ends, O_CLOEXEC), ERR_IO, "cannot start %s %s: %s", one, name, strerror(errno));
   for (int i = 0; i < 2; i++) ends[i] = file_lift(ends[i]);
   fcntl(ends[0], F_SETFL, O_NONBLOCK);
   return OK;
@@ -151,8 +165,8 @@ static enum status place_fill(struct crew *crew, size_t k, const struct job *job
   struct place *p = &crew->place[k];
   int words[2] = {-1, -1}, notes[2] = {-1, -1};
   enum status status;
-  ATTEMPT(pipe_open(words, job->name));
-  ATTEMPT(pipe_open(notes, job->name));
+  ATTEMPT(pipe_open(words, crew->plan->one, job->name));
+  ATTEMPT(pipe_open(notes, crew->plan->one, job->name));
   fcntl(notes[1], F_SETFL, O_NONBLOCK);
   *p = (struct place){.job = job, .words = words[0], .notes = notes[0], .note.left = NAN};
   snprintf(p->note.name, sizeof p->note.name, "%s", job->name);
@@ -164,7 +178,8 @@ static enum status place_fill(struct crew *crew, size_t k, const struct job *job
   progress_hold_signals(false);
   if (pid < 0)
     ATTEMPT(status_raise(reason == ENOMEM ? ERR_MEMORY : ERR_IO,
-                         "cannot start a process for run %s: %s", job->name, strerror(reason)));
+                         "cannot start a process for %s %s: %s", crew->plan->one, job->name,
+                         strerror(reason)));
   p->pid = pid;
   crew->at_work++;
   words[0] = notes[0] = -1;
@@ -208,14 +223,14 @@ static bool words_read(struct place *p, struct progress *progress) {
   return true;
 }
 
-static void crash_tell(const struct job *job, int outcome) {
+static void crash_tell(const char *one, const struct job *job, int outcome) {
   int number = WIFSIGNALED(outcome) ? WTERMSIG(outcome) : 0;
   if (number == SIGKILL)
-    command_warn("run %s: its process was killed; was there no memory left?", job->name);
+    command_warn("%s %s: its process was killed; was there no memory left?", one, job->name);
   else if (number)
-    command_warn("run %s: its process crashed (%s)", job->name, strsignal(number));
+    command_warn("%s %s: its process crashed (%s)", one, job->name, strsignal(number));
   else
-    command_warn("run %s: its process ended with code %d", job->name, WEXITSTATUS(outcome));
+    command_warn("%s %s: its process ended with code %d", one, job->name, WEXITSTATUS(outcome));
 }
 
 static void place_empty(struct crew *crew, struct place *p) {
@@ -228,7 +243,7 @@ static void place_empty(struct crew *crew, struct place *p) {
   int code = WIFEXITED(outcome) ? WEXITSTATUS(outcome) : -1;
   if (code == EXIT_FINE) return;
   bool told = code == EXIT_BAD_INPUT || code == EXIT_RUN_FAILED;
-  if (!told) crash_tell(p->job, outcome);
+  if (!told) crash_tell(crew->plan->one, p->job, outcome);
   *crew->exit_code = told ? code : EXIT_RUN_FAILED;
 }
 
@@ -286,7 +301,7 @@ enum status jobs_run(size_t n, const struct job *job, const struct job_plan *pla
                       .exit_code = exit_code};
   TRY(array_create(&crew.place, crew.n, "runs side by side"));
   if (plan->jobs > 1)
-    progress_say(progress, "%zu runs, %zu at a time, each on %d thread%s", n, plan->jobs,
+    progress_say(progress, "%zu %s, %zu at a time, each on %d thread%s", n, plan->many, plan->jobs,
                  jobs_threads(plan, plan->jobs - 1),
                  jobs_threads(plan, plan->jobs - 1) > 1 ? "s" : "");
   crew_work(&crew);

@@ -14,12 +14,17 @@ struct job {
 };
 
 struct job_plan {
-  int threads;  /* of all together */
-  double room;  /* memory for all together, bytes */
-  size_t most;  /* at most so many side by side */
-  bool exactly; /* and no fewer, though that be faster */
-  size_t jobs;  /* the answer: so many side by side, 1 or more */
+  const char *one, *many; /* what they are: "run", "runs" */
+  int threads;            /* of all together */
+  double room;            /* memory for all together, bytes */
+  size_t most;            /* at most so many side by side */
+  bool exactly;           /* and no fewer, though that be faster */
+  size_t jobs;            /* the answer: so many side by side, 1 or more */
 };
+
+/* A plan for this machine: what there is of threads and memory, and how many side by side were
+ * asked for (0: as many as are fast, but one where OpenMP binds its threads). */
+struct job_plan jobs_plan_here(int asked, const char *one, const char *many);
 
 /* Chooses how many side by side, of those that fit into memory whichever they are, are estimated to
  * be done first, each with an equal share of the threads; the fewest of equals. Puts them in order:

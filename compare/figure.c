@@ -15,7 +15,7 @@
 #include "compare/output.h"
 
 #define TEMPORARY ".drawing-"
-#define WRITTEN   ".written" /* the names of a report's figures, a line each */
+#define WRITTEN   ".written" /* the list of a report's figures; of a set: and its name */
 
 /* ---- folders ---- */
 
@@ -61,7 +61,6 @@ static const char *const formats[] = {"svg", "pdf", "png"};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
 static enum status temporary_make(struct cmp_figures *f) {
-  leftovers_remove(f->dir);
   TRY(cmp_path_join(f->dir, TEMPORARY "XXXXXX", f->temporary));
   if (!mkdtemp(f->temporary)) {
     f->temporary[0] = 0;
@@ -71,10 +70,24 @@ static enum status temporary_make(struct cmp_figures *f) {
   return OK;
 }
 
-enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f) {
-  *f = (struct cmp_figures){.lock = -1};
+static enum status open_folder(const char *out_dir, struct cmp_figures *f) {
   TRY(cmp_path_join(out_dir, "figures", f->dir));
-  TRY(cmp_directory_make(f->dir));
+  return cmp_directory_make(f->dir);
+}
+
+enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f) {
+  *f = (struct cmp_figures){.lock = -1, .list = WRITTEN};
+  TRY(open_folder(out_dir, f));
+  leftovers_remove(f->dir);
+  return temporary_make(f);
+}
+
+/* It leaves leftovers alone: what another is just making looks like one, until it is locked. */
+enum status cmp_figures_open_set(const char *out_dir, const char *set, struct cmp_figures *f) {
+  *f = (struct cmp_figures){.lock = -1};
+  const int n = snprintf(f->list, sizeof f->list, WRITTEN "-%s", set);
+  CHECK(n > 0 && n < (int)sizeof f->list, ERR_USAGE, "the name %.100s... is too long", set);
+  TRY(open_folder(out_dir, f));
   return temporary_make(f);
 }
 
@@ -97,6 +110,7 @@ enum status cmp_figures_open_file(const char *path, struct cmp_figures *f) {
     snprintf(f->dir, sizeof f->dir, "%.*s", (int)(slash - path + 1), path);
   else
     snprintf(f->dir, sizeof f->dir, ".");
+  leftovers_remove(f->dir);
   return temporary_make(f);
 }
 
@@ -104,6 +118,7 @@ enum status cmp_figures_open_frames(const char *dir, double fine, struct cmp_fig
   *f = (struct cmp_figures){.lock = -1, .frames = true, .fine = fine};
   const int n = snprintf(f->dir, sizeof f->dir, "%s", dir);
   CHECK(n > 0 && n < PATH_MAX, ERR_IO, "the path %.100s... is too long", dir);
+  leftovers_remove(f->dir);
   return temporary_make(f);
 }
 
@@ -254,7 +269,7 @@ static void earlier_remove(const struct cmp_figures *f, const struct cmp_figure 
  * nobody else's file goes. */
 static void stale_remove(const struct cmp_figures *f) {
   char list[PATH_MAX], path[PATH_MAX], fresh[PATH_MAX], name[256];
-  if (cmp_path_join(f->dir, WRITTEN, list) != OK) return;
+  if (cmp_path_join(f->dir, f->list, list) != OK) return;
   FILE *in = fopen(list, "r");
   while (in && fgets(name, sizeof name, in)) {
     name[strcspn(name, "\n")] = 0;
@@ -278,8 +293,8 @@ static enum status target_publish(const struct cmp_figures *f) {
 
 static enum status list_publish(const struct cmp_figures *f) {
   char from[PATH_MAX], to[PATH_MAX];
-  TRY(cmp_path_join(f->temporary, WRITTEN, from));
-  TRY(cmp_path_join(f->dir, WRITTEN, to));
+  TRY(cmp_path_join(f->temporary, f->list, from));
+  TRY(cmp_path_join(f->dir, f->list, to));
   CHECK(rename(from, to) == 0, ERR_IO, "cannot write %s: %s", to, strerror(errno));
   return OK;
 }
@@ -293,7 +308,7 @@ enum status cmp_figures_publish(struct cmp_figures *f) {
   DIR *dir = opendir(f->temporary);
   CHECK(dir, ERR_IO, "cannot read %s: %s", f->temporary, strerror(errno));
   FILE *list = NULL;
-  enum status status = stream_open(f, WRITTEN, "", &list);
+  enum status status = stream_open(f, f->list, "", &list);
   for (struct dirent *e; status == OK && (e = readdir(dir));) {
     char from[PATH_MAX], to[PATH_MAX];
     if (!is_kept(e->d_name)) continue;
@@ -307,7 +322,7 @@ enum status cmp_figures_publish(struct cmp_figures *f) {
 done:
   closedir(dir);
   if (list) {
-    const enum status closed = cmp_stream_close(list, WRITTEN);
+    const enum status closed = cmp_stream_close(list, f->list);
     if (status == OK) status = closed;
   }
   return status == OK ? list_publish(f) : status;

@@ -25,6 +25,7 @@ struct cmp_figures {
   char dir[PATH_MAX], temporary[PATH_MAX];
   char target[PATH_MAX]; /* the one file that is wanted; "": all, in `dir` */
   char prefix[48];       /* of the names of figures from now on */
+  char list[80];         /* file in `dir` with the names of its figures, a line each */
   bool frames;           /* PNG alone, which stay where they are drawn */
   double fine;           /* px of a PNG for each of a screen; 0: as is usual */
   int lock;              /* on `temporary`, held while it is in use; -1: none */
@@ -34,6 +35,9 @@ struct cmp_figures {
 
 /* Also removes what killed reports have left behind. */
 enum status cmp_figures_open(const char *out_dir, struct cmp_figures *f);
+/* For a set of figures that shares the folder with others, made at the same time or not: publishing
+ * removes what an earlier set of that name has left there. */
+enum status cmp_figures_open_set(const char *out_dir, const char *set, struct cmp_figures *f);
 /* For one figure, which becomes the file `path`: .svg, .pdf or .png. ERR_USAGE when it is none. */
 enum status cmp_figures_open_file(const char *path, struct cmp_figures *f);
 /* For frames of a film: PNG that are left in the temporary folder, in `dir`. */
