@@ -1,0 +1,144 @@
+#include "gallery/choice.h"
+
+#include <ctype.h>
+#include <fnmatch.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/base/array.h"
+
+enum { LONGEST = 80, MOST_WORDS = 3 }; /* an id has: "T", "Tab", "2.1" */
+
+/* "P 1", "p_1" and "P1" as "p-1". */
+static void plain(const char *text, char out[LONGEST]) {
+  size_t n = 0;
+  for (const char *c = text; *c && n + 2 < LONGEST; c++) {
+    const bool gap = *c == ' ' || *c == '_' || *c == '-';
+    if (gap && (n == 0 || out[n - 1] == '-')) continue;
+    if (n == 1 && isalpha((unsigned char)out[0]) && isdigit((unsigned char)*c)) out[n++] = '-';
+    out[n++] = gap ? '-' : (char)tolower((unsigned char)*c);
+  }
+  while (n && out[n - 1] == '-') n--;
+  out[n] = 0;
+}
+
+/* Of the entry that has this id, n_entries when none has. */
+static size_t place_of(const struct gallery_book *book, const char *id) {
+  char key[LONGEST], wanted[LONGEST];
+  plain(id, wanted);
+  for (size_t i = 0; i < book->n_entries; i++) {
+    plain(book->entries[i].id, key);
+    if (!strcmp(key, wanted)) return i;
+  }
+  return book->n_entries;
+}
+
+/* All whose ids begin with the word, or fit it as a pattern. How many. */
+static size_t mark_fitting(const struct gallery_book *book, const char *word, bool *chosen) {
+  char key[LONGEST], wanted[LONGEST];
+  size_t found = 0;
+  plain(word, wanted);
+  const size_t n = strlen(wanted);
+  for (size_t i = 0; i < book->n_entries; i++) {
+    plain(book->entries[i].id, key);
+    const bool begins = n && !strncmp(key, wanted, n) && key[n] == '-';
+    if (!begins && fnmatch(wanted, key, 0) != 0) continue;
+    if (chosen) chosen[i] = true;
+    found++;
+  }
+  return found;
+}
+
+/* The end of a range may leave out what it shares with the beginning: "T 4-20..44", "T 2-1..3-2".
+ */
+static size_t end_of(const struct gallery_book *book, const char *from, const char *to) {
+  char first[LONGEST], id[2 * LONGEST];
+  size_t place = place_of(book, to);
+  plain(from, first);
+  for (size_t n = strlen(first); place == book->n_entries && n; n--) {
+    if (first[n - 1] != '-') continue;
+    snprintf(id, sizeof id, "%.*s%.70s", (int)n, first, to);
+    place = place_of(book, id);
+  }
+  return place;
+}
+
+static enum status complain(const struct gallery_book *book, const char *word) {
+  const char *names[book->n_entries + 1], *near = NULL;
+  char(*keys)[LONGEST] = NULL, wanted[LONGEST];
+  TRY(array_create(&keys, book->n_entries, "names of entries"));
+  plain(word, wanted);
+  for (size_t i = 0; i < book->n_entries; i++) {
+    plain(book->entries[i].id, keys[i]);
+    names[i] = keys[i];
+  }
+  near = param_nearest(wanted, book->n_entries, names);
+  const size_t place = near ? place_of(book, near) : 0;
+  const enum status status = status_raise(
+      ERR_USAGE,
+      "found '%s'; allowed: an id that `plunge gallery --list` shows, as in 'P 1' or "
+      "'T 4-*'%s%s%s",
+      word, near ? "; did you mean '" : "", near ? book->entries[place].id : "", near ? "'?" : "");
+  free(keys);
+  return status;
+}
+
+static enum status mark_range(const struct gallery_book *book, const char *word, const char *dots,
+                              bool *chosen) {
+  char from[LONGEST];
+  snprintf(from, sizeof from, "%.*s", (int)(dots - word), word);
+  const size_t first = place_of(book, from);
+  if (first == book->n_entries) return complain(book, from);
+  const size_t last = end_of(book, from, dots + 2);
+  if (last == book->n_entries) return complain(book, dots + 2);
+  CHECK(first <= last, ERR_USAGE,
+        "found '%s'; allowed: a range in the order of the documents, in which %s comes before %s",
+        word, book->entries[last].id, book->entries[first].id);
+  for (size_t i = first; i <= last; i++) chosen[i] = true;
+  return OK;
+}
+
+/* n words as one, with spaces; false: too long. */
+static bool join(size_t n, const char *const *word, char out[LONGEST]) {
+  size_t used = 0;
+  out[0] = 0;
+  for (size_t i = 0; i < n; i++) {
+    const int more = snprintf(out + used, LONGEST - used, "%s%s", i ? " " : "", word[i]);
+    if (more < 0 || used + (size_t)more >= LONGEST) return false;
+    used += (size_t)more;
+  }
+  return true;
+}
+
+/* How many of the n words are the parts of one: "T" "Tab" "2.1". */
+static size_t parts(const struct gallery_book *book, size_t n, const char *const *word,
+                    char out[LONGEST]) {
+  for (size_t k = n < MOST_WORDS ? n : MOST_WORDS; k > 1; k--) {
+    char first[LONGEST], *dots;
+    if (!join(k, word, out)) continue;
+    snprintf(first, sizeof first, "%s", out);
+    if ((dots = strstr(first, ".."))) *dots = 0;
+    if (mark_fitting(book, first, NULL)) return k;
+  }
+  return join(1, word, out) ? 1 : 0;
+}
+
+enum status gallery_choose(const struct gallery_book *book, size_t n, const char *const *word,
+                           bool *chosen) {
+  for (size_t i = 0; i < book->n_entries; i++) chosen[i] = n == 0;
+  for (size_t i = 0, used; i < n; i += used) {
+    char text[LONGEST];
+    used = parts(book, n - i, word + i, text);
+    if (!used) return complain(book, word[i]);
+    const char *dots = strstr(text, "..");
+    const size_t place = place_of(book, text);
+    if (dots)
+      TRY(mark_range(book, text, dots, chosen));
+    else if (place < book->n_entries)
+      chosen[place] = true;
+    else if (!mark_fitting(book, text, chosen))
+      return complain(book, text);
+  }
+  return OK;
+}
