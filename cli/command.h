@@ -19,6 +19,7 @@ enum exit_code { EXIT_FINE = 0, EXIT_VERDICT = 1, EXIT_BAD_INPUT = 2, EXIT_RUN_F
   X(diff, "A B", "do two results, or two folders of them, agree? 0 yes, 1 no, 2 trouble")          \
   X(movie, "RESULT.h5...", "a film of results: surfaces over each other, or a field of particles") \
   X(info, "FILE.h5...", "what is in a result file")                                                \
+  X(gallery, "[ID...]", "every figure and table of two documents made anew, each with a verdict")  \
   X(theory, "[TOPIC]", "theory without a run: dispersion, stability, waves; numbers and figures")  \
   X(list, "", "solvers, their parameters and the measures: what a case may name")
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "common/base/text.h"
+#include "common/case/case.h"
 
 const char *const plan_engines[PLAN_N_ENGINES] = {
 #define X(name, help) #name,
@@ -42,76 +43,60 @@ static enum status check_word(const char *what, const char *text) {
 
 enum status plan_check(const struct plan *p) {
   TRY(check_word("the program", p->program));
-  TRY(check_word("the case", p->case_path));
   TRY(check_word("--results", p->folder));
-  for (size_t i = 0; i < p->n_set; i++) TRY(check_word("--set", p->set[i]));
+  for (size_t i = 0; i < p->n_runs; i++) {
+    TRY(check_word("the case", p->run[i].case_path));
+    TRY(check_word("--results", p->run[i].folder));
+    for (size_t k = 0; k < p->run[i].n_set; k++) TRY(check_word("--set", p->run[i].set[k]));
+  }
   return OK;
 }
 
 /* ---- commands ---- */
 
-static void run_command(FILE *out, const struct plan *p, const struct case_run *r, bool make) {
+static void run_command(FILE *out, const struct plan *p, const struct plan_run *r, bool make) {
   char only[CASE_LONGEST_NAME + 16], threads[16];
-  snprintf(only, sizeof only, "--only=%s", r->name);
+  snprintf(only, sizeof only, "--only=%s", r->only);
   snprintf(threads, sizeof threads, "%d", p->threads);
   word(out, p->program, make);
   fputs(" run ", out);
-  word(out, p->case_path, make);
+  word(out, r->case_path, make);
   fputc(' ', out);
   word(out, only, make);
   fputs(" --no-report --quiet --threads ", out);
   word(out, threads, make);
   fputs(" --out ", out);
-  word(out, p->folder, make);
-  for (size_t i = 0; i < p->n_set; i++) {
+  word(out, r->folder, make);
+  for (size_t i = 0; i < r->n_set; i++) {
     fputs(" --set ", out);
-    word(out, p->set[i], make);
+    word(out, r->set[i], make);
   }
 }
 
-static bool is_compared(const struct plan *p, size_t run) {
-  return run != p->c->compare.reference && p->chosen[run];
-}
-
-static bool has_comparison(const struct plan *p) {
-  bool any = false;
-  for (size_t i = 0; i < p->c->n_runs; i++) any |= is_compared(p, i);
-  return any && p->c->compare.reference < p->c->n_runs;
-}
-
-/* In the folder itself: a line with the paths of a thousand files would be longer than one may be.
- */
-static void compare_command(FILE *out, const struct plan *p, bool make) {
+/* In the folder of results: a line with the paths of a thousand files would be longer than one may
+ * be. */
+static void last_command(FILE *out, const struct plan *p, bool make) {
   fputs("cd ", out);
   word(out, p->folder, make);
   fputs(" && ", out);
   word(out, p->program, make);
-  fprintf(out, " compare --out . -- %s.h5", p->c->runs[p->c->compare.reference].name);
-  for (size_t i = 0; i < p->c->n_runs; i++)
-    if (is_compared(p, i)) fprintf(out, " %s.h5", p->c->runs[i].name);
+  for (size_t i = 0; i < p->n_words; i++) {
+    fputc(' ', out);
+    word(out, p->word[i], make);
+  }
 }
 
 /* ---- engines ---- */
 
 struct needs {
-  size_t runs;
   double seconds, bytes; /* of the longest, of the largest */
 };
 
-static struct solver_estimate estimate_of(const struct plan *p, size_t i) {
-  struct solver_estimate e = {0};
-  p->c->runs[i].solver->estimate(p->c, &p->c->runs[i], &e);
-  return e;
-}
-
 static struct needs needs_of(const struct plan *p) {
   struct needs n = {0};
-  for (size_t i = 0; i < p->c->n_runs; i++) {
-    if (!p->chosen[i]) continue;
-    const struct solver_estimate e = estimate_of(p, i);
-    n.runs++;
-    n.seconds = fmax(n.seconds, solver_seconds(&e, p->threads));
-    n.bytes = fmax(n.bytes, e.bytes);
+  for (size_t i = 0; i < p->n_runs; i++) {
+    n.seconds = fmax(n.seconds, solver_seconds(&p->run[i].estimate, p->threads));
+    n.bytes = fmax(n.bytes, p->run[i].estimate.bytes);
   }
   return n;
 }
@@ -128,63 +113,59 @@ static void comment(FILE *out, const char *lead, const char *text) {
 }
 
 static void write_make(const struct plan *p, FILE *out) {
-  comment(out, "Runs of ", p->case_path);
-  fputs(
+  comment(out, "Runs of ", p->of);
+  fprintf(
+      out,
       "# make -j N -f THIS FILE: what is missing or changed, so many at a time, then the report.\n"
-      "# After a run that failed: make -k, then make compare.\n"
-      "SHELL = /bin/sh\n.PHONY: all compare",
-      out);
-  for (size_t i = 0; i < p->c->n_runs; i++)
-    if (p->chosen[i]) fprintf(out, " run-%s", p->c->runs[i].name);
+      "# After a run that failed: make -k, then make %s.\n"
+      "SHELL = /bin/sh\n.PHONY: all %s",
+      p->last, p->last);
+  for (size_t i = 0; i < p->n_runs; i++) fprintf(out, " run-%s", p->run[i].name);
   fputs("\n\nall:", out);
-  for (size_t i = 0; i < p->c->n_runs; i++)
-    if (p->chosen[i]) fprintf(out, " run-%s", p->c->runs[i].name);
+  for (size_t i = 0; i < p->n_runs; i++) fprintf(out, " run-%s", p->run[i].name);
   fputc('\n', out);
-  if (has_comparison(p)) {
+  if (p->n_words) {
     fputc('\t', out);
-    compare_command(out, p, true);
-    fputs("\n\ncompare:\n\t", out);
-    compare_command(out, p, true);
+    last_command(out, p, true);
+    fprintf(out, "\n\n%s:\n\t", p->last);
+    last_command(out, p, true);
     fputc('\n', out);
   } else
-    fputs("\ncompare:\n\t@echo nothing to compare\n", out);
-  for (size_t i = 0; i < p->c->n_runs; i++) {
-    if (!p->chosen[i]) continue;
-    fprintf(out, "\nrun-%s:\n\t", p->c->runs[i].name);
-    run_command(out, p, &p->c->runs[i], true);
+    fprintf(out, "\n%s:\n\t@echo nothing to %s\n", p->last, p->last);
+  for (size_t i = 0; i < p->n_runs; i++) {
+    fprintf(out, "\nrun-%s:\n\t%s", p->run[i].name, p->go_on ? "-" : "");
+    run_command(out, p, &p->run[i], true);
     fputc('\n', out);
   }
 }
 
 static void write_slurm(const struct plan *p, FILE *out) {
   const struct needs needs = needs_of(p);
-  size_t task = 0;
   fputs("#!/bin/bash\n#SBATCH --job-name=plunge\n", out);
   fprintf(out, "#SBATCH --array=0-%zu\n#SBATCH --ntasks=1\n#SBATCH --cpus-per-task=%d\n",
-          needs.runs - 1, p->threads);
+          p->n_runs - 1, p->threads);
   fprintf(out, "#SBATCH --mem=%.0fM\n", megabytes(needs.bytes));
-  comment(out, "Runs of ", p->case_path);
+  comment(out, "Runs of ", p->of);
   fprintf(out, "# The longest takes roughly %.0f s: add --time where the cluster wants one.\n",
           ceil(needs.seconds));
-  fputs("# sbatch THIS FILE: the runs alone. bash THIS FILE: the runs, and the comparison when all "
+  fputs("# sbatch THIS FILE: the runs alone. bash THIS FILE: the runs, and the last step when all "
         "have ended.\n"
         "if [ -z \"${SLURM_ARRAY_TASK_ID:-}\" ]; then\n"
         "  job=$(sbatch --parsable \"$0\") || exit\n"
         "  echo \"runs: job ${job%%;*}\"\n",
         out);
-  if (has_comparison(p)) {
+  if (p->n_words) {
     fprintf(out,
-            "  sbatch --job-name=plunge-compare --cpus-per-task=%d --mem=%.0fM "
+            "  sbatch --job-name=plunge-%s --cpus-per-task=%d --mem=%.0fM "
             "--dependency=afterany:\"${job%%%%;*}\" <<'PLUNGE'\n#!/bin/bash\n",
-            p->threads, fmax(1024, megabytes(needs.bytes)));
-    compare_command(out, p, false);
+            p->last, p->threads, fmax(1024, megabytes(needs.bytes)));
+    last_command(out, p, false);
     fputs("\nPLUNGE\n", out);
   }
   fputs("  exit\nfi\ncase $SLURM_ARRAY_TASK_ID in\n", out);
-  for (size_t i = 0; i < p->c->n_runs; i++) {
-    if (!p->chosen[i]) continue;
-    fprintf(out, "%zu) exec ", task++);
-    run_command(out, p, &p->c->runs[i], false);
+  for (size_t i = 0; i < p->n_runs; i++) {
+    fprintf(out, "%zu) exec ", i);
+    run_command(out, p, &p->run[i], false);
     fputs(" ;;\n", out);
   }
   fputs("esac\n", out);
@@ -192,17 +173,16 @@ static void write_slurm(const struct plan *p, FILE *out) {
 
 static void write_tsv(const struct plan *p, FILE *out) {
   fputs("step\trun\tseconds\tMB\tcommand\n", out);
-  for (size_t i = 0; i < p->c->n_runs; i++) {
-    if (!p->chosen[i]) continue;
-    const struct solver_estimate e = estimate_of(p, i);
-    fprintf(out, "run\t%s\t%.3g\t%.0f\t", p->c->runs[i].name, solver_seconds(&e, p->threads),
-            megabytes(e.bytes));
-    run_command(out, p, &p->c->runs[i], false);
+  for (size_t i = 0; i < p->n_runs; i++) {
+    const struct plan_run *r = &p->run[i];
+    fprintf(out, "run\t%s\t%.3g\t%.0f\t", r->name, solver_seconds(&r->estimate, p->threads),
+            megabytes(r->estimate.bytes));
+    run_command(out, p, r, false);
     fputc('\n', out);
   }
-  if (!has_comparison(p)) return;
-  fputs("compare\t\t\t\t", out);
-  compare_command(out, p, false);
+  if (!p->n_words) return;
+  fprintf(out, "%s\t\t\t\t", p->last);
+  last_command(out, p, false);
   fputc('\n', out);
 }
 

@@ -8,6 +8,7 @@
 
 #include "common/base/array.h"
 
+#define LETTERS "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 enum { LONGEST = 80, MOST_WORDS = 3 }; /* an id has: "T", "Tab", "2.1" */
 
 /* "P 1", "p_1" and "P1" as "p-1". */
@@ -137,8 +138,11 @@ enum status gallery_choose(const struct gallery_book *book, size_t n, const char
       TRY(mark_range(book, text, dots, chosen));
     else if (place < book->n_entries)
       chosen[place] = true;
-    else if (!mark_fitting(book, text, chosen))
-      return complain(book, text);
+    else if (!mark_fitting(book, text, chosen)) {
+      if (i && join(2, word + i - 1, text) && strspn(word[i - 1], LETTERS) == strlen(word[i - 1]))
+        return complain(book, text); /* "T" "2-99" */
+      return complain(book, word[i]);
+    }
   }
   return OK;
 }

@@ -88,6 +88,8 @@ static void test_words_that_mean_nothing(void) {
   }
   EXPECT_STR(CHOSEN("P 10..1"), "found 'P 10..1'; allowed: a range in the order of the documents, "
                                 "in which P 1 comes before P 10");
+  EXPECT(strstr(CHOSEN("T", "2-11"), "found 'T 2-11'; ") != NULL);
+  EXPECT(strstr(CHOSEN("P 1", "2-11"), "found '2-11'; ") != NULL);
   char longer[400];
   memset(longer, 'x', sizeof longer);
   longer[sizeof longer - 1] = 0;
