@@ -3,11 +3,12 @@
 #include <math.h>
 #include <stddef.h>
 
-const char *const theory_profile_names[] = {"exact", "deep", "leading", NULL};
+const char *const theory_profile_names[] = {"exact", "deep", "leading", "printed", NULL};
 const char *const theory_profile_helps[] = {
     "roots and profiles of the stratified tank",
     "the decaying mode is e^(kappa y), the others are exact",
-    "the decaying mode is e^(kappa y), nu_n = (2 n + 1) pi/2"};
+    "the decaying mode is e^(kappa y), nu_n = (2 n + 1) pi/2",
+    "without a factor e^(delta y), as (2.85) prints them; nu_n exact"};
 
 enum status theory_tank(double beta, double kappa, struct wave_column *tank) {
   double delta = 1 / (2 * beta), k2 = kappa * kappa, d2 = delta * delta;
@@ -26,12 +27,12 @@ enum status theory_mode_find(double beta, double kappa, int n, enum theory_profi
   TRY(theory_tank(beta, kappa, &tank));
   struct wave_mode *m = &mode->exact;
   mode->deep = n < 0 && profile != THEORY_EXACT;
+  *m = n < 0 ? wave_mode_gravity(&tank) : wave_mode_acoustic(&tank, n);
+  mode->lacked = profile == THEORY_PRINTED ? m->delta : 0;
   if (n < 0) {
-    *m = wave_mode_gravity(&tank);
     if (mode->deep) m->omega = sqrt(kappa);
     return OK;
   }
-  *m = wave_mode_acoustic(&tank, n);
   if (profile != THEORY_LEADING) return OK;
   double nu = (2 * n + 1) * M_PI / 2;
   m->root = nu;
@@ -40,13 +41,18 @@ enum status theory_mode_find(double beta, double kappa, int n, enum theory_profi
   return OK;
 }
 
-double theory_mode_psi(const struct theory_mode *m, double y) {
+static double whole_psi(const struct theory_mode *m, double y) {
   return m->deep ? exp(m->exact.in.wavenumber * y) : wave_mode_psi(&m->exact, y);
+}
+
+double theory_mode_psi(const struct theory_mode *m, double y) {
+  return whole_psi(m, y) * exp(-m->lacked * y);
 }
 
 double theory_mode_slope(const struct theory_mode *m, double y) {
   double kappa = m->exact.in.wavenumber;
-  return m->deep ? kappa * exp(kappa * y) : wave_mode_slope(&m->exact, y);
+  double slope = m->deep ? kappa * exp(kappa * y) : wave_mode_slope(&m->exact, y);
+  return (slope - m->lacked * whole_psi(m, y)) * exp(-m->lacked * y);
 }
 
 double theory_integral(double (*f)(double z, const void *with), const void *with) {

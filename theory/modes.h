@@ -4,16 +4,18 @@
 #include "common/flow/modes.h"
 
 enum theory_profile {
-  THEORY_EXACT,  /* roots and profiles of the stratified tank */
-  THEORY_DEEP,   /* the decaying mode e^(kappa y) of incompressible deep water, acoustic modes exact
-                  */
-  THEORY_LEADING /* the same, and nu_n = (2 n + 1) pi/2 */
+  THEORY_EXACT, /* roots and profiles of the stratified tank */
+  THEORY_DEEP,  /* the decaying mode e^(kappa y) of incompressible deep water, acoustic modes exact
+                 */
+  THEORY_LEADING, /* the same, and nu_n = (2 n + 1) pi/2 */
+  THEORY_PRINTED  /* e^((kappa - delta) y), acoustic modes without e^(delta y): T, eq. (2.85) */
 };
 extern const char *const theory_profile_names[], *const theory_profile_helps[];
 
 struct theory_mode {
   struct wave_mode exact;
-  bool deep; /* e^(kappa y) instead */
+  bool deep;     /* e^(kappa y) instead */
+  double lacked; /* psi without a factor e^(lacked y) */
 };
 
 /* A tank of depth 1 with g = 1 and c^2 = beta. ERR_USAGE where sound is so slow that there are two

@@ -71,7 +71,7 @@ static double product_closed(const struct orthogonality *p, const struct theory_
 }
 
 static double norm_closed(const struct orthogonality *p, const struct theory_mode *n) {
-  if (p->profile == THEORY_LEADING) return NAN;
+  if (p->profile == THEORY_LEADING || p->profile == THEORY_PRINTED) return NAN;
   return pow(n->exact.omega, 2) *
          (pow(theory_mode_psi(n, 0), 2) + theory_integral(weighted_square, n) / p->beta);
 }

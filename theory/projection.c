@@ -13,9 +13,10 @@
 
 #include "theory/theory.h"
 
-const char *const theory_filter_names[] = {"plain", "weighted", "exact", NULL};
+const char *const theory_filter_names[] = {"plain", "weighted", "exact", "printed", NULL};
 const char *const theory_filter_helps[] = {"(2.95)", "(2.94), corrected",
-                                           "(2.93), modes of the tank"};
+                                           "(2.93), modes of the tank",
+                                           "the first form of (2.94), as it stands"};
 
 struct field {
   enum theory_filter filter;
@@ -34,6 +35,8 @@ static double found(double z, const void *with) {
     return exp(kappa * z) * (slope + kappa * psi);
   case THEORY_FILTER_WEIGHTED:
     return exp((kappa - 2 * delta) * z) * (slope + kappa * psi);
+  case THEORY_FILTER_PRINTED:
+    return exp((kappa - 3 * delta) * z) * ((kappa - delta) * slope + kappa * kappa * psi);
   case THEORY_FILTER_EXACT:
     break;
   }
@@ -53,7 +56,9 @@ double theory_filter_apply(enum theory_filter filter, const struct theory_mode *
                            double (*psi)(double y, const void *with),
                            double (*slope)(double y, const void *with), const void *with) {
   struct field field = {filter, decaying, psi, slope, with};
-  struct field own = {filter, decaying, own_psi, own_slope, decaying};
+  struct theory_mode mode = *decaying;
+  if (filter == THEORY_FILTER_PRINTED) mode.lacked = mode.exact.delta;
+  struct field own = {filter, decaying, own_psi, own_slope, &mode};
   return theory_integral(found, &field) / theory_integral(found, &own);
 }
 
@@ -88,9 +93,13 @@ static const struct theory_column columns[] = {
     {.key = "closed",
      .unit = "1",
      .label = "closed form",
-     .panel = 1,
      .undrawn = true,
-     .help = "closed form of the error's magnitude"},
+     .help = "closed form of the error's magnitude; none of the printed filter"},
+    {.key = "own",
+     .unit = "1",
+     .label = "found alone",
+     .undrawn = true,
+     .help = "found of the decaying mode alone, which is 1"},
 };
 enum { WORST, WORST_AT };
 static const struct theory_value values[] = {
@@ -108,9 +117,11 @@ static double closed(const struct projection *p, const struct theory_mode *n) {
     return exp(2 * delta) * square * fabs(bed) * exp(-kappa) / (square - kappa) * (kappa - delta) /
            (kappa * (1 - exp(-2 * (kappa - delta))));
   case THEORY_FILTER_EXACT:
+    return 0;
+  case THEORY_FILTER_PRINTED:
     break;
   }
-  return 0;
+  return NAN;
 }
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {
@@ -119,10 +130,12 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   enum theory_profile profile = filter == THEORY_FILTER_EXACT ? THEORY_EXACT : THEORY_DEEP;
   struct theory_mode decaying, n;
   TRY(theory_mode_find(p->beta, p->kappa, -1, profile, &decaying));
+  double alone = theory_filter_apply(filter, &decaying, own_psi, own_slope, &decaying);
   for (int k = 0; k <= p->last; k++) {
     TRY(theory_mode_find(p->beta, p->kappa, k, profile, &n));
-    double error = theory_filter_apply(filter, &decaying, own_psi, own_slope, &n);
-    TRY(THEORY_ROW(curve, k, 2 + error, fabs(error), closed(p, &n)));
+    double sound = theory_filter_apply(filter, &decaying, own_psi, own_slope, &n);
+    double error = sound + 2 * (alone - 1);
+    TRY(THEORY_ROW(curve, k, 2 + error, fabs(error), closed(p, &n), alone));
     if (fabs(error) <= curve->value[WORST]) continue; /* NaN at first */
     curve->value[WORST] = fabs(error);
     curve->value[WORST_AT] = k;
