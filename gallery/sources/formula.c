@@ -13,7 +13,7 @@ enum { MOST_CURVES = 32 };
 
 struct formula_source {
   char *y, *on, *at;
-  double from, to;
+  double start, to;
   int points;
 };
 
@@ -22,7 +22,7 @@ static const struct param params[] = {
                 "a formula in x, in other curves by their names, and in numbers"),
     SOURCE_TEXT(formula_source, on, "", "the curve whose abscissas it has"),
     SOURCE_TEXT(formula_source, at, "", "a formula in the same that replaces x"),
-    SOURCE_REAL(formula_source, from, -1e9, 1e9, "0", "else: the first abscissa"),
+    SOURCE_REAL(formula_source, start, -1e9, 1e9, "0", "else: the first abscissa"),
     SOURCE_REAL(formula_source, to, -1e9, 1e9, "1", "the last"),
     SOURCE_INT(formula_source, points, 1, 100000, "401", "and how many"),
 };
@@ -68,8 +68,8 @@ static enum status take_abscissas(struct gallery_desk *desk, const struct formul
   TRY(add_column(c, "x"));
   for (size_t i = 0; i < c->n; i++)
     c->column[0][i] = on          ? on->x[i]
-                      : c->n == 1 ? s->from
-                                  : s->from + (s->to - s->from) * (double)i / (double)(c->n - 1);
+                      : c->n == 1 ? s->start
+                                  : s->start + (s->to - s->start) * (double)i / (double)(c->n - 1);
   return OK;
 }
 

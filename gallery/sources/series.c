@@ -6,7 +6,7 @@
 #include "gallery/source.h"
 
 struct series_source {
-  char *run, *name;
+  char *run, *series;
   int what;
 };
 
@@ -92,8 +92,8 @@ static enum status probe(struct gallery_desk *desk, const void *with,
   const struct series_source *s = with;
   const struct result_file *f;
   TRY(gallery_desk_result(desk, s->run, &f));
-  const struct result_series *p = find(f->probes, f->n_probes, s->name);
-  if (!p) return missing("probe", s->name, s->run);
+  const struct result_series *p = find(f->probes, f->n_probes, s->series);
+  if (!p) return missing("probe", s->series, s->run);
   return add_all(curve, p->n, p->t, p->value, scales_of(f).T, scales_of(f).p);
 }
 
@@ -102,8 +102,8 @@ static enum status gauge(struct gallery_desk *desk, const void *with,
   const struct series_source *s = with;
   const struct result_file *f;
   TRY(gallery_desk_result(desk, s->run, &f));
-  const struct result_series *g = find(f->gauges, f->n_gauges, s->name);
-  if (!g) return missing("gauge", s->name, s->run);
+  const struct result_series *g = find(f->gauges, f->n_gauges, s->series);
+  if (!g) return missing("gauge", s->series, s->run);
   return add_all(curve, g->n, g->t, g->value, scales_of(f).T, f->H);
 }
 
@@ -112,8 +112,8 @@ static enum status diagnostic(struct gallery_desk *desk, const void *with,
   const struct series_source *s = with;
   const struct result_file *f;
   TRY(gallery_desk_result(desk, s->run, &f));
-  const struct result_series *d = find(f->diagnostics, f->n_diagnostics, s->name);
-  if (!d) return missing("diagnostic", s->name, s->run);
+  const struct result_series *d = find(f->diagnostics, f->n_diagnostics, s->series);
+  if (!d) return missing("diagnostic", s->series, s->run);
   return add_all(curve, d->n, d->t, d->value, scales_of(f).T, 1);
 }
 
@@ -136,17 +136,17 @@ static enum status point(struct gallery_desk *desk, const void *with,
   const struct series_source *s = with;
   const struct result_file *f;
   TRY(gallery_desk_result(desk, s->run, &f));
-  const char *dot = strrchr(s->name, '.');
-  const size_t length = dot ? (size_t)(dot - s->name) : 0;
+  const char *dot = strrchr(s->series, '.');
+  const size_t length = dot ? (size_t)(dot - s->series) : 0;
   for (size_t i = 0; i < f->n_points && dot; i++) {
     const struct result_point_read *p = &f->points[i];
-    if (strlen(p->name) != length || strncmp(p->name, s->name, length)) continue;
+    if (strlen(p->name) != length || strncmp(p->name, s->series, length)) continue;
     for (size_t k = 0; k < CASE_POINT_FIELDS; k++)
       if (!strcmp(point_fields[k], dot + 1))
         return add_all(curve, p->n, p->t, p->value[k], scales_of(f).T,
                        point_unit(f, point_fields[k]));
   }
-  return missing("point and field", s->name, s->run);
+  return missing("point and field", s->series, s->run);
 }
 
 /* ---- the sources ---- */
@@ -154,7 +154,7 @@ static enum status point(struct gallery_desk *desk, const void *with,
 #define NAMED(what, text)                                                                          \
   static const struct param what##_params[] = {                                                    \
       SOURCE_RUN(series_source),                                                                   \
-      SOURCE_TEXT(series_source, name, NULL, text),                                                \
+      SOURCE_TEXT(series_source, series, NULL, text),                                              \
   };
 NAMED(probe, "its name")
 NAMED(gauge, "its name")
