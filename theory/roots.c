@@ -35,7 +35,7 @@ static const struct theory_column columns[] = {
     {.key = "root",
      .unit = "1",
      .label = "root",
-     .help = "where both are equal, in rows of its own",
+     .help = "where both are equal; none in other rows",
      .points = true},
 };
 enum { LARGE, SMALL, COUNT, MU_LARGE, MU_SMALL, SECOND_FROM, SHALLOW, DEEP, FLATNESS };
@@ -76,24 +76,30 @@ static void find(const struct roots *p, double *value) {
   value[MU_SMALL] = sqrt(1 + p->a * p->a * value[SMALL]);
 }
 
+static enum status row_add(const struct roots *p, double y, bool root, struct theory_curve *curve) {
+  double f1 = (1 + y) / (1 - y);
+  return THEORY_ROW(curve, y, f1, f2(p, y), root ? f1 : NAN);
+}
+
 static enum status evaluate(const void *with, struct theory_curve *curve) {
   const struct roots *p = with;
   double *v = curve->value, a2 = p->a * p->a, least = -1 / a2;
   double from = fmax(p->from, least);
   CHECK(from < p->to, ERR_USAGE, "from: found %g; allowed: less than to = %g", from, p->to);
+  find(p, v);
+  double last = -INFINITY;
   for (int i = 0; i < p->points; i++) { /* closer towards y = 1, where f1 has its pole */
     double y = 1 - exp(theory_between(log1p(-from), log1p(-p->to), i, p->points));
-    TRY(THEORY_ROW(curve, y, (1 + y) / (1 - y), f2(p, y), NAN));
+    for (int k = SMALL; k >= LARGE; k--)
+      if (v[k] >= from && v[k] > last && v[k] <= y) TRY(row_add(p, v[k], true, curve));
+    TRY(row_add(p, y, false, curve));
+    last = y;
   }
-  find(p, v);
   v[SECOND_FROM] = a2 > 1 ? (a2 + 1) / (a2 - 1) : NAN;
   if (p->eps * p->a < 1)
     v[SHALLOW] = 1 - 2 * p->eps / (1 + p->eps) * (1 - p->eps * p->eps * a2 / 3);
   v[DEEP] = 1 - 2 / p->a;
   v[FLATNESS] = fmax(fabs(p->eps * f2(p, 1) - 1), fabs(p->eps * f2(p, least) - 1));
-  for (int k = LARGE; k <= SMALL; k++)
-    if (v[k] >= from && v[k] <= p->to)
-      TRY(THEORY_ROW(curve, v[k], NAN, NAN, (1 + v[k]) / (1 - v[k])));
   return OK;
 }
 

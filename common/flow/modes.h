@@ -6,8 +6,8 @@
  * - omega t)], where psi'' - 2 delta psi' + (omega^2/c^2 - kappa^2) psi = 0, psi'(0) = (omega^2/g)
  * psi(0),  psi'(-H) = 0, and its pressure, over the density at rest, is i omega times the
  * potential. There is one mode that decays downwards, the gravity wave (almost that of
- * incompressible water), and one that oscillates for every n = 0, 1, 2 ..., an acoustic one, with n
- * zeros between surface and bed. */
+ * incompressible water), and one that oscillates for every n = 0, 1, 2 ..., an acoustic one, with
+ * n + 1 zeros between surface and bed, the first of which is close to the surface. */
 #pragma once
 #include <stdbool.h>
 
