@@ -1,7 +1,8 @@
 /* Initial damping (T, section 3.4.3): with zeta = 1 + Gamma dt/2
  *     predictor  y_p = y + (dt/2) v,          v_p = (v + (dt/2) v')/zeta
  *     corrector  y   = y + dt v_p,            v   = (2/zeta) (v + (dt/2) v'_p) - v
- * and likewise of the density. Its matrix, with X = (c dt F)^2 of the shortest wave (|sin kh| = 1)
+ * and likewise of the density, without zeta, where its rate is integrated, which leaves the same
+ * eigenvalues. Its matrix, with X = (c dt F)^2 of the shortest wave (|sin kh| = 1)
  * or of a decaying mode, has the eigenvalues
  *     lambda = [1 + X/2 +- sqrt(1 + X - 2 zeta + zeta^2)]/zeta,
  * here those of the solver's step, beside this closed form and the scheme itself, carried out for
@@ -17,14 +18,19 @@ static const char *const mode_names[] = {"oscillating", "decaying", NULL};
 static const char *const mode_helps[] = {"e^(i k x), X = -(mu_c sin kh)^2",
                                          "e^(mu y), X = (mu_c sinh mu h)^2"};
 
+static const char *const density_names[] = {"direct", "advanced", NULL};
+static const char *const density_helps[] = {"rho = sum m W", "its rate is integrated"};
+
 struct damping {
   double zeta, to;
-  int mode, points, steps;
+  int mode, density, points, steps;
 };
 
 static const struct param params[] = {
     THEORY_REAL(damping, zeta, 1, 100, "1, 1.005, 1.025", "1 + Gamma dt/2"),
     THEORY_CHOICE(damping, mode, mode_names, mode_helps, "oscillating", "form of the mode"),
+    THEORY_CHOICE(damping, density, density_names, density_helps, "direct",
+                  "how the density is found, of the solver's step"),
     THEORY_REAL(damping, to, PARAM_ABOVE_0, 100, "1", "largest c dt |F|"),
     THEORY_POINTS(damping),
     THEORY_INT(damping, steps, 0, 1000000, "0", "how many are carried out, of `after`"),
@@ -56,10 +62,14 @@ static const struct theory_value values[] = {
     [LIMIT] = {"courant_most", "1", "largest stable Courant number; 0: there is none"},
 };
 
-/* The step of (y, dt v), with dt^2 v' = X y. */
+/* The step of (y, dt v), with dt^2 v' = X y, or of (v/c, r). */
 static struct theory_matrix step_of(const struct damping *p, double x) {
-  struct theory_matrix z = {2, {{0, 1}, {x, 0}}};
-  return theory_step(&sph_damped_pc, &z, 2 * (p->zeta - 1));
+  const double complex f = csqrt(x);
+  const struct theory_matrix direct = {2, {{0, 1}, {x, 0}}};
+  const struct theory_matrix advanced = {3, {{0, 1, 0}, {0, 0, -f}, {0, -f, 0}}};
+  struct theory_matrix m =
+      theory_step(&sph_damped_pc, p->density ? &advanced : &direct, 2 * (p->zeta - 1));
+  return p->density ? theory_block(&m, 1, 2) : m;
 }
 
 static double closed(const struct damping *p, double x) {

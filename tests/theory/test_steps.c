@@ -110,6 +110,11 @@ static void test_damped_steps_do_what_their_eigenvalues_say(void) {
   }
   EXPECT(cell_of(&r, 1, 23, "after") > 1e3);
   theory_result_destroy(&r);
+  r = THEORY("damping", "density", "advanced", "mode", "oscillating, decaying", "points", "21");
+  for (size_t c = 0; c < r.n; c++)
+    for (size_t i = 0; i < 21; i++)
+      EXPECT_NEAR(cell_of(&r, c, i, "lambda"), cell_of(&r, c, i, "closed"), 1e-8);
+  theory_result_destroy(&r);
   EXPECT(damped_after(1.005, 0.4478, 20000) < 3);
   EXPECT(damped_after(1.005, 0.460, 20000) > 1e3);
   EXPECT(damped_after(1.025, 0.672, 20000) < 3);
