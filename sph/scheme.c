@@ -118,6 +118,9 @@ const struct param sph_params[] = {
      "whether the forces on the walls, their moment, and the water's momentum are written as "
      "series",
      NULL},
+    {"accelerations", PARAM_BOOL, QTY_NUMBER, AT(accelerations), 0, 0, "false", NULL,
+     "whether outputs of particles hold their accelerations",
+     NULL},
     {"damping_end", PARAM_REAL, QTY_TIME, AT(damping_end), 0, 1e9, "0", NULL,
      "until when it damps; 0: to the end", NULL},
 #define ROW(name, LIST, help)                                                                      \

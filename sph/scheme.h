@@ -25,12 +25,13 @@ struct sph_scheme {
   double dt; /* s; 0: what the factors of the bounds allow */
   double cfl_acoustic, cfl_diffusive, cfl_viscous, cfl_acceleration;
   bool diagnostics, forces;    /* written (observe/diagnose.h) */
+  bool accelerations;          /* written with the particles (observe/output.h) */
   double damping, damping_end; /* 1/s, s: Gamma, until then; 0: to the end */
 };
 
 enum { SPH_PRECISION_single, SPH_PRECISION_double };
 
-enum { SPH_N_PARAMS = 27 + SPH_TREATMENT_PARAMS };
+enum { SPH_N_PARAMS = 28 + SPH_TREATMENT_PARAMS };
 extern const struct param sph_params[SPH_N_PARAMS];
 
 /* The word that may stand for delta, which then is -1, and what it means. */

@@ -59,7 +59,7 @@ static enum status march(const struct case_file *c, struct sph *s, struct sph_ou
     work += (double)s->f.n;
     progress_step(progress, s->steps, s->t, dt, work, "particles", sph_output_drift(output));
   }
-  return OK;
+  return sph_output_finish(output, s);
 }
 
 /* On the outline at t = 0, where bodies move fastest, m/s. */

@@ -26,10 +26,11 @@ struct sph_output {
   double started;                    /* wall clock, s */
   size_t n_every, n_sample;          /* multiples written so far */
   double budget0, available, budget; /* J/m */
-  bool diagnose;                     /* the rates of a sample are still to come */
+  bool diagnose, due;                /* the rates of a sample, of an output, are still to come */
   bool *dry;                         /* [faces], its wall_impact is still to come; owned */
   size_t room;
   double *x, *y, *u, *v, *rho, *p, *m, *V; /* [room], in the order of the particles' ids */
+  double *ax, *ay;                         /* the same; NULL: not wanted */
   uint32_t *place;                         /* [room] */
 };
 
@@ -96,6 +97,10 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->p));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->m));
   ATTEMPT(sph_allocate(o->room, sizeof(double), &o->V));
+  if (s->scheme.accelerations) {
+    ATTEMPT(sph_allocate(o->room, sizeof(double), &o->ax));
+    ATTEMPT(sph_allocate(o->room, sizeof(double), &o->ay));
+  }
   ATTEMPT(sph_allocate(o->room, sizeof *o->place, &o->place));
 done:
   if (status != OK) {
@@ -121,6 +126,8 @@ void sph_output_destroy(struct sph_output *o) {
   free(o->p);
   free(o->m);
   free(o->V);
+  free(o->ax);
+  free(o->ay);
   free(o->place);
   free(o);
 }
@@ -162,16 +169,26 @@ static struct cloud cloud_of(struct sph_output *o, const struct sph *s) {
   return (struct cloud){o->room, o->x, o->y, NULL, s->dx, &s->tank};
 }
 
-static enum status write_state(struct sph_output *o, const struct sph *s) {
+/* After sort_by_id; `known`: the rates are those of the state. */
+static void take_accelerations(struct sph_output *o, const struct sph *s, size_t n, bool known) {
+  for (size_t k = 0; o->ax && k < n; k++) {
+    o->ax[k] = known ? s->f.k[0].u[o->place[k]] : NAN;
+    o->ay[k] = known ? s->f.k[0].v[o->place[k]] : NAN;
+  }
+}
+
+static enum status write_state(struct sph_output *o, const struct sph *s, bool rates) {
   size_t n = sort_by_id(o, s);
+  take_accelerations(o, s, n, rates);
   const struct result_field fields[] = {
       {"pressure", "Pa", "pressure, by the equation of state", o->p, NULL},
       {"density", "kg/m^3", "density", o->rho, NULL},
       {"mass", "kg/m", "mass, which it keeps", o->m, NULL},
       {"volume", "m^2", "mass over the density that evolves", o->V, NULL},
-      {"velocity", "m/s", "velocity", o->u, o->v}};
-  TRY(result_points(o->result, s->t, n, o->x, o->y, RESULT_VERTICES, sizeof fields / sizeof *fields,
-                    fields));
+      {"velocity", "m/s", "velocity", o->u, o->v},
+      {"acceleration", "m/s^2", "rate of the velocity", o->ax, o->ay}};
+  const size_t n_fields = sizeof fields / sizeof *fields - (o->ax ? 0 : 1);
+  TRY(result_points(o->result, s->t, n, o->x, o->y, RESULT_VERTICES, n_fields, fields));
   const struct cloud cloud = cloud_of(o, s);
   TRY(cloud_surface_extract(o->extractor, &cloud, sph_sides_walls(s, &o->outline), &o->surface));
   TRY(result_surface(o->result, s->t, &o->surface));
@@ -254,7 +271,10 @@ enum status sph_output_step(struct sph_output *o, struct sph *s, double dt) {
     o->n_sample = (size_t)floor((s->t + late) / c->sample) + 1;
   }
   if (s->t >= (double)o->n_every * c->every - late || s->t >= c->end - late) {
-    TRY(write_state(o, s));
+    if (o->ax)
+      o->due = true;
+    else
+      TRY(write_state(o, s, false));
     o->n_every++;
   }
   return OK;
@@ -273,9 +293,18 @@ static enum status write_points(const struct sph_output *o, const struct sph *s)
 
 enum status sph_output_rates(struct sph_output *o, struct sph *s) {
   TRY(write_points(o, s));
+  if (o->due) TRY(write_state(o, s, true));
+  o->due = false;
   if (!o->diagnose) return OK;
   o->diagnose = false;
   return sph_diagnose_write(s, o->c, o->result);
+}
+
+enum status sph_output_finish(struct sph_output *o, struct sph *s) {
+  if (!o->due) return OK;
+  TRY(sph_rates(s, 0, true, true));
+  o->due = false;
+  return write_state(o, s, true);
 }
 
 double sph_output_next(const struct sph_output *o) {
@@ -284,7 +313,7 @@ double sph_output_next(const struct sph_output *o) {
 }
 
 enum status sph_output_last(struct sph_output *o, struct sph *s) {
-  return write_state(o, s);
+  return write_state(o, s, false);
 }
 
 double sph_output_drift(const struct sph_output *o) {

@@ -163,6 +163,73 @@ static void test_points_follow_the_steps(void) {
   finished_destroy(&a);
 }
 
+/* ---- accelerations ---- */
+
+#define ACCELERATED                                                                                \
+  "title: drop\nscales: {H: 1}\ntank: {walls: [[[0, 3], [0, 0], [3, 0], [3, 3]]]}\n"               \
+  "water: {regions: [[[1, %d], [2, %d], [2, 2], [1, 2]]], pressure: %s}\n"                         \
+  "time: {end: %s, every: %s, sample: 0.05 ms}\n"
+
+static struct result_cloud vectors_of(const struct result_file *f, size_t output,
+                                      const char *name) {
+  struct result_cloud cloud = {0};
+  EXPECT_OK(result_read_vectors(f->path, name, 1, &output, &cloud));
+  return cloud;
+}
+
+/* Water that falls freely, at every output and at the end of the run. */
+static void test_accelerations_of_falling_water(void) {
+  char head[600];
+  snprintf(head, sizeof head, ACCELERATED, 1, 1, "released", "0.05", "0.01");
+  struct finished a = finished_create(head, "resolution: 10, precision: double, dt: 1 ms, "
+                                            "accelerations: true");
+  EXPECT(a.f->n_outputs == 6);
+  for (size_t k = 0; k < a.f->n_outputs; k++) {
+    struct result_cloud w = vectors_of(a.f, k, "acceleration");
+    EXPECT_NEAR(a.f->output_time[k], 0.01 * (double)k, 1e-12);
+    EXPECT(w.n == 100);
+    for (size_t i = 0; i < w.n; i++) {
+      EXPECT_NEAR(w.value[2 * i], 0, 1e-9);
+      EXPECT_NEAR(w.value[2 * i + 1], -9.81, 1e-9);
+    }
+    result_cloud_free(&w);
+  }
+  finished_destroy(&a);
+  a = finished_create(head, "resolution: 10, dt: 1 ms");
+  struct result_cloud none;
+  EXPECT(result_read_vectors(a.f->path, "acceleration", 1, (size_t[]){0}, &none) == ERR_INPUT);
+  finished_destroy(&a);
+}
+
+/* A column that its own pressure drives apart, written at every step: velocities change as the
+ * accelerations in between say, to (w dt)^2/6 = 1e-4 of each wave on the lattice, w dt being below
+ * c0 dt/h = 0.024 times the largest symbol of a derivative, 1.04, and waves add up; rates of the
+ * step before would be off by w dt. */
+static void test_accelerations_are_those_of_the_state(void) {
+  const double dt = 5e-5;
+  char head[600];
+  snprintf(head, sizeof head, ACCELERATED, 0, 0, "hydrostatic", "0.001", "0.05 ms");
+  struct finished a = finished_create(head, "resolution: 10, precision: double, dt: 0.05 ms, "
+                                            "alpha: 0, diffusion: none, accelerations: true");
+  EXPECT(a.f->n_outputs == 21);
+  double most = 0, worst = 0;
+  for (size_t k = 1; k + 1 < a.f->n_outputs; k++) {
+    struct result_cloud before = vectors_of(a.f, k - 1, "velocity");
+    struct result_cloud after = vectors_of(a.f, k + 1, "velocity");
+    struct result_cloud now = vectors_of(a.f, k, "acceleration");
+    for (size_t i = 0; i < 2 * now.n; i++) {
+      most = fmax(most, fabs(now.value[i]));
+      worst = fmax(worst, fabs((after.value[i] - before.value[i]) / (2 * dt) - now.value[i]));
+    }
+    result_cloud_free(&before);
+    result_cloud_free(&after);
+    result_cloud_free(&now);
+  }
+  printf("     off by %.2g of the largest acceleration, %.3g m/s^2\n", worst / most, most);
+  EXPECT(worst < 1e-3 * most);
+  finished_destroy(&a);
+}
+
 /* ---- gauges ---- */
 
 /* In a basin of still water that settles, a gauge on a wall and within two spacings of it shows the
@@ -253,6 +320,8 @@ int main(void) {
   RUN(test_file_holds_mass_volume_and_rest);
   RUN(test_density_is_written_with_its_weight);
   RUN(test_points_follow_the_steps);
+  RUN(test_accelerations_of_falling_water);
+  RUN(test_accelerations_are_those_of_the_state);
   RUN(test_gauge_on_a_wall_shows_the_level);
   RUN(test_gauge_corrects_the_meniscus_only);
   return TEST_RESULT;
