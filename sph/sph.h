@@ -120,7 +120,8 @@ struct sph {
   size_t pack_room;
   struct sph_totals *cluster_totals; /* [f.room / SPH_LANES], owned */
 
-  void *treated[SPH_TREATMENT_COUNT]; /* what treatments keep (treat.h), owned */
+  void *treated[SPH_TREATMENT_COUNT];  /* what treatments keep (treat.h), owned */
+  size_t applied[SPH_TREATMENT_COUNT]; /* how often */
 
   bool split;                          /* the diffusive term has steps of its own (time/split.c) */
   const struct sph_stand_in *stand_in; /* NULL for water */

@@ -129,6 +129,20 @@ enum status sph_watch_step(struct sph *s, double dt, double left) {
   return OK;
 }
 
+/* How often treatments were applied, of those that the run has. */
+static enum status write_applied(const struct sph *s, struct result *result) {
+  static const char *const name[] = {
+#define X(name, ...) "applied_" #name,
+      SPH_TREATMENTS(X)
+#undef X
+  };
+  for (int k = 0; k < SPH_TREATMENT_COUNT; k++)
+    if (s->scheme.every[k] != 0)
+      TRY(result_statistic(result, name[k], (double)s->applied[k], "1",
+                           "times this treatment was applied"));
+  return OK;
+}
+
 enum status sph_watch_write(const struct sph *s, struct result *result) {
   const struct {
     const char *name;
@@ -161,5 +175,5 @@ enum status sph_watch_write(const struct sph *s, struct result *result) {
   };
   for (size_t k = 0; k < sizeof row / sizeof *row; k++)
     TRY(result_statistic(result, row[k].name, row[k].value, row[k].units, row[k].help));
-  return OK;
+  return write_applied(s, result);
 }

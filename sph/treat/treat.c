@@ -95,6 +95,7 @@ static enum status apply(struct sph *s, int treatment) {
   sph_wall_fill(s);
   const double before = sph_energy(s).total;
   TRY(treatments[treatment]->apply(s));
+  s->applied[treatment]++;
   sph_fitted_set(s);
   sph_particles_pad(&s->f);
   *(double *)((char *)&s->budget + terms[treatment]) += before - sph_energy(s).total;

@@ -126,6 +126,23 @@ static void finished_destroy(struct finished *a) {
   EXPECT(rmdir(a->folder) == 0);
 }
 
+/* How often treatments came: after 7, 14, ... of 50 steps. */
+static void test_treatments_are_counted(void) {
+  struct finished a = finished_create(
+      "title: drop\nscales: {H: 1}\ntank: {walls: [[[0, 3], [0, 0], [3, 0], [3, 3]]]}\n"
+      "water: {regions: [[[1, 1], [2, 1], [2, 2], [1, 2]]]}\n"
+      "time: {end: 0.05, every: 0.05, sample: 0.05}\n",
+      "resolution: 10, dt: 1 ms, shifting: 7");
+  double shifts = NAN;
+  for (size_t k = 0; k < a.f->n_statistics; k++) {
+    const struct result_statistic_read *one = &a.f->statistics[k];
+    if (strcmp(one->name, "applied_shifting") == 0) shifts = one->value;
+    EXPECT(strcmp(one->name, "applied_smoothing") != 0);
+  }
+  EXPECT(shifts == 7);
+  finished_destroy(&a);
+}
+
 static void test_file_holds_mass_volume_and_rest(void) {
   struct finished a = finished_create(
       "title: still water\nscales: {H: 1}\ntank: {walls: [[[0, 2], [0, 0], [2, 0], [2, 2]]]}\n"
@@ -317,6 +334,7 @@ int main(void) {
   RUN(test_still_water_is_at_rest);
   RUN(test_wave_starts_with_its_energy);
   RUN(test_dam_break_has_the_energy_of_its_fall);
+  RUN(test_treatments_are_counted);
   RUN(test_file_holds_mass_volume_and_rest);
   RUN(test_density_is_written_with_its_weight);
   RUN(test_points_follow_the_steps);
