@@ -42,18 +42,19 @@ static void key_measure(const struct comparison *c, const struct cmp_chart_plan 
     n++;
     longest = longer(longest, ref->experiments[k].name);
   }
-  chart->columns = cmp_key_columns(longest + plan->note, CMP_PANELS_WIDTH - 40);
-  chart->bottom = cmp_key_height(n, chart->columns);
+  chart->key = cmp_key_of(n, longest + plan->note);
 }
 
 enum status cmp_chart_begin(const struct comparison *c, struct cmp_figures *f,
                             const struct cmp_chart_plan *plan, struct cmp_chart *chart) {
   *chart = (struct cmp_chart){.c = c, .panels = plan->panels, .end = cmp_chart_time_end(c, plan)};
   key_measure(c, plan, chart);
-  int height = cmp_panels_height(plan->panels, plan->panel_height, chart->bottom);
+  int height[2];
+  cmp_panels_heights(plan->panels, plan->panel_height, &chart->key, height);
   bool many = c->n_runs > CMP_NAMED; /* as vectors, a thousand curves are tens of megabytes */
-  TRY(cmp_figure_begin(f, plan->section, many, CMP_PANELS_WIDTH, height, &chart->fig, "%s",
+  TRY(cmp_figure_begin(f, plan->section, many, CMP_PANELS_WIDTH, height[0], &chart->fig, "%s",
                        plan->name));
+  chart->fig->column_height = height[1];
   TRY(cmp_figure_data(f, chart->fig, ".csv", &chart->table));
   fprintf(chart->table, "series,name,t_star [sqrt(H/g)],%s\n", plan->columns);
   if (many) {
@@ -99,6 +100,22 @@ void cmp_chart_row(struct cmp_chart *chart, size_t series, const char *name, dou
   fputc('\n', table);
 }
 
+/* Names of instants above a panel: those that would lie on each other stand in higher rows. */
+struct row_of_names {
+  double apart; /* of names in a row */
+  double last[3];
+  bool any[3];
+};
+
+/* The height of the lowest row that has room at t, in characters; the last if none has. */
+static double row_above(struct row_of_names *r, double t) {
+  int k = 0;
+  while (k < 2 && r->any[k] && fabs(t - r->last[k]) < r->apart) k++;
+  r->any[k] = true;
+  r->last[k] = t;
+  return 0.5 + 0.85 * k;
+}
+
 /* Instants of the reference as vertical lines, named above the first panel. */
 static void instants_mark(const struct cmp_chart *chart, bool named) {
   const struct cmp_data *ref = &chart->c->ref.data;
@@ -114,9 +131,9 @@ static void instants_mark(const struct cmp_chart *chart, bool named) {
               {&ref->touchdown.time, "touchdown"},
               {&last, over}};
   FILE *s = chart->fig->script;
+  struct row_of_names rows[] = {{.apart = 0.12 * chart->end}, {.apart = 0.26 * chart->end}};
   fputs("unset arrow\nunset label\n", s);
   double before = -1;
-  bool raised = false;
   for (size_t k = 0; k < sizeof mark / sizeof *mark; k++) {
     if (!cmp_known(mark[k].t) || mark[k].t->value > chart->end) continue;
     double t = mark[k].t->value;
@@ -125,20 +142,24 @@ static void instants_mark(const struct cmp_chart *chart, bool named) {
             "set arrow from %.6g, graph 0 to %.6g, graph 1 nohead back linecolor '#999999' "
             "dashtype 3 linewidth 0.8\n",
             t, t);
-    raised = before >= 0 && t - before < 0.12 * chart->end && !raised;
     before = t;
     if (!named) continue;
+    const double wide = row_above(&rows[0], t), narrow = row_above(&rows[1], t);
     fputs("set label ", s);
-    cmp_gnuplot_string(s, mark[k].name);
+    cmp_key_string(s, mark[k].name, NULL);
+    if (t > 0.85 * chart->end) /* it would leave the page */
+      fputs(" at graph 1", s);
+    else
+      fprintf(s, " at %.6g", t);
     fprintf(s,
-            " at %.6g, graph 1 offset 0, character %.2f center noenhanced textcolor '#666666' "
-            "font small\n",
-            t, raised ? 1.35 : 0.5);
+            ", graph 1 offset 0, character (narrow ? %.2f : %.2f) %s noenhanced textcolor "
+            "'#666666' font small\n",
+            narrow, wide, t > 0.85 * chart->end ? "right" : "center");
   }
 }
 
 static struct cmp_panels panels_of(const struct cmp_chart *chart) {
-  return (struct cmp_panels){chart->fig, chart->panels, chart->bottom, chart->columns};
+  return (struct cmp_panels){chart->fig, chart->panels, chart->key};
 }
 
 void cmp_chart_panel(struct cmp_chart *chart, size_t k, const struct cmp_frame *frame,
@@ -163,7 +184,7 @@ static void extreme_mark(struct cmp_chart *chart, const struct cmp_extreme *x, b
   if (!x->found) return;
   fprintf(s,
           "set arrow from %.6g, graph %.4f to %.6g, graph %.4f front head filled size screen "
-          "0.009,20 linewidth 1 linecolor '%s'\n",
+          "8.1/wide,20 linewidth 1 linecolor '%s'\n",
           x->t, edge + (24 + 18 * fmin(*marks, MOST_MARKS)) * inwards, x->t, edge, colour);
   if (*marks < MOST_MARKS) {
     bool late = x->t > 0.85 * chart->end;

@@ -16,10 +16,10 @@ struct cmp_chart {
   FILE *table, *others; /* of what is named in the key; of the runs that are not */
   size_t other;         /* the run that `others` is at */
   size_t panels;
-  int bottom, columns; /* px below the panels; of the key */
-  double end;          /* of the time axis */
-  bool first;          /* the next curve opens a plot command */
-  int marks[2];        /* at the top and the bottom of this panel so far */
+  struct cmp_key key;
+  double end;   /* of the time axis */
+  bool first;   /* the next curve opens a plot command */
+  int marks[2]; /* at the top and the bottom of this panel so far */
 };
 
 struct cmp_chart_plan {

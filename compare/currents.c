@@ -197,7 +197,7 @@ static enum status figure_draw(const struct comparison *c, struct cmp_figures *f
   double top = 0;
   for (size_t k = 0; k < n; k++) top = fmax(top, k ? fmin(all[k].top, 1.5 * top) : all[k].top);
   const double colours = rounded_up(top), scale = LONGEST * wide / colours;
-  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, CMP_PANES_WIDTH, l.total, &fig,
+  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, CMP_PANELS_WIDTH, l.total, &fig,
                        "velocity-t%.4g", c->times[time]));
   cmp_layout_say(&l, stretched, sizeof stretched);
   snprintf(fig->caption, sizeof fig->caption,

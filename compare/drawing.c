@@ -47,18 +47,16 @@ static enum status worker_start(struct drawing *d, struct worker *w, struct cmp_
 
 /* A full disk does not stop gnuplot: the end of what it wrote tells. */
 static void drawing_check(const struct cmp_figures *f, struct cmp_figure *fig) {
-  static const struct {
-    const char *suffix, *end;
-  } formats[] = {{"svg", "</svg>"}, {"pdf", "%%EOF"}, {"png", "IEND"}};
-  for (size_t k = 0; k < sizeof formats / sizeof *formats; k++) {
+  for (size_t k = 0; k < CMP_FORMATS; k++) {
+    const struct cmp_format *format = &cmp_formats[k];
     char name[128], path[PATH_MAX], tail[33] = "";
-    if (*fig->only && strcmp(fig->only, formats[k].suffix) != 0) continue;
-    snprintf(name, sizeof name, "%s.%s", fig->name, formats[k].suffix);
+    if (!cmp_figure_has(fig, format)) continue;
+    snprintf(name, sizeof name, "%s%s", fig->name, format->suffix);
     FILE *file = cmp_path_join(f->temporary, name, path) == OK ? fopen(path, "rb") : NULL;
     size_t n = 0;
     if (file && fseek(file, -32, SEEK_END) == 0) n = fread(tail, 1, 32, file);
     if (file) fclose(file);
-    if (n && memmem(tail, n, formats[k].end, strlen(formats[k].end))) continue;
+    if (n && memmem(tail, n, format->end, strlen(format->end))) continue;
     snprintf(fig->missing, sizeof fig->missing, "gnuplot wrote only part of %s; is the disk full?",
              name);
     return;

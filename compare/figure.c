@@ -57,8 +57,15 @@ static void leftovers_remove(const char *figures) {
 
 /* ---- the set of figures ---- */
 
-static const char *const formats[] = {"svg", "pdf", "png"};
-enum { FORMATS = sizeof formats / sizeof *formats };
+const struct cmp_format cmp_formats[CMP_FORMATS] = {{"svg", ".svg", "</svg>", "SVG"},
+                                                    {"pdf", ".pdf", "%%EOF", "PDF of two columns"},
+                                                    {"column", "-column.pdf", "%%EOF", "of one"},
+                                                    {"png", ".png", "IEND", "PNG"}};
+
+bool cmp_figure_has(const struct cmp_figure *fig, const struct cmp_format *format) {
+  if (*fig->only) return !strcmp(fig->only, format->fmt);
+  return fig->column_height || strcmp(format->fmt, "column") != 0;
+}
 
 static enum status temporary_make(struct cmp_figures *f) {
   TRY(cmp_path_join(f->dir, TEMPORARY "XXXXXX", f->temporary));
@@ -94,8 +101,8 @@ enum status cmp_figures_open_set(const char *out_dir, const char *set, struct cm
 /* What stands behind the dot of a file's name, if it is a format. */
 static const char *format_of(const char *name) {
   const char *dot = strrchr(name, '.');
-  for (size_t k = 0; dot && k < FORMATS; k++)
-    if (!strcmp(dot + 1, formats[k])) return formats[k];
+  for (size_t k = 0; dot && k < CMP_FORMATS; k++)
+    if (!strcmp(dot, cmp_formats[k].suffix)) return cmp_formats[k].fmt;
   return NULL;
 }
 
@@ -167,13 +174,19 @@ static enum status stream_open(const struct cmp_figures *f, const char *name, co
   return OK;
 }
 
+/* Whether a name is another, or with "-column" is. */
+static bool alike(const char *name, const char *other) {
+  const size_t n = strlen(name);
+  return !strncmp(name, other, n) && (!other[n] || !strcmp(other + n, "-column"));
+}
+
 static bool name_taken(const struct cmp_figures *f, const char *name) {
   for (size_t i = 0; i < f->n; i++)
-    if (!strcmp(f->figure[i].name, name)) return true;
+    if (alike(name, f->figure[i].name) || alike(f->figure[i].name, name)) return true;
   return false;
 }
 
-/* Two probes "P/1" and "P-1" make one name. */
+/* Two probes "P/1" and "P-1" make one name; files of one called "P-column" would be another's. */
 static void name_distinct(const struct cmp_figures *f, char *name, size_t room) {
   size_t n = strlen(name);
   for (size_t k = 2; name_taken(f, name); k++) snprintf(name + n, room - n, "-%zu", k);
@@ -200,34 +213,53 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
   TRY(stream_open(f, fig->name, ".gp", &fig->script));
   f->n++;
   fprintf(fig->script,
-          "# gnuplot %s.gp draws %s.svg, .pdf and .png from the .csv files beside it\n"
+          "# gnuplot %s.gp draws %s.svg and others from the .csv files beside it\n"
           "reset session\nset encoding utf8\nset datafile separator ','\n",
           fig->name, fig->name);
   *figure = fig;
   return OK;
 }
 
-/* A figure of 900 px of a screen becomes 190 mm wide in print: two columns of a journal. */
-#define PX_PER_INCH (900 / (190 / 25.4))
+#define PX_PER_INCH (5 * 25.4)
 
 void cmp_figure_formats(struct cmp_figure *fig) {
+  fputs("do for [fmt in '", fig->script);
+  for (size_t k = 0; k < CMP_FORMATS; k++)
+    if (cmp_figure_has(fig, &cmp_formats[k])) fprintf(fig->script, " %s", cmp_formats[k].fmt);
   fprintf(fig->script,
-          "do for [fmt in '%s'] {\n"
+          "'] {\ncolumn = fmt eq 'column'\nwide = column ? %d : %d\nhigh = column ? %d : %d\n"
+          "narrow = wide <= %d\n"
           "if (fmt eq 'svg') { set terminal svg size %d,%d dynamic font 'sans-serif,14' "
           "background '#ffffff' linewidth 1.3 }\n"
-          "if (fmt eq 'pdf') { set terminal pdfcairo size %.3fin,%.3fin font 'sans,8' "
-          "linewidth 1.1 background '#ffffff' }\n"
           "if (fmt eq 'png') { set terminal pngcairo size %.0f,%.0f font 'sans,%.4g' linewidth "
           "%.4g pointscale %.4g background '#ffffff' }\n"
-          "small = fmt eq 'svg' ? ',11' : fmt eq 'pdf' ? ',6.5' : ',%.4g'\n"
-          "set output '%s.'.fmt\n"
+          "if (fmt eq 'pdf' || column) { set terminal pdfcairo size (wide/%.1f)in,(high/%.1f)in "
+          "font 'sans,8' fontscale 0.75 linewidth 1.1 background '#ffffff' }\n",
+          CMP_PANELS_NARROW, fig->width, fig->column_height, fig->height, CMP_PANELS_NARROW,
+          fig->width, fig->height, fig->fine * fig->width, fig->fine * fig->height,
+          10.5 * fig->fine, 1.3 * fig->fine, fig->fine, PX_PER_INCH, PX_PER_INCH);
+  fprintf(fig->script,
+          "small = fmt eq 'svg' ? ',11' : fmt eq 'png' ? ',%.4g' : ',6.5'\n"
+          "set output '%s'.(column ? '-column.pdf' : '.'.fmt)\n"
           "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n"
           "set border linewidth 0.7 linecolor '#444444'\n"
           "set tics nomirror scale 0.6 textcolor '#222222'\n"
           "set grid linetype 1 linecolor '#e4e4e4' linewidth 0.5\n",
-          *fig->only ? fig->only : "svg pdf png", fig->width, fig->height, fig->width / PX_PER_INCH,
-          fig->height / PX_PER_INCH, fig->fine * fig->width, fig->fine * fig->height,
-          10.5 * fig->fine, 1.3 * fig->fine, fig->fine, 8.25 * fig->fine, fig->name);
+          8.25 * fig->fine, fig->name);
+}
+
+static void margin(FILE *s, const char *side, double usual, double column) {
+  fprintf(s, "set %cmargin at screen narrow ? %.5f : %.5f\n", *side, column, usual);
+}
+
+void cmp_figure_margins(const struct cmp_figure *fig, const struct cmp_margins *usual,
+                        const struct cmp_margins *column) {
+  const struct cmp_margins *u = usual, *c = column ? column : usual;
+  const double high = fig->height, low = fig->column_height ? fig->column_height : high;
+  margin(fig->script, "left", u->left / fig->width, c->left / CMP_PANELS_NARROW);
+  margin(fig->script, "right", 1 - u->right / fig->width, 1 - c->right / CMP_PANELS_NARROW);
+  margin(fig->script, "top", 1 - u->top / high, 1 - c->top / low);
+  margin(fig->script, "bottom", 1 - (u->top + u->height) / high, 1 - (c->top + c->height) / low);
 }
 
 enum status cmp_figure_end(struct cmp_figure *fig) {
@@ -256,10 +288,10 @@ static bool is_kept(const char *name) {
 
 /* Pictures of an earlier report would pass for those that this one lacks. */
 static void earlier_remove(const struct cmp_figures *f, const struct cmp_figure *fig) {
-  for (size_t k = 0; k < FORMATS; k++) {
+  for (size_t k = 0; k < CMP_FORMATS; k++) {
     const char *dir[] = {f->dir, f->temporary};
     char name[128], path[PATH_MAX];
-    snprintf(name, sizeof name, "%s.%s", fig->name, formats[k]);
+    snprintf(name, sizeof name, "%s%s", fig->name, cmp_formats[k].suffix);
     for (size_t i = 0; i < 2; i++)
       if (cmp_path_join(dir[i], name, path) == OK) unlink(path);
   }

@@ -8,12 +8,28 @@
 #include "common/base/status.h"
 #include "compare/section.h"
 
+enum {                         /* px of a screen, five of which are a millimetre in print */
+       CMP_PANELS_WIDTH = 900, /* two columns of a journal, 180 mm */
+       CMP_PANELS_NARROW = 450 /* one, 90 mm */
+};
+
+/* The files of a figure: its name and `suffix`. */
+struct cmp_format {
+  const char *fmt;    /* in its script */
+  const char *suffix; /* ".svg" */
+  const char *end;    /* of what is in the file */
+  const char *says;   /* to readers */
+};
+enum { CMP_FORMATS = 4 };
+extern const struct cmp_format cmp_formats[CMP_FORMATS];
+
 struct cmp_figure {
   char name[96];     /* of its files, without suffix */
   char caption[512]; /* one or two sentences, plain text */
   enum cmp_section section;
   bool raster;       /* heavy: the report shows the PNG, not the SVG */
   int width, height; /* px of a screen */
+  int column_height; /* in one column of print, if it is wider; 0: it is not drawn so */
   FILE *script;      /* open between begin and end */
   double fine;       /* px of the PNG for each of a screen */
   double layer;      /* the same of pictures that stand in it */
@@ -51,11 +67,21 @@ void cmp_figures_close(struct cmp_figures *f); /* removes what is temporary */
 size_t cmp_figures_missing(const struct cmp_figures *f);
 
 /* Starts a figure: the caller writes gnuplot commands to figure->script. What comes after
- * cmp_figure_formats is executed once per format (the variable fmt is svg, pdf or png); the script
- * runs in the folder of its data. The pointer is good until the next begin. */
+ * cmp_figure_formats is executed once per format: `wide` and `high` are the size there, and
+ * `narrow` is 1 where that is one column, else 0. The script runs in the folder of its data. The
+ * pointer is good until the next begin. */
 enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bool raster,
                              int width, int height, struct cmp_figure **figure, const char *name,
                              ...) __attribute__((format(printf, 7, 8)));
+bool cmp_figure_has(const struct cmp_figure *figure, const struct cmp_format *format);
+
+/* Where the next plot is: px between its axes and the edges of the figure, and its height. */
+struct cmp_margins {
+  double left, right, top, height;
+};
+/* `column`: those in one column; NULL where there is none. */
+void cmp_figure_margins(const struct cmp_figure *figure, const struct cmp_margins *usual,
+                        const struct cmp_margins *column);
 void cmp_figure_formats(struct cmp_figure *figure);
 enum status cmp_figure_end(struct cmp_figure *figure);
 

@@ -8,6 +8,7 @@
 #include "compare/panels.h"
 #include "compare/text.h"
 
+enum { TITLE_LINE = 56 }; /* bytes of a title that one column has room for */
 enum { ALONE = 380, ONE_OF_TWO = 260, ONE_OF_MANY = 210 }; /* px, heights of a panel */
 
 struct graph {
@@ -230,11 +231,7 @@ static void key_draw(struct graph *d) {
   }
 }
 
-static int width_of(const struct cmp_graph *g) {
-  return g->narrow ? CMP_PANELS_NARROW : CMP_PANELS_WIDTH;
-}
-
-static void key_measure(const struct cmp_graph *g, struct cmp_panels *p) {
+static struct cmp_key key_of(const struct cmp_graph *g) {
   size_t n = 0, longest = 0;
   for (size_t c = 0; has_names(g) && c < g->n_curves; c++, n++)
     if (cmp_key_length(g->curve[c].name) > longest) longest = cmp_key_length(g->curve[c].name);
@@ -243,16 +240,39 @@ static void key_measure(const struct cmp_graph *g, struct cmp_panels *p) {
     n++;
     if (cmp_key_length(g->column[k].label) > longest) longest = cmp_key_length(g->column[k].label);
   }
-  p->columns = cmp_key_columns(longest, width_of(g) - 40);
-  p->bottom = cmp_key_height(n, p->columns);
+  return cmp_key_of(n, longest);
+}
+
+/* Where a title is broken into two lines of one column; its length: it fits into one. */
+static size_t break_of(const char *title) {
+  const size_t n = strlen(title);
+  size_t at = n;
+  for (size_t k = 0; n > TITLE_LINE && k <= TITLE_LINE; k++)
+    if (title[k] == ' ') at = k;
+  return at;
 }
 
 static void title_write(const struct graph *d) {
+  const char *title = d->g->title;
+  const size_t at = title ? break_of(title) : 0;
+  char first[TITLE_LINE + 1], second[TITLE_LINE + 1];
   FILE *s = d->panels.fig->script;
-  if (!d->g->title) return;
+  if (!title) return;
   fputs("set label ", s);
-  cmp_gnuplot_string(s, d->g->title);
-  fputs(" at graph 0, graph 1 offset 0, character 0.8 left noenhanced font small\n", s);
+  if (title[at]) {
+    snprintf(first, sizeof first, "%.*s", (int)at, title);
+    fputs("narrow ? ", s);
+    cmp_gnuplot_string(s, first);
+    fputs(".\"\\n\".", s);
+    cmp_text_fit(title + at + 1, second, sizeof second); /* captions have it whole */
+    cmp_gnuplot_string(s, second);
+    fputs(" : ", s);
+  }
+  cmp_gnuplot_string(s, title);
+  fprintf(s,
+          " at graph 0, graph 1 offset 0, character (narrow ? %g : 0.8) left noenhanced font "
+          "small\n",
+          title[at] ? 1.5 : 0.8);
 }
 
 static void panel_draw(struct graph *d, size_t panel) {
@@ -303,14 +323,13 @@ static enum status table_write(const struct cmp_graph *g, struct cmp_figures *f,
 enum status cmp_graph_write(const struct cmp_graph *g, struct cmp_figures *f) {
   struct graph d = {.g = g, .panels = {.n = panels_in(g)}};
   size_t n = d.panels.n;
-  key_measure(g, &d.panels);
-  int height = cmp_panels_height(n,
-                                 n == 1   ? ALONE
-                                 : n == 2 ? ONE_OF_TWO
-                                          : ONE_OF_MANY,
-                                 d.panels.bottom);
-  TRY(cmp_figure_begin(f, g->section, g->raster, width_of(g), height, &d.panels.fig, "%s",
+  int height[2];
+  d.panels.key = key_of(g);
+  cmp_panels_heights(n, n == 1 ? ALONE : n == 2 ? ONE_OF_TWO : ONE_OF_MANY, &d.panels.key, height);
+  const int width = g->narrow ? CMP_PANELS_NARROW : CMP_PANELS_WIDTH;
+  TRY(cmp_figure_begin(f, g->section, g->raster, width, height[g->narrow], &d.panels.fig, "%s",
                        g->name));
+  if (!g->narrow) d.panels.fig->column_height = height[1];
   if (g->caption) snprintf(d.panels.fig->caption, sizeof d.panels.fig->caption, "%s", g->caption);
   TRY(table_write(g, f, d.panels.fig));
   cmp_figure_formats(d.panels.fig);

@@ -35,7 +35,7 @@ struct cmp_graph {
   const char *caption;      /* NULL: none */
   enum cmp_section section; /* of a report */
   bool raster;              /* heavy: see cmp_figure_begin */
-  bool narrow;              /* one column of a journal in place of two */
+  bool narrow;              /* in one column of a journal, not in two as well */
   size_t n_columns, n_curves;
   const struct cmp_graph_column *column; /* [n_columns] */
   const struct cmp_graph_curve *curve;   /* [n_curves] */

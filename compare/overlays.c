@@ -162,7 +162,7 @@ static enum status overlay_begin(const struct comparison *c, struct cmp_figures 
   if (!cmp_comparison_has_output(c, time)) return OK;
   o->view = cmp_panes_view(c, time);
   o->layout = cmp_panes_layout(&o->view, cmp_runs_picked(c, CMP_PANELS));
-  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, CMP_PANES_WIDTH, o->layout.total, &fig,
+  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, CMP_PANELS_WIDTH, o->layout.total, &fig,
                        "overlay-t%.4g", c->times[time]));
   o->figure = f->n - 1;
   return cmp_panes_surfaces(c, f, fig, time, CMP_PANELS);
@@ -290,24 +290,28 @@ static void view_around(const struct cmp_jet *jet, struct geo_box *view) {
 
 struct jet_figure {
   struct geo_box view;
-  double width, height; /* of the panel, px */
-  int columns, total_width, total_height;
+  struct cmp_margins margins[2]; /* [0] as usual, [1] in one column */
+  struct cmp_key key;
+  int height[2];
 };
+
+enum { JET_EDGE = 20, JET_HIGHEST = 520 }; /* px */
 
 static struct jet_figure jet_layout(const struct comparison *c, const struct cmp_jet *jet) {
   struct jet_figure l;
   view_around(jet, &l.view);
-  double aspect = (l.view.max[0] - l.view.min[0]) / (l.view.max[1] - l.view.min[1]);
-  l.height = fmin(620, (640 - CMP_PANES_LEFT - 20) / aspect);
-  l.width = l.height * aspect;
+  const double aspect = (l.view.max[0] - l.view.min[0]) / (l.view.max[1] - l.view.min[1]);
   size_t longest = cmp_key_length(c->ref.data.label);
   for (size_t r = 0; r < c->n_runs; r++)
     if (cmp_run_is_picked(c, r, CMP_NAMED) && cmp_key_length(c->run[r].data.label) > longest)
       longest = cmp_key_length(c->run[r].data.label);
-  l.total_width = (int)fmax(l.width + CMP_PANES_LEFT + 20, 420);
-  l.columns = cmp_key_columns(longest, l.total_width - 20);
-  l.total_height =
-      (int)(l.height + 20) + cmp_key_height(cmp_runs_picked(c, CMP_NAMED) + 1, l.columns);
+  l.key = cmp_key_of(cmp_runs_picked(c, CMP_NAMED) + 1, longest);
+  for (int k = 0; k < 2; k++) {
+    const double room = (k ? CMP_PANELS_NARROW : CMP_PANELS_WIDTH) - CMP_PANES_LEFT - JET_EDGE;
+    const double height = fmin(JET_HIGHEST, room / aspect), spare = 0.5 * (room - height * aspect);
+    l.margins[k] = (struct cmp_margins){CMP_PANES_LEFT + spare, JET_EDGE + spare, JET_EDGE, height};
+    l.height[k] = (int)height + JET_EDGE + l.key.height[k];
+  }
   return l;
 }
 
@@ -336,8 +340,9 @@ static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, s
   if (!main) return OK;
   struct jet_figure l = jet_layout(c, main);
   struct cmp_figure *fig;
-  TRY(cmp_figure_begin(f, CMP_SECTION_JET, false, l.total_width, l.total_height, &fig, "jet-t%.4g",
+  TRY(cmp_figure_begin(f, CMP_SECTION_JET, false, CMP_PANELS_WIDTH, l.height[0], &fig, "jet-t%.4g",
                        c->times[time]));
+  fig->column_height = l.height[1];
   snprintf(fig->caption, sizeof fig->caption,
            "The plunging jet at t* = %.4g, same scale in both directions; crosses mark the tips.",
            c->times[time]);
@@ -346,15 +351,12 @@ static enum status jet_draw(const struct comparison *c, struct cmp_figures *f, s
   TRY(cmp_panes_surfaces(c, f, fig, time, CMP_NAMED));
   cmp_figure_formats(fig);
   FILE *s = fig->script;
+  cmp_figure_margins(fig, &l.margins[0], &l.margins[1]);
+  cmp_key_place(fig, &l.key);
   fprintf(s,
-          "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
-          "set bmargin at screen %.5f\nset xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n"
-          "set xlabel 'x / H' offset 0, character 0.4\nset ylabel 'y / H'\n"
-          "set key at screen 0.5, screen %.5f bottom center horizontal maxcols %d samplen 2.2 "
-          "reverse Left noenhanced\nplot NaN notitle",
-          (double)CMP_PANES_LEFT / l.total_width, (CMP_PANES_LEFT + l.width) / l.total_width,
-          1 - 20.0 / l.total_height, 1 - (20 + l.height) / l.total_height, l.view.min[0],
-          l.view.max[0], l.view.min[1], l.view.max[1], 8.0 / l.total_height, l.columns);
+          "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n"
+          "set xlabel 'x / H' offset 0, character 0.4\nset ylabel 'y / H'\nplot NaN notitle",
+          l.view.min[0], l.view.max[0], l.view.min[1], l.view.max[1]);
   cmp_panes_plot(fig, c->n_runs + 1, "linewidth 1.6 linecolor '#666666'");
   jet_curve(c, fig, time, c->n_runs); /* the reference below: a run that lies on it is seen */
   for (size_t r = 0; r < c->n_runs; r++)

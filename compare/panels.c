@@ -5,27 +5,38 @@
 
 #include "compare/text.h"
 
-enum { LEFT = 104, RIGHT = 20, TOP = 40, GAP = 18 };
+enum { LEFT = 104, LEFT_OF_COLUMN = 88, RIGHT = 20, TOP = 40, GAP = 18 };
 enum { KEY_LONGEST = 36 };
-#define LABEL_X 22.0 /* px: the middle of the label of the y axis */
+#define LABEL_X 18.0 /* px: the middle of the label of the y axis */
 
-int cmp_key_columns(size_t longest, int width) {
-  int columns = width / (84 + 9 * (int)longest); /* a sample and text of 14 px */
-  return columns > 1 ? columns : 1;
+struct cmp_key cmp_key_of(size_t n, size_t longest) {
+  static const int width[] = {CMP_PANELS_WIDTH - 40, CMP_PANELS_NARROW - 10};
+  struct cmp_key key;
+  for (int k = 0; k < 2; k++) {
+    const int columns = width[k] / (84 + 9 * (int)longest); /* a sample and text of 14 px */
+    key.columns[k] = columns > 1 ? columns : 1;
+    key.height[k] = 70 + 19 * (((int)n + key.columns[k] - 1) / key.columns[k]);
+  }
+  return key;
 }
 
-int cmp_key_height(size_t n, int columns) {
-  return 70 + 19 * (int)((n + (size_t)columns - 1) / (size_t)columns);
+void cmp_key_place(const struct cmp_figure *fig, const struct cmp_key *key) {
+  fprintf(fig->script,
+          "set key at screen 0.5, screen %.1f/high bottom center horizontal maxcols (narrow ? %d : "
+          "%d) samplen 2.2 reverse Left noenhanced\n",
+          8.0, key->columns[1], key->columns[0]);
 }
 
-int cmp_panels_height(size_t n, int panel_height, int bottom) {
-  int panels = (int)n;
-  return TOP + panels * panel_height + GAP * (panels - 1) + bottom;
+void cmp_panels_heights(size_t n, int panel_height, const struct cmp_key *key, int height[2]) {
+  const int panels = (int)n;
+  for (int k = 0; k < 2; k++)
+    height[k] = TOP + panels * panel_height + GAP * (panels - 1) + key->height[k];
 }
 
 double cmp_panel_height(const struct cmp_panels *p) {
   double n = (double)p->n;
-  return (p->fig->height - TOP - p->bottom - GAP * (n - 1)) / n;
+  const int key = p->key.height[p->fig->width <= CMP_PANELS_NARROW];
+  return (p->fig->height - TOP - key - GAP * (n - 1)) / n;
 }
 
 double cmp_tick_step(const struct cmp_frame *frame) {
@@ -36,28 +47,22 @@ double cmp_tick_step(const struct cmp_frame *frame) {
 
 void cmp_panel_place(const struct cmp_panels *p, size_t k, const char *x_label) {
   const struct cmp_figure *fig = p->fig;
-  double height = cmp_panel_height(p), top = TOP + (double)k * (height + GAP);
-  fprintf(fig->script,
-          "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
-          "set bmargin at screen %.5f\n",
-          (double)LEFT / fig->width, 1 - (double)RIGHT / fig->width, 1 - top / fig->height,
-          1 - (top + height) / fig->height);
-  if (k + 1 == p->n)
-    fprintf(fig->script,
-            "set format x\nset xlabel '%s' offset 0, character 0.4\n"
-            "set key at screen 0.5, screen %.5f bottom center horizontal maxcols %d samplen 2.2 "
-            "reverse Left noenhanced\n",
-            x_label, 8.0 / fig->height, p->columns);
-  else
+  const double height = cmp_panel_height(p), top = TOP + (double)k * (height + GAP);
+  cmp_figure_margins(fig, &(struct cmp_margins){LEFT, RIGHT, top, height},
+                     &(struct cmp_margins){LEFT_OF_COLUMN, RIGHT, top, height});
+  if (k + 1 < p->n) {
     fputs("set format x ''\nunset xlabel\nunset key\n", fig->script);
+    return;
+  }
+  fprintf(fig->script, "set format x\nset xlabel '%s' offset 0, character 0.4\n", x_label);
+  cmp_key_place(fig, &p->key);
 }
 
 /* The label of the y axis has its place on the page: beside wide tick labels, gnuplot's own would
  * leave it. */
 void cmp_panel_labels(const struct cmp_panels *p, const char *label, const char *title) {
   FILE *s = p->fig->script;
-  fprintf(s, "set label '%s' at screen %.5f, graph 0.5 center rotate\n", label,
-          LABEL_X / p->fig->width);
+  fprintf(s, "set label '%s' at screen %.1f/wide, graph 0.5 center rotate\n", label, LABEL_X);
   if (!title) return;
   fputs("set label ", s);
   cmp_key_string(s, title, NULL);

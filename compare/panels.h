@@ -4,21 +4,25 @@
 #include "compare/figure.h"
 #include "compare/frame.h"
 
-enum { CMP_PANELS_WIDTH = 900, CMP_PANELS_NARROW = 426 }; /* px of a page; of a column of it */
+struct cmp_key { /* [0] as usual, [1] in one column */
+  int columns[2];
+  int height[2]; /* px: of it, and of tick labels and the axis label above */
+};
 
 struct cmp_panels {
   struct cmp_figure *fig;
   size_t n;
-  int bottom, columns; /* px below the last; of the key */
+  struct cmp_key key;
 };
 
-/* Columns that a key of n labels, the longest of `longest` characters, takes in `width` px; and the
- * height (px) below the panels that holds it, tick labels and the axis label. */
-int cmp_key_columns(size_t longest, int width);
-int cmp_key_height(size_t n, int columns);
+/* Of a key of n labels, the longest of `longest` characters. */
+struct cmp_key cmp_key_of(size_t n, size_t longest);
+/* Puts it at the foot of the figure. */
+void cmp_key_place(const struct cmp_figure *fig, const struct cmp_key *key);
 
-int cmp_panels_height(size_t n, int panel_height, int bottom); /* px of the page */
-double cmp_panel_height(const struct cmp_panels *p);           /* px of one */
+/* px of the figure: [0] as usual, [1] in one column. */
+void cmp_panels_heights(size_t n, int panel_height, const struct cmp_key *key, int height[2]);
+double cmp_panel_height(const struct cmp_panels *p); /* px of one */
 
 /* Margins of panel k from the top; the last has the tick labels of the axis `x_label` and the key.
  */

@@ -165,7 +165,7 @@ struct cmp_layout cmp_panes_layout(const struct geo_box *view, size_t panels) {
   double aspect = (view->max[0] - view->min[0]) / (view->max[1] - view->min[1]);
   struct cmp_layout l = {.columns = aspect > 1.9 || panels < 2 ? 1 : 2};
   l.rows = (panels + l.columns - 1) / l.columns;
-  l.width = (CMP_PANES_WIDTH - CMP_PANES_LEFT - CMP_PANES_RIGHT - 30.0 * (double)(l.columns - 1)) /
+  l.width = (CMP_PANELS_WIDTH - CMP_PANES_LEFT - CMP_PANES_RIGHT - 30.0 * (double)(l.columns - 1)) /
             (double)l.columns;
   l.stretch = stretch_of(l.width / aspect);
   l.height = l.stretch * l.width / aspect;
@@ -179,11 +179,8 @@ void cmp_pane_place(const struct cmp_figure *fig, const struct cmp_layout *l, si
   double left = CMP_PANES_LEFT + (double)(k % l->columns) * (l->width + 30);
   double top = CMP_PANES_TOP + CMP_PANES_TITLE +
                (double)(k / l->columns) * (l->height + CMP_PANES_TITLE + CMP_PANES_GAP);
-  fprintf(fig->script,
-          "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
-          "set bmargin at screen %.5f\n",
-          left / fig->width, (left + l->width) / fig->width, 1 - top / fig->height,
-          1 - (top + l->height) / fig->height);
+  cmp_figure_margins(
+      fig, &(struct cmp_margins){left, CMP_PANELS_WIDTH - left - l->width, top, l->height}, NULL);
 }
 
 void cmp_pane_title(const struct cmp_figure *fig, const char *title) {
@@ -205,11 +202,11 @@ void cmp_pane_colours(const struct cmp_figure *fig, const struct cmp_layout *l, 
   const double top = CMP_PANES_TOP + CMP_PANES_TITLE;
   fprintf(fig->script,
           "set colorbox user origin screen %.5f, screen %.5f size screen 0.016, screen %.5f\n",
-          1 - (CMP_PANES_RIGHT - 16.0) / CMP_PANES_WIDTH, 1 - (top + l->height) / fig->height,
+          1 - (CMP_PANES_RIGHT - 16.0) / CMP_PANELS_WIDTH, 1 - (top + l->height) / fig->height,
           l->height / fig->height);
   fputs("set label 2 ", fig->script);
   cmp_gnuplot_string(fig->script, of);
   fprintf(fig->script, " at screen %.5f, screen %.5f center noenhanced\n",
-          1 - CMP_PANES_RIGHT / 2.0 / CMP_PANES_WIDTH,
+          1 - CMP_PANES_RIGHT / 2.0 / CMP_PANELS_WIDTH,
           1 - (top - 0.7 * CMP_PANES_TITLE) / fig->height);
 }

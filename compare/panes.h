@@ -5,7 +5,6 @@
 #include "compare/figure.h"
 
 enum { /* px */
-       CMP_PANES_WIDTH = 900,
        CMP_PANES_LEFT = 74,
        CMP_PANES_RIGHT = 100,
        CMP_PANES_TOP = 8,

@@ -43,8 +43,13 @@ void cmp_gnuplot_string(FILE *script, const char *text) {
   quoted(script, text + n, '\'');
 }
 
+/* Spreadsheets take what begins with one of these for a formula, quoted or not, and what begins
+ * with an apostrophe for text. */
 void cmp_csv_string(FILE *data, const char *text) {
-  quoted(data, text, '"');
+  char *safe = NULL;
+  if (*text && strchr("=+-@", *text) && asprintf(&safe, "'%s", text) < 0) safe = NULL;
+  quoted(data, safe ? safe : text, '"');
+  free(safe);
 }
 
 void cmp_slug(const char *text, char *out, size_t room) {

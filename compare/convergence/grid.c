@@ -8,7 +8,7 @@
 #include "compare/text.h"
 
 /* px */
-enum { WIDTH = 900, LEFT = 78, RIGHT = 22, TOP = 34, GAP_X = 92, GAP_Y = 84, PANEL = 216 };
+enum { LEFT = 78, RIGHT = 22, TOP = 34, GAP_X = 92, GAP_Y = 84, PANEL = 216 };
 enum { MOST_ENDS = 6 }; /* curves whose ends carry their order */
 
 /* Errors below the largest of a panel by more than this are rounding: they would flatten the rest.
@@ -60,14 +60,12 @@ static void axis_write(FILE *s, char axis, struct range r, double margin) {
 }
 
 static void place(const struct cmp_figure *fig, size_t k) {
-  const double width = (WIDTH - LEFT - RIGHT - GAP_X) / 2.0,
-               left = LEFT + (k % 2 ? width + GAP_X : 0);
+  const double width = (CMP_PANELS_WIDTH - LEFT - RIGHT - GAP_X) / 2.0, other = width + GAP_X;
   const double top = TOP + (double)(k / 2) * (PANEL + GAP_Y);
-  fprintf(fig->script,
-          "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
-          "set bmargin at screen %.5f\n",
-          left / WIDTH, (left + width) / WIDTH, 1 - top / fig->height,
-          1 - (top + PANEL) / fig->height);
+  cmp_figure_margins(
+      fig,
+      &(struct cmp_margins){LEFT + (k % 2 ? other : 0), RIGHT + (k % 2 ? 0 : other), top, PANEL},
+      NULL);
 }
 
 /* From the largest error at the largest spacing down, for two orders. */
@@ -196,21 +194,17 @@ enum status cmp_grid_write(const struct cmp_grid *g, struct cmp_figures *f) {
   struct cmp_figure *fig;
   struct key key;
   key_make(g, &key);
-  const int columns = cmp_key_columns(key_longest(g, &key), WIDTH - 40);
-  const int bottom = cmp_key_height(key.n + g->n_symbols, columns);
+  const struct cmp_key place_of_key = cmp_key_of(key.n + g->n_symbols, key_longest(g, &key));
   const int rows = (int)(g->n + 1) / 2;
-  TRY(cmp_figure_begin(f, g->section, false, WIDTH,
-                       TOP + rows * PANEL + (rows - 1) * GAP_Y + bottom, &fig, "%s", g->name));
+  TRY(cmp_figure_begin(f, g->section, false, CMP_PANELS_WIDTH,
+                       TOP + rows * PANEL + (rows - 1) * GAP_Y + place_of_key.height[0], &fig, "%s",
+                       g->name));
   snprintf(fig->caption, sizeof fig->caption, "%s", g->caption);
   TRY(table_write(g, f, fig));
   cmp_figure_formats(fig);
   fprintf(fig->script, "set multiplot\nset logscale xy\nset tics font small\nunset key\n");
   for (size_t k = 0; k < g->n; k++) {
-    if (k + 1 == g->n)
-      fprintf(fig->script,
-              "set key at screen 0.5, screen %.5f bottom center horizontal maxcols %d samplen 2.2 "
-              "reverse Left noenhanced\n",
-              8.0 / fig->height, columns);
+    if (k + 1 == g->n) cmp_key_place(fig, &place_of_key);
     panel_write(g, fig, k, &key);
   }
   fputs("unset multiplot\n", fig->script);

@@ -90,7 +90,7 @@ static void quantity_row(struct markup *p, const struct cmp_diff_run *run,
 }
 
 static enum status quantities_table(struct markup *p, const struct cmp_diff_run *run) {
-  static const char *const head[] = {"quantity", "since t (s)", "t*",  "difference",
+  static const char *const head[] = {"quantity", "since t (s)", "t*",   "difference",
                                      "units",    "relative",    "what", NULL};
   const struct result_quantity **q;
   size_t n;

@@ -82,7 +82,7 @@ static const double SEEN = 1e-6;
 
 /* Both surfaces around the place where they are furthest apart, so near that this is seen. */
 static enum status closeup_draw(const struct comparison *c, struct cmp_figures *f) {
-  enum { SIZE = 480, LEFT = 130, EDGE = 20, BELOW = 90 }; /* px */
+  enum { SIZE = 480, SMALL = 300, LEFT = 130, EDGE = 20, BELOW = 90 }; /* px */
   const size_t time = c->n_times - 1;
   const struct cmp_at *at = &c->run[0].at[time];
   if (!cmp_known(&at->largest) || !(at->largest.value > SEEN)) return OK;
@@ -90,23 +90,25 @@ static enum status closeup_draw(const struct comparison *c, struct cmp_figures *
   const struct cmp_frame frame = {-reach, reach};
   const double tick = cmp_tick_step(&frame);
   struct cmp_figure *fig;
-  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, false, SIZE + LEFT + EDGE, SIZE + EDGE + BELOW, &fig,
+  TRY(cmp_figure_begin(f, CMP_SECTION_OVERLAY, false, CMP_PANELS_WIDTH, SIZE + EDGE + BELOW, &fig,
                        "closeup-t%.4g", c->times[time]));
+  fig->column_height = SMALL + EDGE + BELOW;
   snprintf(fig->caption, sizeof fig->caption,
            "t* = %.4g, where the surfaces are furthest apart: %.3g H, at x = %.6g H, y = %.6g H.",
            at->t, at->largest.value, at->where[0], at->where[1]);
   TRY(cmp_panes_surfaces(c, f, fig, time, 1));
   cmp_figure_formats(fig);
+  const double side = 0.5 * (CMP_PANELS_WIDTH - SIZE);
+  cmp_figure_margins(fig, &(struct cmp_margins){side, side, EDGE, SIZE},
+                     &(struct cmp_margins){LEFT, EDGE, EDGE, SMALL});
   fprintf(
       fig->script,
-      "set lmargin at screen %.5f\nset rmargin at screen %.5f\nset tmargin at screen %.5f\n"
-      "set bmargin at screen %.5f\nset xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n"
+      "set xrange [%.12g:%.12g]\nset yrange [%.12g:%.12g]\n"
       "set xlabel 'x / H'\nset ylabel 'y / H'\nset xtics %.6g\nset ytics %.6g\nset clip two\n"
       "set format '%%.%df'\n"
       "set key at screen 0.5, screen 0.01 bottom center horizontal noenhanced\nplot NaN notitle",
-      (double)LEFT / fig->width, 1 - (double)EDGE / fig->width, 1 - (double)EDGE / fig->height,
-      (double)BELOW / fig->height, at->where[0] - reach, at->where[0] + reach, at->where[1] - reach,
-      at->where[1] + reach, 2 * tick, tick, (int)fmax(0, ceil(-log10(tick))));
+      at->where[0] - reach, at->where[0] + reach, at->where[1] - reach, at->where[1] + reach,
+      2 * tick, tick, (int)fmax(0, ceil(-log10(tick))));
   cmp_panes_plot(fig, 2, "linewidth 1.6 linecolor '#666666'");
   cmp_panes_plot(fig, 1, "linewidth 2 linecolor '#000000'");
   cmp_panes_plot(fig, 0, "linewidth 1.2 linecolor '#d55e00'");

@@ -112,7 +112,7 @@ static enum status batch_begin(struct movie *m, size_t first, size_t end) {
   const struct comparison *c = m->c;
   for (size_t k = first; k < end; k++) {
     struct cmp_figure *fig;
-    TRY(cmp_figure_begin(&m->figures, CMP_SECTION_OVERLAY, true, CMP_PANES_WIDTH,
+    TRY(cmp_figure_begin(&m->figures, CMP_SECTION_OVERLAY, true, CMP_PANELS_WIDTH,
                          m->overlay.layout.total, &fig, "frame-%05zu", k + 1));
     m->figure[k] = m->figures.n - 1;
     TRY(cmp_panes_surfaces(c, &m->figures, fig, k, CMP_PANELS));
@@ -214,8 +214,8 @@ static void folder_of(const char *path, char *out) {
 
 static double scale_of(const struct movie *m) {
   const struct cmp_movie_plan *p = m->plan;
-  if (!p->width) return (double)WIDTH / CMP_PANES_WIDTH;
-  return fmin((double)p->width / CMP_PANES_WIDTH, (double)p->height / m->overlay.layout.total);
+  if (!p->width) return (double)WIDTH / CMP_PANELS_WIDTH;
+  return fmin((double)p->width / CMP_PANELS_WIDTH, (double)p->height / m->overlay.layout.total);
 }
 
 static enum status draw_and_place(struct movie *m, char *where) {

@@ -14,19 +14,24 @@
 
 /* ---- figures ---- */
 
+static void link_to(struct markup *m, const struct cmp_figure *fig, const char *suffix,
+                    const char *says) {
+  char file[160];
+  snprintf(file, sizeof file, "figures/%s%s", fig->name, suffix);
+  cmp_markup_open(m, "a", NULL);
+  cmp_markup_attribute(m, "href", file);
+  cmp_markup_text(m, says);
+  cmp_markup_close(m);
+}
+
 static void links(struct markup *m, const struct cmp_figure *fig) {
-  static const char *const link[][2] = {
-      {"svg", "SVG"}, {"pdf", "PDF"}, {"png", "PNG"}, {"gp", "script"}};
   cmp_markup_open(m, "span", "links");
-  for (size_t k = *fig->missing ? 3 : 0; k < sizeof link / sizeof *link; k++) {
-    char file[128];
-    snprintf(file, sizeof file, "figures/%s.%s", fig->name, link[k][0]);
-    if (k && !*fig->missing) cmp_markup_text(m, " · ");
-    cmp_markup_open(m, "a", NULL);
-    cmp_markup_attribute(m, "href", file);
-    cmp_markup_text(m, link[k][1]);
-    cmp_markup_close(m);
+  for (size_t k = 0; k < CMP_FORMATS && !*fig->missing; k++) {
+    if (!cmp_figure_has(fig, &cmp_formats[k])) continue;
+    link_to(m, fig, cmp_formats[k].suffix, cmp_formats[k].says);
+    cmp_markup_text(m, " · ");
   }
+  link_to(m, fig, ".gp", "script");
   cmp_markup_close(m);
 }
 

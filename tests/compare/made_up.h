@@ -125,7 +125,7 @@ static bool anyway;
 static inline void gnuplot_pretend(void) {
   static const char script[] = "#!/bin/sh\n"
                                "printf '%40s' '</svg>' >${2%.gp}.svg\n"
-                               "printf '%40s' '%%EOF' >${2%.gp}.pdf\n"
+                               "printf '%40s' '%%EOF' | tee ${2%.gp}.pdf >${2%.gp}-column.pdf\n"
                                "printf '%40s' IEND >${2%.gp}.png\n";
   char bin[PATH_MAX], path[PATH_MAX], *usual = text(getenv("PATH")), *both;
   path_in("bin", bin);

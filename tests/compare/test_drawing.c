@@ -26,7 +26,8 @@ static const char gnuplot[] = "#!/bin/sh\n"
                               "slow*) sleep 600 & echo $! > \"$PLUNGE_TEST/child\"; wait;;\n"
                               "esac\n"
                               "echo '                                  </svg>' > $name.svg\n"
-                              "echo '                                  %%EOF' > $name.pdf\n"
+                              "echo '                                  %%EOF' | tee $name.pdf > "
+                              "$name-column.pdf\n"
                               "echo '                                  IEND' > $name.png\n";
 
 static void path_in(const char *name, char *out) {

@@ -13,7 +13,7 @@ static void test_what_colours_are_of_is_in_the_picture(void) {
     const struct cmp_layout l = cmp_panes_layout(&view, 2);
     char *script = NULL;
     size_t n;
-    struct cmp_figure fig = {.width = CMP_PANES_WIDTH, .height = l.total};
+    struct cmp_figure fig = {.width = CMP_PANELS_WIDTH, .height = l.total};
     fig.script = open_memstream(&script, &n);
     if (!fig.script) abort();
     cmp_pane_colours(&fig, &l, "|u| / √(g H)");
@@ -26,7 +26,7 @@ static void test_what_colours_are_of_is_in_the_picture(void) {
     EXPECT(box && sscanf(box, "origin screen %lf, screen %lf size screen 0.016, screen %lf", &left,
                          &low, &high) == 3);
     EXPECT(x * fig.width + half_width < fig.width);
-    EXPECT(x * fig.width - half_width > CMP_PANES_WIDTH - CMP_PANES_RIGHT);
+    EXPECT(x * fig.width - half_width > CMP_PANELS_WIDTH - CMP_PANES_RIGHT);
     EXPECT(y < 1 && (y - low - high) * fig.height > 6 + 8);
     free(script);
   }
