@@ -13,7 +13,8 @@
  *
  * On a square lattice the particle solver has G for mu, D for B mu^4 and X for mu^2/2, from the
  * sums over neighbours (sph/theory/lattice.h), of waves along a row: with d = delta D and x = alpha
- * X the waves have (a mu)^2 = G^2 - (x - d)^2/4 and b mu = -(x + d)/2. */
+ * X the waves have (a mu)^2 = G^2 - (x - d)^2/4 and b mu = -(x + d)/2. Of all waves that the
+ * lattice carries, those that do not travel are counted, too, with X taken along G. */
 #include <math.h>
 
 #include "common/base/root.h"
@@ -82,6 +83,26 @@ static double regime_end(const struct medium *m) {
   return NAN;
 }
 
+/* The share of the zone |kx|, |ky| < pi/dx in which waves do not travel; of it the triangle
+ * 0 < ky < kx, midpoints of squares, those on its side counted half. */
+static double share_that_stands(const struct medium *m) {
+  enum { ACROSS = 100 };
+  const struct dispersion *p = m->p;
+  const double step = M_PI * p->ratio / ACROSS;
+  double standing = 0;
+  for (int i = 0; i < ACROSS; i++)
+    for (int j = 0; j <= i; j++) {
+      struct sph_symbols s;
+      sph_lattice_symbols(&m->lattice, (enum sph_diffusion)p->diffusion, (i + 0.5) * step,
+                          (j + 0.5) * step, &s);
+      const double G2 = s.Gx * s.Gx + s.Gy * s.Gy;
+      const double along = s.Gx * s.Gx * s.xx + 2 * s.Gx * s.Gy * s.xy + s.Gy * s.Gy * s.yy;
+      const double x = p->alpha * along / G2, d = p->delta * s.D;
+      if (pow((x - d) / 2, 2) > G2) standing += i == j ? 0.5 : 1;
+    }
+  return 2 * standing / (ACROSS * ACROSS);
+}
+
 static const struct param params[] = {
     THEORY_REAL(dispersion, alpha, 0, 100, "0.01", "artificial viscosity"),
     THEORY_REAL(dispersion, delta, 0, 100, "1", "coefficient of the diffusion"),
@@ -115,10 +136,12 @@ static const struct theory_column columns[] = {
      .help = "the faster of two",
      .undrawn = true},
 };
-enum { END, DAMPING_AT_END };
+enum { END, DAMPING_AT_END, STANDING };
 static const struct theory_value values[] = {
     [END] = {"mu_star", "1", "k h at which waves cease to travel, F = 0 (19)"},
     [DAMPING_AT_END] = {"b_star", "c0", "damping there"},
+    [STANDING] = {"standing", "1",
+                  "of the lattice: share of its waves, of any direction, that do not travel"},
 };
 
 static enum status rows_add(const struct medium *m, struct theory_curve *curve) {
@@ -131,6 +154,7 @@ static enum status rows_add(const struct medium *m, struct theory_curve *curve) 
   double end = regime_end(m);
   curve->value[END] = end;
   if (isfinite(end)) curve->value[DAMPING_AT_END] = rate(m, end, 0);
+  if (p->operator) curve->value[STANDING] = share_that_stands(m);
   return OK;
 }
 
