@@ -1,5 +1,6 @@
-/* Where the curves of entries come from. A source is a file in sources/ with a struct gallery_source
- * and a line in sources/list.h: its parameters, by which entries are read, and its function. */
+/* Where the curves of entries come from. A source is a file in sources/ with a struct
+ * gallery_source and a line in sources/list.h: its parameters, by which entries are read, and its
+ * function. */
 #pragma once
 #include "common/base/params.h"
 #include "common/base/status.h"
@@ -15,8 +16,9 @@ void gallery_curve_free(struct gallery_curve *c);
 
 struct gallery_source {
   const char *name, *help; /* one sentence: what y is, what x, and their units */
-  /* A row of text called `run` or `against` is the name of a run, "CASE/RUN"; one called `curve`,
-   * the name of a curve of the entry. */
+  /* No row is called `name` or `from`, which a curve has itself. A row of text called `run` or
+   * `against` is the name of a run, "CASE/RUN"; one called `curve`, the name of a curve of the
+   * entry. */
   const struct param *params;
   size_t n_params, params_size;
   /* Adds the points. ERR_INPUT when what it needs is not there. */
@@ -24,8 +26,8 @@ struct gallery_source {
                           struct gallery_curve *curve);
 };
 
-extern const struct gallery_source *const gallery_sources[];          /* NULL at the end */
-const struct gallery_source *gallery_source_find(const char *name);   /* NULL: there is none */
+extern const struct gallery_source *const gallery_sources[];        /* NULL at the end */
+const struct gallery_source *gallery_source_find(const char *name); /* NULL: there is none */
 
 /* Rows of a source's table. */
 #define SOURCE_TEXT(struct_, member, standard, text)                                               \
@@ -49,5 +51,4 @@ const struct gallery_source *gallery_source_find(const char *name);   /* NULL: t
     .choices = names, .value = standard, .help = text                                              \
   }
 #define SOURCE_RUN(struct_) SOURCE_TEXT(struct_, run, NULL, "a run, CASE/RUN")
-#define SOURCE_TABLE                                                                               \
-  .params = params, .n_params = sizeof params / sizeof *params
+#define SOURCE_TABLE        .params = params, .n_params = sizeof params / sizeof *params
