@@ -8,8 +8,8 @@
 #include "cli/command.h"
 #include "common/base/array.h"
 #include "compare/drawing.h"
-#include "compare/graph.h"
 #include "compare/output.h"
+#include "gallery/figures/topic.h"
 #include "theory/theory.h"
 
 enum { OPTION_JSON = 1, OPTION_CSV, OPTION_FIGURE, OPTION_PARAM = 256 };
@@ -105,54 +105,15 @@ static enum status csv_write(const struct theory_result *r, FILE *out) {
   return OK;
 }
 
-static struct cmp_graph_column graph_column(const struct theory_column *c, char *head,
-                                            size_t room) {
-  snprintf(head, room, "%s [%s]", c->key, c->unit);
-  return (struct cmp_graph_column){.head = head,
-                                   .label = c->label,
-                                   .axis = c->axis,
-                                   .level = c->level,
-                                   .top = c->top,
-                                   .panel = c->panel,
-                                   .log = c->log,
-                                   .points = c->points,
-                                   .same = c->same,
-                                   .undrawn = c->undrawn};
-}
-
-static enum status graph_draw(const struct cmp_graph *graph, const char *path) {
+static enum status figure_write(const struct theory_result *r, const char *path) {
   struct cmp_figures figures;
   enum status status;
   ATTEMPT(cmp_figures_open_file(path, &figures));
-  ATTEMPT(cmp_graph_write(graph, &figures));
+  ATTEMPT(gallery_topic_draw(r, r->topic->name, &figures));
   ATTEMPT(cmp_figures_draw(&figures, CMP_DRAWING_LIMITS));
 done:
   cmp_figures_close(&figures);
   return status;
-}
-
-static enum status figure_write(const struct theory_result *r, const char *path) {
-  enum { MOST_COLUMNS = 16 };
-  const struct theory_topic *t = r->topic;
-  struct cmp_graph_column column[MOST_COLUMNS];
-  struct cmp_graph_curve curve[THEORY_MOST_CURVES];
-  char head[MOST_COLUMNS][64];
-  CHECK(t->n_columns <= MOST_COLUMNS, ERR_USAGE, "%s has too many columns for a figure", t->name);
-  for (size_t k = 0; k < t->n_columns; k++)
-    column[k] = graph_column(&t->columns[k], head[k], sizeof head[k]);
-  for (size_t i = 0; i < r->n; i++)
-    curve[i] = (struct cmp_graph_curve){
-        .name = r->curve[i].name, .n = r->curve[i].n, .row = r->curve[i].row};
-  char title[256];
-  const char *source = strstr(t->help, " (");
-  snprintf(title, sizeof title, "%.*s", source ? (int)(source - t->help) : -1, t->help);
-  struct cmp_graph graph = {.name = t->name,
-                            .title = title,
-                            .n_columns = t->n_columns,
-                            .n_curves = r->n,
-                            .column = column,
-                            .curve = curve};
-  return graph_draw(&graph, path);
 }
 
 static enum status answer(const struct theory_arguments *a, const struct theory_result *r) {

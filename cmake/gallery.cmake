@@ -3,3 +3,8 @@ file(GLOB shelf RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS gallery/entries
   gallery/cases/data/* cases/*.yaml cases/data/*)
 list(SORT shelf)
 embed_table(plunge_gallery gallery_shelf "gallery/shelf.h" gallery_shelf_file ${shelf})
+
+# Its page.
+embed(plunge_gallery gallery_page_template gallery/page/template.html)
+embed(plunge_gallery gallery_page_style compare/page/style.css gallery/page/gallery.css)
+embed(plunge_gallery gallery_page_script gallery/page/gallery.js)

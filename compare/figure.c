@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -147,6 +148,26 @@ enum status cmp_figures_clear(struct cmp_figures *f) {
   return OK;
 }
 
+/* Whether a file is of a figure: NAME.svg, NAME-points-1.csv. */
+static bool is_of(const char *file, const char *figure) {
+  const size_t n = strlen(figure);
+  return !strncmp(file, figure, n) && (file[n] == '.' || file[n] == '-');
+}
+
+void cmp_figures_forget(struct cmp_figures *f, size_t n) {
+  for (; f->n > n; f->n--) {
+    const struct cmp_figure *fig = &f->figure[f->n - 1];
+    DIR *dir = opendir(f->temporary);
+    if (fig->script) fclose(fig->script);
+    for (struct dirent *e; dir && (e = readdir(dir));) {
+      char path[PATH_MAX];
+      if (is_of(e->d_name, fig->name) && cmp_path_join(f->temporary, e->d_name, path) == OK)
+        unlink(path);
+    }
+    if (dir) closedir(dir);
+  }
+}
+
 void cmp_figures_close(struct cmp_figures *f) {
   for (size_t i = 0; i < f->n; i++)
     if (f->figure[i].script) fclose(f->figure[i].script);
@@ -202,6 +223,7 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
       (struct cmp_figure){.section = section, .raster = raster, .width = width, .height = height};
   fig->fine = f->fine > 0 ? f->fine : raster ? 1.3 : 2; /* heavy ones stand in the page */
   fig->layer = f->fine > 0 ? f->fine : 2;
+  fig->thumb = f->thumb;
   if (f->frames) snprintf(fig->only, sizeof fig->only, "png");
   if (*f->target) snprintf(fig->only, sizeof fig->only, "%s", format_of(f->target));
   va_list args;
@@ -222,10 +244,21 @@ enum status cmp_figure_begin(struct cmp_figures *f, enum cmp_section section, bo
 
 #define PX_PER_INCH (5 * 25.4)
 
+/* The same once more, small, into NAME.thumb.png. */
+static void thumb_write(const struct cmp_figure *fig) {
+  const double scale = (double)fig->thumb / fig->width;
+  fprintf(fig->script,
+          "if (fmt eq 'thumb') { set terminal pngcairo size %d,%.0f font 'sans,%.4g' linewidth %.4g "
+          "pointscale %.4g background '#ffffff'; small = ',%.4g' }\n",
+          fig->thumb, scale * fig->height + 0.5, 10.5 * scale, fmax(1.3 * scale, 0.7), scale,
+          8.25 * scale);
+}
+
 void cmp_figure_formats(struct cmp_figure *fig) {
   fputs("do for [fmt in '", fig->script);
   for (size_t k = 0; k < CMP_FORMATS; k++)
     if (cmp_figure_has(fig, &cmp_formats[k])) fprintf(fig->script, " %s", cmp_formats[k].fmt);
+  if (fig->thumb) fputs(" thumb", fig->script);
   fprintf(fig->script,
           "'] {\ncolumn = fmt eq 'column'\nwide = column ? %d : %d\nhigh = column ? %d : %d\n"
           "narrow = wide <= %d\n"
@@ -240,12 +273,14 @@ void cmp_figure_formats(struct cmp_figure *fig) {
           10.5 * fig->fine, 1.3 * fig->fine, fig->fine, PX_PER_INCH, PX_PER_INCH);
   fprintf(fig->script,
           "small = fmt eq 'svg' ? ',11' : fmt eq 'png' ? ',%.4g' : ',6.5'\n"
-          "set output '%s'.(column ? '-column.pdf' : '.'.fmt)\n"
-          "set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n"
-          "set border linewidth 0.7 linecolor '#444444'\n"
-          "set tics nomirror scale 0.6 textcolor '#222222'\n"
-          "set grid linetype 1 linecolor '#e4e4e4' linewidth 0.5\n",
+          "set output '%s'.(column ? '-column.pdf' : fmt eq 'thumb' ? '.thumb.png' : '.'.fmt)\n",
           8.25 * fig->fine, fig->name);
+  if (fig->thumb) thumb_write(fig);
+  fputs("set style textbox opaque noborder fillcolor '#ffffff' margins 0.6,0.6\n"
+        "set border linewidth 0.7 linecolor '#444444'\n"
+        "set tics nomirror scale 0.6 textcolor '#222222'\n"
+        "set grid linetype 1 linecolor '#e4e4e4' linewidth 0.5\n",
+        fig->script);
 }
 
 static void margin(FILE *s, const char *side, double usual, double column) {

@@ -33,6 +33,7 @@ struct cmp_figure {
   FILE *script;      /* open between begin and end */
   double fine;       /* px of the PNG for each of a screen */
   double layer;      /* the same of pictures that stand in it */
+  int thumb;         /* px, width of a small PNG besides; 0: none */
   char only[4];      /* the one format that is drawn; "": all */
   char missing[256]; /* why it is not drawn; "" when it is */
 };
@@ -44,6 +45,7 @@ struct cmp_figures {
   char list[80];         /* file in `dir` with the names of its figures, a line each */
   bool frames;           /* PNG alone, which stay where they are drawn */
   double fine;           /* px of a PNG for each of a screen; 0: as is usual */
+  int thumb;             /* px: figures from now on come with a small one, NAME.thumb.png; 0: no */
   int lock;              /* on `temporary`, held while it is in use; -1: none */
   size_t n, room;
   struct cmp_figure *figure;
@@ -63,6 +65,8 @@ enum status cmp_figures_clear(struct cmp_figures *f);
 /* Puts what there is into `dir`; of a figure that is missing, its script and data. */
 enum status cmp_figures_publish(struct cmp_figures *f);
 void cmp_figures_close(struct cmp_figures *f); /* removes what is temporary */
+/* Forgets all but the first n, and what was written of the others: such that failed. */
+void cmp_figures_forget(struct cmp_figures *f, size_t n);
 
 size_t cmp_figures_missing(const struct cmp_figures *f);
 

@@ -67,6 +67,10 @@ void cmp_markup_close(struct markup *m) {
   note(m, m->xml ? xmlTextWriterEndElement(m->writer) : xmlTextWriterFullEndElement(m->writer));
 }
 
+void cmp_markup_close_void(struct markup *m) {
+  note(m, xmlTextWriterEndElement(m->writer));
+}
+
 /* Escaped here, since the writer escapes within elements of its own alone, not those of a template. */
 void cmp_markup_text(struct markup *m, const char *text) {
   char *visible = cmp_text_copy(text);
@@ -172,7 +176,7 @@ void cmp_markup_image(struct markup *m, const char *type, const char *bytes, siz
     note(m, xmlTextWriterWriteBase64(m->writer, bytes, 0, (int)n));
   }
   note(m, xmlTextWriterEndAttribute(m->writer));
-  note(m, xmlTextWriterEndElement(m->writer)); /* void element: <img/> */
+  cmp_markup_close_void(m);
 }
 
 /* ---- templates ---- */

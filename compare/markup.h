@@ -21,6 +21,7 @@ void cmp_markup_open(struct markup *m, const char *tag, const char *class); /* c
 void cmp_markup_attribute(struct markup *m, const char *name, const char *value); /* after open */
 void cmp_markup_number(struct markup *m, const char *name, size_t n);             /* likewise */
 void cmp_markup_close(struct markup *m);
+void cmp_markup_close_void(struct markup *m); /* of a tag that holds nothing: img */
 void cmp_markup_text(struct markup *m, const char *text);
 /* n bytes as they are: ours only, never from a file */
 void cmp_markup_raw(struct markup *m, const char *bytes, size_t n);
