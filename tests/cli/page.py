@@ -1,61 +1,11 @@
-"""What a browser makes of a report: python3 page.py REPORT.html [AXE.js]. Drives headless Chromium through chromedriver
-(WebDriver, and the DevTools protocol through it); exits 1 with a line for each claim that does not hold."""
-import base64, json, pathlib, re, subprocess, sys, time, urllib.request
+"""What a browser makes of a report: python3 page.py REPORT.html [AXE.js]. Exits 1 with a line for each claim that does
+not hold."""
+import json, pathlib, sys, time
+
+from browser import Browser, check_access, claim, failed
 
 report = json.loads((pathlib.Path(sys.argv[1]).parent / "report.json").read_text())
-failed = []
-
-
-def claim(holds, what):
-    if not holds:
-        failed.append(what)
-        print("FAIL", what)
-
-
-class Browser:
-    def __init__(self):
-        self.driver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, text=True)
-        for line in self.driver.stdout:
-            found = re.search(r"started successfully on port (\d+)", line)
-            if found:
-                break
-        self.at = f"http://127.0.0.1:{found[1]}"
-        flags = ["--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1400,1000", "--hide-scrollbars"]
-        made = self.ask("POST", "/session", {"capabilities": {"alwaysMatch": {
-            "browserName": "chrome", "goog:chromeOptions": {"args": flags}, "goog:loggingPrefs": {"browser": "ALL"}}}})
-        self.at += f"/session/{made['sessionId']}"
-
-    def ask(self, how, path, body=None):
-        request = urllib.request.Request(self.at + path, method=how, headers={"Content-Type": "application/json"},
-                                         data=None if body is None else json.dumps(body).encode())
-        with urllib.request.urlopen(request, timeout=120) as answer:
-            return json.load(answer)["value"]
-
-    def run(self, script, *arguments):
-        return self.ask("POST", "/execute/sync", {"script": script, "args": list(arguments)})
-
-    def wait(self, script, what):
-        for _ in range(600):
-            if self.run(f"return {script}"):
-                return
-            time.sleep(0.05)
-        claim(False, f"waited for {what}")
-
-    def tell(self, command, **params):
-        return self.ask("POST", "/goog/cdp/execute", {"cmd": command, "params": params})
-
-    def key(self, *keys):
-        actions = [{"type": t, "value": k} for k in keys for t in ("keyDown", "keyUp")]
-        self.ask("POST", "/actions", {"actions": [{"type": "key", "id": "keys", "actions": actions}]})
-
-    def open(self, path):
-        self.ask("POST", "/url", {"url": pathlib.Path(path).resolve().as_uri()})
-
-    def close(self):
-        try:
-            self.ask("DELETE", "")
-        finally:
-            self.driver.terminate()
+rules = sys.argv[2] if len(sys.argv) > 2 else None
 
 
 PICTURE = "return document.getElementById('picture').toDataURL()"
@@ -178,7 +128,7 @@ def check_looks(b):
     b.tell("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark"}])
     dark = b.run(ground)
     claim(dark != light, "dark follows the system")
-    check_access(b, "dark")
+    check_access(b, "dark", rules)
     b.run("document.getElementById('theme').click()")
     claim(b.run(ground) == light, "the switch makes it light")
     b.tell("Emulation.setEmulatedMedia", features=[])
@@ -205,19 +155,8 @@ def check_looks(b):
     height = b.run("const tall = document.getElementById('tall'), h = tall.getBoundingClientRect().height; tall.remove(); return h")
     claim(0 < height <= 1027, f"a tall figure stays on one sheet: {height} px")  # of A4 without its margins, at 96 px an inch
     b.tell("Emulation.setEmulatedMedia", media="")
-    pdf = base64.b64decode(b.tell("Page.printToPDF", printBackground=False)["data"])
-    pages = len(re.findall(rb"/Type\s*/Page\b", pdf))
-    claim(pdf.startswith(b"%PDF") and pdf.rstrip().endswith(b"%%EOF") and pages >= 3, f"it prints: {pages} pages")
-
-
-def check_access(b, look):
-    if len(sys.argv) < 3:
-        return
-    b.run(pathlib.Path(sys.argv[2]).read_text())
-    found = b.ask("POST", "/execute/async", {"args": [], "script": "const done = arguments[0]; axe.run().then(r => done(r.violations.map(v => "
-        "`${v.id}: ${v.help}: ${v.nodes.slice(0, 3).map(n => n.target.join(' ')).join('; ')}`)))"})
-    for line in found:
-        claim(False, f"accessibility, {look}: {line}")
+    pages = b.pages()
+    claim(pages >= 3, f"it prints: {pages} pages")
 
 
 def check_without_scripts(b):
@@ -232,7 +171,7 @@ browser = Browser()
 try:
     browser.open(sys.argv[1])
     browser.wait("document.documentElement.dataset.ready === 'yes'", "the page")
-    for check in (check_text, check_time, check_controls, check_jet, check_distances, check_tables, lambda b: check_access(b, "light"), check_looks):
+    for check in (check_text, check_time, check_controls, check_jet, check_distances, check_tables, lambda b: check_access(b, "light", rules), check_looks):
         check(browser)
     for line in browser.ask("POST", "/se/log", {"type": "browser"}):
         claim(False, f"console: {line['level']} {line['message']}")
