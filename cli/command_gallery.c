@@ -17,6 +17,7 @@
 #include "compare/json_maker.h"
 #include "compare/output.h"
 #include "gallery/choice.h"
+#include "gallery/page/page.h"
 #include "gallery/verdict.h"
 #include "revision.h"
 
@@ -183,7 +184,8 @@ static enum status finish(const struct gallery_runs *runs, const bool *chosen, d
   cmp_json_set(&m, gallery, "entries", json_incref(entries));
   if (!m.ok) ATTEMPT(status_raise(ERR_MEMORY, "no memory for the gallery"));
   ATTEMPT(gallery_entries_write(runs->out, "gallery.json", gallery));
-  ATTEMPT(cmp_path_join(runs->out, "gallery.json", page));
+  ATTEMPT(gallery_page_write(runs->out, gallery));
+  ATTEMPT(cmp_path_join(runs->out, "gallery.html", page));
   print_totals(&totals, progress_wall_clock() - began, page);
   *exit_code = totals.incomplete ? EXIT_RUN_FAILED : totals.changed ? EXIT_VERDICT : EXIT_FINE;
 done:

@@ -12,6 +12,7 @@
 #include "compare/figure.h"
 #include "compare/json_maker.h"
 #include "compare/output.h"
+#include "gallery/figures/figures.h"
 #include "gallery/json.h"
 #include "revision.h"
 
@@ -259,6 +260,15 @@ enum status gallery_entries_leave(const struct gallery_runs *runs, const struct 
   return leave_unmade(runs, e, true, "");
 }
 
+static enum status draw(struct gallery_desk *desk, const struct gallery_runs *runs,
+                        const struct gallery_entry *e, json_t **drawn) {
+  struct cmp_figures figures = {.lock = -1};
+  enum status status = cmp_figures_open_set(runs->out, e->key, &figures);
+  if (status == OK) status = gallery_figures_make(desk, e, &figures, drawn);
+  cmp_figures_close(&figures);
+  return status;
+}
+
 static enum status make(const struct gallery_runs *runs, const struct gallery_entry *e,
                         const struct runs_of *of, struct progress *progress) {
   struct gallery_desk *desk = NULL;
@@ -271,6 +281,7 @@ static enum status make(const struct gallery_runs *runs, const struct gallery_en
   ATTEMPT(gallery_desk_create(runs->book, folder, runs->quick, &desk));
   ATTEMPT(gallery_desk_begin(desk, e));
   ATTEMPT(gallery_answer_all(desk, e, answer));
+  ATTEMPT(draw(desk, runs, e, &drawn));
   ATTEMPT(describe(runs, e, answer, of, drawn, &json));
   ATTEMPT(leave(runs, e, json));
   progress_say(progress, "%-10s %s", e->id,
