@@ -213,10 +213,20 @@ enum status gallery_table_json(struct gallery_desk *desk, const void *spec, json
   return status;
 }
 
+static bool is_number(const char *text) {
+  char *end;
+  (void)strtod(text, &end);
+  return end != text && !*end;
+}
+
 static void line_write(const json_t *cells, FILE *out) {
   for (size_t k = 0; k < json_array_size(cells); k++) {
+    const char *text = json_string_value(json_array_get(cells, k));
     if (k) fputc(',', out);
-    cmp_csv_string(out, json_string_value(json_array_get(cells, k)));
+    if (is_number(text))
+      fputs(text, out);
+    else
+      cmp_csv_string(out, text);
   }
   fputc('\n', out);
 }

@@ -11,5 +11,5 @@ struct gallery_desk;
  * evaluated and formatted; what is not a number is a dash. ERR_INPUT when one cannot be. */
 enum status gallery_table_json(struct gallery_desk *desk, const void *spec, json_t **table);
 
-/* The same as lines of text in quotes. */
+/* The same as lines of CSV. */
 void gallery_table_csv(const json_t *table, FILE *out);

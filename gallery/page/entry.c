@@ -2,6 +2,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "compare/figure.h"
 #include "compare/output.h"
 #include "gallery/page/content.h"
 
@@ -67,17 +68,18 @@ static void link_write(struct markup *m, const struct page_content *c, const jso
 }
 
 static void links_write(struct markup *m, const struct page_content *c, const json_t *file) {
-  static const char *const link[][2] = {{".svg", "SVG"},    {".pdf", "PDF"},   {".png", "PNG"},
-                                        {".csv", "numbers"}, {".gp", "script"}};
   cmp_markup_open(m, "span", "links");
-  for (size_t k = 0; k < sizeof link / sizeof *link; k++)
-    link_write(m, c, file, link[k][0], link[k][1]);
+  for (size_t k = 0; k < CMP_FORMATS; k++)
+    link_write(m, c, file, cmp_formats[k].suffix, cmp_formats[k].says);
+  link_write(m, c, file, ".csv", "numbers");
+  link_write(m, c, file, ".gp", "script");
   cmp_markup_close(m);
 }
 
 static void picture_write(struct markup *m, const struct page_content *c, const json_t *e,
                           const json_t *file) {
-  char path[160], alt[320];
+  const double width = json_number_value(json_object_get(file, "width"));
+  char path[160], alt[320], size[48];
   const char *missing = gallery_text(file, "missing");
   path_of(file, json_is_true(json_object_get(file, "raster")) ? ".png" : ".svg", path);
   if (*missing || !is_there(c, path)) {
@@ -86,11 +88,13 @@ static void picture_write(struct markup *m, const struct page_content *c, const 
     return;
   }
   snprintf(alt, sizeof alt, "%.40s: %.250s", gallery_text(e, "id"), gallery_text(e, "title"));
+  snprintf(size, sizeof size, "width: %.4grem", width / 16); /* as large as the text around it */
   cmp_markup_open(m, "div", "paper");
   cmp_markup_open(m, "img", NULL);
   cmp_markup_attribute(m, "loading", "lazy");
   cmp_markup_attribute(m, "src", path);
-  cmp_markup_number(m, "width", (size_t)json_integer_value(json_object_get(file, "width")));
+  cmp_markup_attribute(m, "style", size);
+  cmp_markup_number(m, "width", (size_t)width);
   cmp_markup_number(m, "height", (size_t)json_integer_value(json_object_get(file, "height")));
   cmp_markup_attribute(m, "alt", alt);
   cmp_markup_close_void(m);

@@ -200,7 +200,7 @@ static void test_table(void) {
     EXPECT_STR(json_string_value(
                    json_array_get(json_array_get(json_object_get(table, "rows"), k / 3), k % 3)),
                cells[k]);
-  EXPECT(says("P-1.csv", "\"one\",\"two\",\"three\"\n\"a \"\"b\"\"\",\"1.00\",\"+2.500e-01 H\"\n"));
+  EXPECT(says("P-1.csv", "\"one\",\"two\",\"three\"\n\"a \"\"b\"\"\",1.00,\"'+2.500e-01 H\"\n"));
   json_decref(made);
 }
 
