@@ -6,6 +6,7 @@
 
 #include "common/base/array.h"
 #include "gallery/reader.h"
+#include "gallery/shelf.h"
 
 /* ---- reading ---- */
 
@@ -48,20 +49,46 @@ static const struct param case_lists[] = {
     NODE(struct case_form, quick, "", "a list of PATH=VALUE, of --quick"),
 };
 
+/* A list of PATH=VALUE. */
+static enum status read_overrides(struct gallery_reader *r, int node, const char *path,
+                                  const char *key, size_t *n, char ***texts) {
+  char full[CASE_PATH + 16], item[CASE_PATH + 48], found[64];
+  snprintf(full, sizeof full, "%s.%s", path, key);
+  TRY(gallery_read_texts(r, node, full, "overrides", n, texts));
+  for (size_t i = 0; i < *n; i++) {
+    if (!(*texts)[i] || strchr((*texts)[i], '=')) continue;
+    const int at = case_doc_item(&r->doc, node, i);
+    snprintf(item, sizeof item, "%s[%zu]", full, i);
+    case_doc_found(&r->doc, at, found);
+    gallery_complain(r, at, item, found, "PATH=VALUE, as in runs.NAME.alpha=0", "");
+  }
+  return OK;
+}
+
+static void check_file(struct gallery_reader *r, int node, const char *path, const char *file) {
+  char full[CASE_PATH + 16], found[64];
+  if (!file || gallery_shelf_find_case(file)) return;
+  const int at = case_doc_member(&r->doc, node, "file");
+  snprintf(full, sizeof full, "%s.file", path);
+  case_doc_found(&r->doc, at, found);
+  gallery_complain(r, at, full, found, "a case file of gallery/cases or cases", "");
+}
+
 static enum status read_case(struct gallery_reader *r, int node, const char *path,
                              struct gallery_case *c) {
   struct case_form form = {0};
   const struct case_block blocks[] = {{case_rows, ROWS(case_rows), c, NULL},
                                       {case_lists, ROWS(case_lists), &form, NULL}};
-  char full[CASE_PATH + 16];
   if (!case_doc_read(&r->doc, node, path, 0, 2, blocks)) return OK;
-  if (!case_name_fits(c->name))
-    gallery_complain(r, case_doc_member(&r->doc, node, "name"), path, c->name,
+  if (!case_name_fits(c->name)) {
+    char found[64];
+    case_doc_found(&r->doc, case_doc_member(&r->doc, node, "name"), found);
+    gallery_complain(r, node, path, found,
                      "letters, digits, '.', '_' and '-', with no '.' first, at most 64", "");
-  snprintf(full, sizeof full, "%s.set", path);
-  TRY(gallery_read_texts(r, form.set, full, "overrides", &c->n_set, &c->set));
-  snprintf(full, sizeof full, "%s.quick", path);
-  return gallery_read_texts(r, form.quick, full, "overrides", &c->n_quick, &c->quick);
+  }
+  check_file(r, node, path, c->file);
+  TRY(read_overrides(r, form.set, path, "set", &c->n_set, &c->set));
+  return read_overrides(r, form.quick, path, "quick", &c->n_quick, &c->quick);
 }
 
 static enum status read_cases(struct gallery_reader *r, int node) {
@@ -145,8 +172,9 @@ static enum status check_run(void *data, const char *run) {
   char name[CASE_LONGEST_NAME + 1];
   snprintf(name, sizeof name, "%.*s", slash ? (int)(slash - run) : 0, run);
   if (!slash || !slash[1] || strchr(slash + 1, '/') || !gallery_book_case(n->book, name))
-    problems_add(n->problems, 0, "%s: found run '%s'; allowed: CASE/RUN with a case of `cases`",
-                 n->entry->id, run);
+    problems_add(n->problems, 0,
+                 "%s:%d: %s: found run '%s'; allowed: CASE/RUN with a case of `cases`",
+                 n->entry->file, n->entry->line, n->entry->id, run);
   return OK;
 }
 

@@ -82,6 +82,7 @@ struct gallery_entry {
   struct gallery_check *checks;
   struct gallery_figure *figures;
   char *text; /* of the entry, as its file has it */
+  char *file; /* its name */
   int line;
 };
 

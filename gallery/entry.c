@@ -299,7 +299,8 @@ enum status gallery_entry_read(struct gallery_reader *r, int node, const char *p
   char full[CASE_PATH + 16];
   e->line = case_doc_line(&r->doc, node);
   e->text = text_of(r, node);
-  CHECK(e->text, ERR_MEMORY, "no memory for an entry");
+  e->file = strdup(r->file->name);
+  CHECK(e->text && e->file, ERR_MEMORY, "no memory for an entry");
   case_doc_read(&r->doc, node, path, 0, 2, blocks);
   if (e->id) {
     e->key = key_of(e->id);
@@ -324,6 +325,7 @@ void gallery_entry_free(struct gallery_entry *e) {
   release(entry_rows, ROWS(entry_rows), e);
   free(e->key);
   free(e->text);
+  free(e->file);
   gallery_texts_free(e->n_remarks, e->remarks);
   for (size_t i = 0; i < e->n_curves; i++) {
     const struct gallery_curve_spec *c = &e->curves[i];
