@@ -148,10 +148,10 @@ static void print_totals(const struct totals *t, double seconds, const char *pag
   printf("%zu %s: ", t->entries, t->entries == 1 ? "entry" : "entries");
   for (size_t v = 0, said = 0; v < VERDICTS; v++)
     if (t->verdict[v])
-      printf("%s%zu %s", said++ ? ", " : "", t->verdict[v], gallery_verdict_words[v]);
+      printf("%s%s %zu", said++ ? ", " : "", gallery_verdict_words[v], t->verdict[v]);
   printf("; %zu of %zu checks hold; %s\n", t->hold, t->checks, time);
-  if (t->changed) printf("%zu of them not as they are known to be\n", t->changed);
-  printf("all of it: %s\n", page);
+  if (t->changed) printf("%zu not as they are known to be: see above\n", t->changed);
+  printf("page: %s\n", page);
 }
 
 /* ---- what is left ---- */

@@ -254,8 +254,8 @@ static enum status plan_book(const struct plan_arguments *a, const struct galler
   for (size_t i = 0; i < book->n_entries; i++) chosen[i] &= !a->quick || book->entries[i].quick;
   ATTEMPT(gallery_runs_gather(book, chosen, folder, a->quick, &runs));
   if (!runs.n)
-    ATTEMPT(status_raise(ERR_USAGE, "these entries need no runs; allowed: entries of kind run, "
-                                    "sketch or experiment; `plunge gallery` makes these at once"));
+    ATTEMPT(status_raise(ERR_USAGE, "these entries need no runs; allowed: entries that have some, "
+                                    "as `plunge gallery` makes the others at once"));
   ATTEMPT(array_create(&run, runs.n, "runs"));
   ATTEMPT(list_runs(&runs, plan, run));
   ATTEMPT(make_entries(a, &plan->n_words, &words));

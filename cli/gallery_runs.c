@@ -77,6 +77,7 @@ static enum status fill_case(struct gallery_runs *runs, const struct gallery_cas
   CHECK(file, ERR_INPUT, "case %s: there is no file %s in gallery/cases or cases", of->name,
         of->file);
   TRY(cmp_path_join(runs->out, "cases", cases));
+  if (runs->n_cases == 1) TRY(put_data(cases));
   TRY(cmp_path_join(cases, of->file, c->path));
   TRY(cmp_path_join(runs->out, "runs", results));
   TRY(cmp_path_join(results, of->name, c->folder));
@@ -147,11 +148,7 @@ static enum status add_run(void *data, const char *name) {
 
 enum status gallery_runs_gather(const struct gallery_book *book, const bool *chosen,
                                 const char *out, bool quick, struct gallery_runs *runs) {
-  char cases[PATH_MAX];
   *runs = (struct gallery_runs){.book = book, .out = out, .quick = quick};
-  TRY(cmp_path_join(out, "cases", cases));
-  TRY(cmp_directory_make(cases));
-  TRY(put_data(cases));
   for (size_t i = 0; i < book->n_entries; i++)
     if (chosen[i]) TRY(gallery_entry_runs(&book->entries[i], add_run, runs));
   return OK;

@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# plunge gallery: the list, one entry that needs no run and one that does, what is finished and what is made again, a run
+# that leaves nothing, plans for other engines, and wrong words.
+source "$2/tests/cli/begin"
+pretend_gnuplot
+
+# ---- the list ----
+"$program" gallery --list >list || fail "--list: $?"
+[ "$(grep -cE '^[PT] .{8} (theory|lattice|run|experiment|sketch|text) ' list)" = "$(wc -l <list)" ] ||
+  fail "lines that are no entries: $(cat list)"
+[ -e out ] && fail "--list makes something"
+id=$(awk 'substr($0, 12, 6) == "theory" {print substr($0, 1, 10); exit}' list | sed 's/ *$//')
+key=${id// /-}
+[ "$id" ] || exit 77 # there is no entry of theory
+
+# ---- an entry of theory, made once ----
+"$program" gallery "$id" --out g >log 2>err || fail "$id: $? $(cat log err)"
+grep -q "^$id .* checks hold" log && grep -q '^1 entry: ' log || fail "$id says $(cat log)"
+for file in gallery.json gallery.html entries/$key.json; do
+  [ -s g/$file ] || fail "$id has left no $file"
+done
+[ -e g/runs ] && fail "theory runs something"
+before=$(stat -c %Y%i "g/entries/$key.json")
+"$program" gallery ${id,,} --out g >log 2>err || fail "$id again: $?"
+grep -q '^1 of 1 entries are there already' err || fail "$id again: $(cat err)"
+[ "$before" = "$(stat -c %Y%i "g/entries/$key.json")" ] || fail "$id was made again"
+sed -i 's/"fingerprint": "./"fingerprint": "x/' "g/entries/$key.json"
+"$program" gallery "$key" --out g --quiet >log 2>err || fail "$id of another program: $?"
+[ -s err ] && fail "--quiet says $(cat err)"
+grep -q '"fingerprint": "x' "g/entries/$key.json" && fail "an entry of another program stays"
+before=$(stat -c %Y%i "g/entries/$key.json")
+"$program" gallery "$id" --out g --force >log 2>err || fail "--force: $?"
+[ "$before" = "$(stat -c %Y%i "g/entries/$key.json")" ] && fail "--force leaves $id"
+echo broken >"g/entries/$key.json"
+"$program" gallery "$id" --out g >log 2>err || fail "a damaged file: $? $(cat err)"
+grep -q '"finished": true' "g/entries/$key.json" || fail "a damaged file stays"
+grep -q "\"id\": \"$id\"" g/gallery.json || fail "$id is not in gallery.json"
+
+# ---- without gnuplot: the numbers are there, the picture is not, and it is tried again ----
+if grep -q '"name": ' "g/entries/$key.json"; then
+  got=0
+  printf '#!/bin/sh\nexit 1\n' >"$folder/.bin/gnuplot.none"
+  mv "$folder/.bin/gnuplot" "$folder/.bin/gnuplot.kept" && cp "$folder/.bin/gnuplot.none" "$folder/.bin/gnuplot" && chmod +x "$folder/.bin/gnuplot"
+  "$program" gallery "$id" --out g --force >log 2>err || got=$?
+  [ $got = 3 ] && grep -q "^$id .* checks hold" log || fail "without gnuplot: $got $(cat log err)"
+  grep -q '"finished": false' "g/entries/$key.json" || fail "without a picture $id is finished"
+  mv "$folder/.bin/gnuplot.kept" "$folder/.bin/gnuplot"
+  "$program" gallery "$id" --out g >log 2>err || fail "with gnuplot again: $? $(cat log err)"
+fi
+
+# ---- an entry with runs ----
+run=
+for candidate in 'T 4-19' 'P 4'; do
+  grep -q "^$candidate  " list && run=$candidate
+done
+if [ "$run" ]; then
+  "$program" plan gallery "$run" --quick --for tsv --results r >plan.tsv || fail "no plan of $run"
+  [ "$(head -1 plan.tsv)" = $'step\trun\tseconds\tMB\tcommand' ] || fail "head of the table: $(head -1 plan.tsv)"
+  grep -q "^gallery.*cd $PWD/r && .* gallery --out . --quick '$run'$" plan.tsv || fail "the last step: $(tail -1 plan.tsv)"
+  [ -s r/cases/"$(sed -n 's|.*r/cases/\([^ ]*\).*|\1|p' plan.tsv | head -1)" ] || fail "the plan has left no case"
+  if command -v make >/dev/null; then
+    "$program" plan gallery "$run" --quick --for make --results r --out plan.mk || fail "no Makefile of $run"
+    make -f plan.mk >log 2>&1 || fail "make: $(tail -5 log)"
+    [ -s r/gallery.html ] || fail "make has left no page"
+  fi
+  "$program" gallery "$run" --quick --out r --force >log 2>err || fail "$run: $? $(cat log err)"
+  rm -r r/runs
+  "$program" gallery "$run" --quick --out r >log 2>err || fail "$run without results: $? $(cat log err)"
+  [ -e r/runs ] && fail "a finished entry runs again"
+  "$program" plan gallery "$run" --quick --for tsv --results r | sed -n 's/^run\t\([^\t]*\).*/\1/p' >runs
+  while read -r name; do mkdir -p "r/runs/$name.h5/in the way"; done <runs
+  got=0
+  "$program" gallery "$run" --quick --out r --force >log 2>err || got=$?
+  [ $got = 3 ] && grep -q "^$run .*could not be made .*run .* has failed" log ||
+    fail "results that cannot be written: $got $(cat log err)"
+  "$program" plan gallery "$run" --for slurm --results r | bash -n || fail "the script is none"
+else
+  echo "no entry with short runs: not tried"
+fi
+
+# ---- wrong words: exit code 2, this sentence, nothing made ----
+hint="Try \`plunge [a-z]* --help' or \`plunge [a-z]* --usage' for more information."
+wrong() { # sentence, arguments
+  local sentence=$1 got=0
+  shift
+  "$program" "$@" >out.log 2>log || got=$?
+  [ $got = 2 ] && [ ! -s out.log ] || fail "$*: code $got"
+  [ "$(grep -vx "$hint" log)" = "$sentence" ] || fail "$*: $(cat log)"
+}
+allowed="allowed: an id that \`plunge gallery --list\` shows, as in 'P 1' or 'T 4-*'"
+wrong "plunge: found 'nothing'; $allowed" gallery nothing
+wrong "plunge: found 'nothing'; $allowed" gallery "$id" nothing --list
+wrong "plunge: found ''; $allowed" gallery ''
+wrong "plunge gallery: --out: found ''; allowed: a folder" gallery --out ''
+wrong "plunge gallery: --jobs 0: give a whole number from 1 to 1024" gallery --jobs 0
+wrong "plunge gallery: --threads x: give a whole number from 1 to 1024" gallery --threads x
+wrong "plunge gallery: unrecognized option '--set'" gallery --set
+wrong "plunge plan: --quick is for plunge plan gallery" plan case.yaml --quick --for make
+wrong "plunge plan: of the gallery, name entries in place of --only" plan gallery --only a --for make
+wrong "plunge plan: --set is for cases; the gallery's overrides are its entries'" plan gallery --set a=b --for make
+wrong "plunge: found 'nothing'; $allowed" plan gallery nothing --for make
+wrong "plunge: these entries need no runs; allowed: entries that have some, as \`plunge gallery\` makes the others at once" \
+  plan gallery "$id" --for make
+[ -e out ] && fail "wrong words make something"
+exit $failed
