@@ -197,6 +197,7 @@ struct result_file {
   bool floats;                   /* the water is a body without gravity */
   double H, g, density, spacing; /* m, m s^-2, kg m^-3, m */
   double rest_potential;         /* J/m */
+  double c0;                     /* speed of sound, m/s; NaN: its solver has none */
   struct geo_lines walls;
 
   bool surfaces_found; /* from the particles, by result_find_surfaces */
@@ -248,7 +249,7 @@ struct result_wanted {
 
 struct result_water { /* the points of one output */
   size_t n;
-  double (*p)[2];               /* m, [n] */
+  double (*p)[2];               /* m, [n]; NULL: not wanted */
   double *value[RESULT_WANTED]; /* [n]; of vectors their x and y in turn, [2 n]; NULL: none */
 };
 
@@ -260,6 +261,19 @@ enum status result_stream(const char *path, size_t n_fields, const struct result
                           enum status (*take)(void *data, size_t k, struct result_water *water),
                           void *data);
 void result_water_free(struct result_water *water);
+
+/* What is wanted of each output: some of its points, and whether their places, too. */
+struct result_part {
+  size_t n;
+  const size_t *point; /* [n], ascending, each less than every output's number of points; NULL: all */
+  bool no_places;
+};
+
+/* The same of a part of each output: what is stored far from it is not inflated. */
+enum status result_stream_part(const char *path, const struct result_part *part, size_t n_fields,
+                               const struct result_wanted *field, size_t n, const size_t *output,
+                               enum status (*take)(void *data, size_t k, struct result_water *water),
+                               void *data);
 
 struct result_cloud {
   size_t n;

@@ -127,7 +127,7 @@ static enum status carry_header(struct carrier *c, struct result_file *f) {
   f->floats = floats == 1;
   for (int i = 0; i < RESULT_SCALES; i++)
     TRY(carry_bytes(c, (char *)f + result_scales[i].offset, sizeof(double)));
-  return OK;
+  return carry_bytes(c, &f->c0, sizeof f->c0);
 }
 
 static enum status carry_tables(struct carrier *c, struct result_file *f) {

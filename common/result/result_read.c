@@ -287,6 +287,9 @@ static enum status read_header(hid_t file, struct result_file *f) {
   TRY(read_flag(file, "floats", false, &f->floats));
   for (int i = 0; i < RESULT_SCALES; i++)
     TRY(read_scale(file, &result_scales[i], (double *)((char *)f + result_scales[i].offset)));
+  f->c0 = NAN;
+  if (hdf_is_there(file, "parameters/c0"))
+    TRY(hdf_get_scalar(file, "parameters/c0", H5T_NATIVE_DOUBLE, &f->c0));
   return OK;
 }
 

@@ -9,6 +9,7 @@
 
 struct stream {
   const char *path;
+  struct result_part part;
   size_t n_fields;
   const struct result_wanted *field; /* [n_fields] */
   size_t n;
@@ -27,7 +28,20 @@ static void keep_plane(size_t n, double *value) {
     for (size_t k = 0; k < 2; k++) value[2 * i + k] = value[3 * i + k];
 }
 
-static enum status read_fields(hid_t file, const struct stream *q, hsize_t first,
+/* Rows of a dataset, those of the points that are wanted, of `n` from row `first` on. */
+static enum status read_rows(hid_t group, const char *name, size_t width, const struct stream *q,
+                             hsize_t first, size_t n, double **values) {
+  const struct result_part *part = &q->part;
+  if (!part->point) return hdf_get_rows(group, name, H5T_NATIVE_DOUBLE, width, first, n, values);
+  const size_t each = width ? width : 1, low = part->n ? part->point[0] : 0;
+  const size_t span = part->n ? part->point[part->n - 1] + 1 - low : 0;
+  TRY(hdf_get_rows(group, name, H5T_NATIVE_DOUBLE, width, first + low, span, values));
+  for (size_t i = 0; i < part->n; i++)
+    memmove(*values + each * i, *values + each * (part->point[i] - low), each * sizeof **values);
+  return OK;
+}
+
+static enum status read_fields(hid_t file, const struct stream *q, hsize_t first, size_t n,
                                struct result_water *w) {
   hid_t data = -1;
   enum status status = OK;
@@ -39,8 +53,7 @@ static enum status read_fields(hid_t file, const struct stream *q, hsize_t first
   for (size_t k = 0; k < q->n_fields; k++) {
     const struct result_wanted *field = &q->field[k];
     if (field->optional && !hdf_is_there(data, field->name)) continue;
-    ATTEMPT(hdf_get_rows(data, field->name, H5T_NATIVE_DOUBLE, field->vector ? 3 : 0, first, w->n,
-                         &w->value[k]));
+    ATTEMPT(read_rows(data, field->name, field->vector ? 3 : 0, q, first, n, &w->value[k]));
     if (field->vector) keep_plane(w->n, w->value[k]);
   }
 done:
@@ -48,10 +61,19 @@ done:
   return status;
 }
 
+static enum status read_places(hid_t file, const struct stream *q, hsize_t first, size_t n,
+                               struct result_water *w) {
+  double *xyz = NULL;
+  if (q->part.no_places) return OK;
+  TRY(read_rows(file, "VTKHDF/Points", 3, q, first, n, &xyz));
+  keep_plane(w->n, xyz);
+  w->p = (double(*)[2])xyz;
+  return OK;
+}
+
 static enum status read_water(hid_t file, const struct stream *q, size_t output,
                               struct result_water *w) {
   int64_t *first = NULL, *count = NULL;
-  double(*xyz)[3] = NULL;
   enum status status = OK;
   ATTEMPT(hdf_get_rows(file, "VTKHDF/Steps/PointOffsets", H5T_NATIVE_INT64, 0, output, 1, &first));
   ATTEMPT(hdf_get_rows(file, "VTKHDF/NumberOfPoints", H5T_NATIVE_INT64, 0, output, 1, &count));
@@ -59,19 +81,19 @@ static enum status read_water(hid_t file, const struct stream *q, size_t output,
     status = status_raise(ERR_INPUT, "its dataset /VTKHDF/NumberOfPoints is inconsistent");
     goto done;
   }
-  w->n = (size_t)*count;
-  ATTEMPT(hdf_get_rows(file, "VTKHDF/Points", H5T_NATIVE_DOUBLE, 3, (hsize_t)*first, w->n, &xyz));
-  ATTEMPT(read_fields(file, q, (hsize_t)*first, w));
-  w->p = malloc((w->n + 1) * sizeof *w->p);
-  if (!w->p) {
-    status = status_raise(ERR_MEMORY, "no memory for %zu points", w->n);
+  const struct result_part *part = &q->part;
+  const size_t n = (size_t)*count;
+  w->n = part->point ? part->n : n;
+  if (part->point && part->n && part->point[part->n - 1] >= n) {
+    status = status_raise(ERR_INPUT, "it has %zu points, and none of number %zu", n,
+                          part->point[part->n - 1]);
     goto done;
   }
-  for (size_t i = 0; i < w->n; i++) memcpy(w->p[i], xyz[i], sizeof *w->p);
+  ATTEMPT(read_places(file, q, (hsize_t)*first, n, w));
+  ATTEMPT(read_fields(file, q, (hsize_t)*first, n, w));
 done:
   free(first);
   free(count);
-  free(xyz);
   return status;
 }
 
@@ -85,7 +107,10 @@ static enum status keep_file(const hid_t *file, void *data) {
 /* ---- from the child to its parent ---- */
 
 static enum status carry_water(struct carrier *c, const struct stream *q, struct result_water *w) {
-  TRY(carry_array(c, &w->n, &w->p));
+  if (q->part.no_places)
+    TRY(carry_number(c, &w->n));
+  else
+    TRY(carry_array(c, &w->n, &w->p));
   for (size_t k = 0; k < q->n_fields; k++) {
     const size_t all = (q->field[k].vector ? 2 : 1) * w->n;
     size_t there = w->value[k] != NULL, n = all;
@@ -139,7 +164,15 @@ enum status result_stream(const char *path, size_t n_fields, const struct result
                           size_t n, const size_t *output,
                           enum status (*take)(void *data, size_t k, struct result_water *water),
                           void *data) {
-  struct stream q = {path, n_fields, field, n, output, take, data, -1, OK};
+  const struct result_part all = {0};
+  return result_stream_part(path, &all, n_fields, field, n, output, take, data);
+}
+
+enum status result_stream_part(const char *path, const struct result_part *part, size_t n_fields,
+                               const struct result_wanted *field, size_t n, const size_t *output,
+                               enum status (*take)(void *data, size_t k, struct result_water *water),
+                               void *data) {
+  struct stream q = {path, *part, n_fields, field, n, output, take, data, -1, OK};
   CHECK(n_fields <= RESULT_WANTED, ERR_USAGE, "%zu fields at a time are too many", n_fields);
   TRY(result_read_safely(
       &(struct result_request){1, {path}, .data = &q, .read = keep_file, .carry = carry_stream}));

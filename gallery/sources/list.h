@@ -8,4 +8,22 @@
   X(probe)                                                                                         \
   X(gauge)                                                                                         \
   X(point)                                                                                         \
-  X(diagnostic)
+  X(diagnostic)                                                                                    \
+  X(particle)                                                                                      \
+  X(particles)                                                                                     \
+  X(row)                                                                                           \
+  X(cut)                                                                                           \
+  X(surface)                                                                                       \
+  X(elevation)                                                                                     \
+  X(distance)                                                                                      \
+  X(front)                                                                                         \
+  X(jet)                                                                                           \
+  X(event)                                                                                         \
+  X(statistic)                                                                                     \
+  X(experiment)                                                                                    \
+  X(spectrum)                                                                                      \
+  X(lowpass)                                                                                       \
+  X(average)                                                                                       \
+  X(highpass)                                                                                      \
+  X(derivative)                                                                                    \
+  X(integral)

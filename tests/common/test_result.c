@@ -209,6 +209,48 @@ static void test_points_come_one_output_at_a_time(void) {
   result_file_destroy(f);
 }
 
+struct part_look {
+  size_t n;
+  const size_t *output, *point;
+};
+
+static enum status look_at_part(void *data, size_t k, struct result_water *w) {
+  struct part_look *l = data;
+  EXPECT(w->n == 2 && !w->p);
+  for (size_t i = 0; i < w->n; i++)
+    EXPECT_SAME(w->value[0][2 * i + 1], sample_x(l->output[k], l->point[i]));
+  l->n++;
+  return OK;
+}
+
+static enum status look_at_places(void *data, size_t k, struct result_water *w) {
+  struct part_look *l = data;
+  for (size_t i = 0; i < w->n; i++) EXPECT_SAME(w->p[i][0], sample_x(l->output[k], l->point[i]));
+  l->n += w->n;
+  return OK;
+}
+
+/* Some points of outputs, with and without their places; one that an output does not have. */
+static void test_points_come_in_part(void) {
+  static const struct result_wanted wanted[] = {{"velocity", true, false}};
+  const size_t output[] = {3, 0, 5}, point[] = {7, SCALE - 1}, beyond[] = {SCALE};
+  const struct result_part part = {2, point, true}, places = {2, point, false};
+  const struct result_part outside = {1, beyond, false};
+  struct result_file *f = round_trip(OUTPUTS, SCALE, true);
+  struct part_look look = {0, output, point};
+  EXPECT(isnan(f->c0)); /* its solver knows of none */
+  EXPECT_OK(result_stream_part(path, &part, 1, wanted, 3, output, look_at_part, &look));
+  EXPECT(look.n == 3);
+  look.n = 0;
+  EXPECT_OK(result_stream_part(path, &places, 0, NULL, 3, output, look_at_places, &look));
+  EXPECT(look.n == 6);
+  EXPECT(result_stream_part(path, &outside, 0, NULL, 3, output, look_at_places, &look) ==
+         ERR_INPUT);
+  if (!strstr(status_message(), "points, and none of number"))
+    TEST_FAIL("the message is: %s", status_message());
+  result_file_destroy(f);
+}
+
 static void test_only_a_finished_file_is_current(void) {
   result_file_destroy(round_trip(2, SCALE, false));
   struct case_file *c = sample_case();
@@ -255,6 +297,7 @@ int main(void) {
   RUN(test_points_come_back);
   RUN(test_wrong_points_are_refused);
   RUN(test_points_come_one_output_at_a_time);
+  RUN(test_points_come_in_part);
   RUN(test_only_a_finished_file_is_current);
   RUN(test_unfinished_file_is_complete_to_the_last_row);
   RUN(test_nothing_is_left_beside_the_file);
