@@ -14,13 +14,16 @@
 
 struct surface_source {
   char *run, *against, *event;
-  double at, left, right, bottom, top, depth;
+  double at, start, to, left, right, bottom, top, depth;
   int take, side;
 };
 
 #define SURFACE_SIDES                                                                              \
   SOURCE_REAL(surface_source, left, -1e9, 1e9, "-1e9", "only to the right of this x"),             \
       SOURCE_REAL(surface_source, right, -1e9, 1e9, "1e9", "only to the left of this x")
+#define SURFACE_TIMES                                                                              \
+  SOURCE_REAL(surface_source, start, -1e9, 1e9, "0", "first time"),                                \
+      SOURCE_REAL(surface_source, to, -1e9, 1e9, "1e9", "last time")
 #define SURFACE_WINDOW                                                                             \
   SURFACE_SIDES, SOURCE_REAL(surface_source, bottom, -1e9, 1e9, "-1e9", "only above this y"),      \
       SOURCE_REAL(surface_source, top, -1e9, 1e9, "1e9", "only below this y")
@@ -46,6 +49,13 @@ static enum status file_of(struct gallery_desk *desk, const char *run, const str
   CHECK((*f)->n_surfaces, ERR_INPUT, "run %s has no free surface", run);
   *T = sqrt((*f)->H / (*f)->g);
   return OK;
+}
+
+/* Whether output k is between the times of a source; T: sqrt(H/g), s. */
+static bool is_asked_for(const struct surface_source *s, const struct result_file *f, size_t k,
+                         double T) {
+  const double t = f->surface_time[k] / T;
+  return t >= s->start - 1e-9 && t <= s->to + 1e-9;
 }
 
 static double interval(const struct result_file *f) {
@@ -91,6 +101,7 @@ enum height {
 static const struct param elevation_params[] = {
     SOURCE_RUN(surface_source),
     SURFACE_SIDES,
+    SURFACE_TIMES,
     SOURCE_CHOICE(surface_source, take, height_names, NULL, "which height; mean: along x"),
 };
 
@@ -119,6 +130,7 @@ static enum status elevation(struct gallery_desk *desk, const void *with,
   double T = NAN;
   TRY(file_of(desk, s->run, &f, &T));
   for (size_t k = 0; k < f->n_surfaces; k++) {
+    if (!is_asked_for(s, f, k, T)) continue;
     const double y =
         height_of(&f->surface[k], s->left * f->H, s->right * f->H, (enum height)s->take);
     TRY(gallery_curve_add(curve, f->surface_time[k] / T, y / f->H));
@@ -132,6 +144,7 @@ static const struct param distance_params[] = {
     SOURCE_RUN(surface_source),
     SOURCE_TEXT(surface_source, against, NULL, "another run, CASE/RUN"),
     SURFACE_WINDOW,
+    SURFACE_TIMES,
 };
 
 /* Outputs this close (in sqrt(H/g)) are simultaneous, as for plunge compare. */
@@ -170,12 +183,12 @@ static enum status add_distances(struct cmp_geos *g, const struct surface_source
   for (size_t k = 0; k < a->n_surfaces; k++) {
     const struct geo_lines *other = surface_near(b, a->surface_time[k], SIMULTANEOUS * T);
     double mean = NAN;
-    if (!other) continue;
+    if (!other || !is_asked_for(s, a, k, T)) continue;
     TRY(distance_between(g, s, a, b, &a->surface[k], other, &mean));
     TRY(gallery_curve_add(curve, a->surface_time[k] / T, mean / a->H));
   }
-  CHECK(curve->n, ERR_INPUT, "runs %s and %s have no outputs at the same times", s->run,
-        s->against);
+  CHECK(curve->n, ERR_INPUT, "runs %s and %s have no outputs at the same times that are asked for",
+        s->run, s->against);
   return OK;
 }
 

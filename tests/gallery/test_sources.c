@@ -205,13 +205,16 @@ static void remove_all(void) {
 static struct gallery_book *book;
 static struct gallery_desk *desk;
 
-static void open_desk(const char *curves) {
+/* Each of the curves, up to NULL, is the inside of a mapping. */
+static void open_desk(const char *const *curves) {
   static char text[8000];
   struct problems problems;
-  snprintf(text, sizeof text,
-           "cases:\n  - {name: c, file: dam-break.yaml}\nentries:\n  - id: P 1\n    title: t\n"
-           "    where: w\n    kind: run\n    setup: s\n    curves:\n%s",
-           curves);
+  size_t n = (size_t)snprintf(
+      text, sizeof text,
+      "cases:\n  - {name: c, file: dam-break.yaml}\nentries:\n  - id: P 1\n    title: t\n"
+      "    where: w\n    kind: run\n    setup: s\n    curves:\n");
+  for (size_t k = 0; curves[k]; k++)
+    n += (size_t)snprintf(text + n, sizeof text - n, "      - {%s}\n", curves[k]);
   const struct gallery_file file = {"entries.yaml", text, strlen(text)};
   EXPECT_OK(gallery_book_read(1, &file, &problems, &book));
   for (size_t i = 0; i < problems.n; i++) fprintf(stderr, "%s\n", problems.text[i]);
@@ -243,8 +246,6 @@ static void expect_failure(const char *curve, const char *why) {
 /* To rounding: numbers of about 1 that have been multiplied by scales and back. */
 static const double ROUNDING = 1e-12;
 
-#define CURVE(...) "      - {" __VA_ARGS__ "}\n"
-
 /* The particle at (1.25, 0.35): X and Y of it, by fields, at t = 1.3. */
 static void test_one_particle(void) {
   static const char *const field[] = {"x",        "y",       "u",           "v",       "speed",
@@ -256,11 +257,14 @@ static void test_one_particle(void) {
   const double expected[FIELDS] = {
       X + shift(t), Y,    u,     v,  hypot(u, v),    p, dynamic_of(Y, t), p + Y - 1,
       1 + 0.01 * Y, 0.01, Y * t, -X, hypot(Y * t, X)};
-  char curves[4000] = "", formula[40];
-  for (int i = 0; i < FIELDS; i++)
-    snprintf(curves + strlen(curves), sizeof curves - strlen(curves),
-             CURVE("name: c%d, from: particle, run: c/known, x: 1.26, y: 0.33, field: %s"), i,
-             field[i]);
+  static char text[FIELDS][100];
+  const char *curves[FIELDS + 1] = {NULL};
+  char formula[40];
+  for (int i = 0; i < FIELDS; i++) {
+    snprintf(text[i], sizeof *text,
+             "name: c%d, from: particle, run: c/known, x: 1.26, y: 0.33, field: %s", i, field[i]);
+    curves[i] = text[i];
+  }
   open_desk(curves);
   for (int i = 0; i < FIELDS; i++) {
     snprintf(formula, sizeof formula, "at(\"c%d\", 1.3)", i);
@@ -272,19 +276,20 @@ static void test_one_particle(void) {
 }
 
 static void test_times_start_and_loss(void) {
-  open_desk(
-      CURVE("name: some, from: particle, run: c/known, x: 0.05, y: 0.05, field: x, start: 0.3, "
-            "to: 1.1, every: 2, less: start") CURVE("name: lost, from: particle, run: c/lost, x: "
-                                                    "0.05, y: 0.05, field: y")
-          CURVE("name: all, from: particles, run: c/lost, field: mass, take: count") CURVE(
-              "name: cut, from: cut, run: c/lost, of: row, x: 0, y: 0.05, field: y, at: 1.5, over: "
-              "x") CURVE("name: still, from: particle, run: c/flat, x: 0, y: 0, field: excess")
-              CURVE("name: silent, from: particle, run: c/flat, x: 0, y: 0, field: dynamic") CURVE(
-                  "name: late, from: cut, run: c/known, of: all, field: u, at: 2.2, over: x")
-                  CURVE(
-                      "name: never, from: particles, run: c/known, field: u, take: most, start: 3")
-                      CURVE("name: volume, from: particles, run: c/known, field: volume, take: sum")
-                          CURVE("name: dry, from: particles, run: c/level, field: u, take: most"));
+  static const char *const curves[] = {
+      "name: some, from: particle, run: c/known, x: 0.05, y: 0.05, field: x, start: 0.3, to: 1.1, "
+      "every: 2, less: start",
+      "name: lost, from: particle, run: c/lost, x: 0.05, y: 0.05, field: y",
+      "name: all, from: particles, run: c/lost, field: mass, take: count",
+      "name: cut, from: cut, run: c/lost, of: row, x: 0, y: 0.05, field: y, at: 1.5, over: x",
+      "name: still, from: particle, run: c/flat, x: 0, y: 0, field: excess",
+      "name: silent, from: particle, run: c/flat, x: 0, y: 0, field: dynamic",
+      "name: late, from: cut, run: c/known, of: all, field: u, at: 2.2, over: x",
+      "name: never, from: particles, run: c/known, field: u, take: most, start: 3",
+      "name: volume, from: particles, run: c/known, field: volume, take: sum",
+      "name: dry, from: particles, run: c/level, field: u, take: most",
+      NULL};
+  open_desk(curves);
   EXPECT(value("count(\"some\")") == 4); /* 0.4, 0.6, 0.8, 1.0 */
   EXPECT_NEAR(value("first(\"some\")"), 0, 0);
   EXPECT_NEAR(value("at(\"some\", 1)"), shift(1) - shift(0.4), ROUNDING);
@@ -303,17 +308,17 @@ static void test_times_start_and_loss(void) {
 }
 
 static void test_many_particles(void) {
-  open_desk(CURVE("name: most, from: particles, run: c/known, field: v, take: most")
-                CURVE("name: least, from: particles, run: c/known, field: v, take: least")
-                    CURVE("name: largest, from: particles, run: c/known, field: v, take: largest")
-                        CURVE("name: mass, from: particles, run: c/known, field: mass, take: sum")
-                            CURVE("name: mean, from: particles, run: c/known, of: row, y: 0.44, x: "
-                                  "0.3, field: a_x, "
-                                  "take: mean") CURVE("name: n, from: particles, run: c/known, of: "
-                                                      "column, y: 0.44, x: 0.3, field: a_x, "
-                                                      "take: count")
-                                CURVE("name: rms, from: particles, run: c/known, of: row, y: 0.44, "
-                                      "field: u, take: rms"));
+  static const char *const curves[] = {
+      "name: most, from: particles, run: c/known, field: v, take: most",
+      "name: least, from: particles, run: c/known, field: v, take: least",
+      "name: largest, from: particles, run: c/known, field: v, take: largest",
+      "name: mass, from: particles, run: c/known, field: mass, take: sum",
+      "name: mean, from: particles, run: c/known, of: row, y: 0.44, x: 0.3, field: a_x, take: mean",
+      "name: n, from: particles, run: c/known, of: column, y: 0.44, x: 0.3, field: a_x, take: "
+      "count",
+      "name: rms, from: particles, run: c/known, of: row, y: 0.44, field: u, take: rms",
+      NULL};
+  open_desk(curves);
   EXPECT_NEAR(value("last(\"most\")"), -0.05, ROUNDING);
   EXPECT_NEAR(value("last(\"least\")"), -2.95, ROUNDING);
   EXPECT_NEAR(value("last(\"largest\")"), 2.95, ROUNDING);
@@ -326,14 +331,16 @@ static void test_many_particles(void) {
 
 /* Y cos(K (x - shift) - 2 t) has the amplitude Y and the phase 2 t + K shift. */
 static void test_waves_along_a_row(void) {
-  char curves[1000] = "";
+  static char text[4][100];
+  const char *curves[5] = {NULL};
   const double t = 0.7, phase = 2 * t + K * shift(t);
   static const char *const part[] = {"amplitude", "phase", "cos", "sin"};
-  for (int i = 0; i < 4; i++)
-    snprintf(
-        curves + strlen(curves), sizeof curves - strlen(curves),
-        CURVE("name: c%d, from: row, run: c/known, x: 1, y: 0.75, field: u, k: %.17g, take: %s"), i,
-        K, part[i]);
+  for (int i = 0; i < 4; i++) {
+    snprintf(text[i], sizeof *text,
+             "name: c%d, from: row, run: c/known, x: 1, y: 0.75, field: u, k: %.17g, take: %s", i,
+             K, part[i]);
+    curves[i] = text[i];
+  }
   open_desk(curves);
   EXPECT_NEAR(value("at(\"c0\", 0.7)"), 0.75, ROUNDING);
   EXPECT_NEAR(value("at(\"c1\", 0.7)"), phase, ROUNDING);
@@ -343,12 +350,12 @@ static void test_waves_along_a_row(void) {
 }
 
 static void test_cuts(void) {
-  open_desk(
-      CURVE("name: column, from: cut, run: c/known, of: column, x: 1.25, y: 0, field: u, at: "
-            "0.52, over: y")
-          CURVE("name: row, from: cut, run: c/known, of: row, x: 0, y: 0.95, field: v, at: 1, "
-                "over: x")
-              CURVE("name: all, from: cut, run: c/known, of: all, field: y, at: 0, over: y"));
+  static const char *const curves[] = {
+      "name: column, from: cut, run: c/known, of: column, x: 1.25, y: 0, field: u, at: 0.52, over: "
+      "y",
+      "name: row, from: cut, run: c/known, of: row, x: 0, y: 0.95, field: v, at: 1, over: x",
+      "name: all, from: cut, run: c/known, of: all, field: y, at: 0, over: y", NULL};
+  open_desk(curves);
   EXPECT(value("count(\"column\")") == NY && value("count(\"row\")") == NX);
   EXPECT(value("count(\"all\")") == N);
   EXPECT_NEAR(value("at(\"column\", 0.45)"), u_of(1.25, 0.45, 0.5), ROUNDING);
@@ -358,17 +365,18 @@ static void test_cuts(void) {
 }
 
 static void test_surfaces(void) {
-  open_desk(
-      CURVE("name: s, from: surface, run: c/known, at: 0.81")
-          CURVE("name: high, from: elevation, run: c/known, take: highest") CURVE(
-              "name: low, from: elevation, run: c/known, take: lowest, left: -0.01, right: 0.51")
-              CURVE("name: mean, from: elevation, run: c/known, take: mean, left: 0, right: 2")
-                  CURVE("name: far, from: distance, run: c/flat, against: c/level") CURVE(
-                      "name: near, from: distance, run: c/known, against: c/level, left: 0.4, "
-                      "right: 0.6, "
-                      "bottom: 0.5, top: 1.5") CURVE("name: out, from: distance, run: c/flat, "
-                                                     "against: c/level, left: 5, right: 6")
-                      CURVE("name: late, from: surface, run: c/known, at: 2.3"));
+  static const char *const curves[] = {
+      "name: s, from: surface, run: c/known, at: 0.81",
+      "name: high, from: elevation, run: c/known, take: highest",
+      "name: low, from: elevation, run: c/known, take: lowest, left: -0.01, right: 0.51",
+      "name: mean, from: elevation, run: c/known, take: mean, left: 0, right: 2",
+      "name: far, from: distance, run: c/flat, against: c/level",
+      "name: near, from: distance, run: c/known, against: c/level, to: 0.5, left: 0.4, right: 0.6, "
+      "bottom: 0.5, top: 1.5",
+      "name: out, from: distance, run: c/flat, against: c/level, left: 5, right: 6",
+      "name: late, from: surface, run: c/known, at: 2.3",
+      NULL};
+  open_desk(curves);
   EXPECT(value("count(\"s\")") == POINTS); /* without the drop */
   EXPECT_NEAR(value("at(\"s\", 0.5)"), 1, ROUNDING);
   EXPECT_NEAR(value("at(\"s\", 2)"), surface_of(2, 0.8), ROUNDING);
@@ -381,29 +389,31 @@ static void test_surfaces(void) {
   /* heights of 0.031, 0.016, 0, 0.016 and 0.031; back, a slope of up to 0.1 pi shortens them by 5 %
    */
   EXPECT_NEAR(value("first(\"near\")"), 0.0182, 0.0004);
+  EXPECT(value("count(\"near\")") == 6);
   EXPECT(isnan(value("last(\"out\")")));
   expect_failure("late", "has no surface near t = 2.3; its last is at 2");
   close_desk();
 }
 
 static void test_fronts_jets_and_events(void) {
-  open_desk(
-      CURVE("name: front, from: front, run: c/column") CURVE(
-          "name: tip_x, from: jet, run: c/column, take: x") CURVE("name: tip_y, from: jet, run: "
-                                                                  "c/column, take: y")
-          CURVE("name: overhang, from: jet, run: c/column, take: overhang") CURVE(
-              "name: gap, from: jet, run: c/column, take: gap")
-              CURVE("name: impact, from: event, run: c/column, event: wall_impact") CURVE(
-                  "name: impact_y, from: event, run: c/column, event: wall_impact, take: y")
-                  CURVE("name: over, from: event, run: c/column, event: overflow, take: y")
-                      CURVE("name: turn, from: event, run: c/column, event: overturning") CURVE(
-                          "name: touch, from: event, run: c/column, event: touchdown")
-                          CURVE("name: wrong, from: event, run: c/column, event: impact") CURVE(
-                              "name: steps, from: statistic, run: c/column, statistic: projections")
-                              CURVE("name: none, from: statistic, run: c/column, statistic: steps")
-                                  CURVE("name: sensor, from: experiment, run: c/column, label: "
-                                        "sensor 1") CURVE("name: sensors, from: experiment, run: "
-                                                          "c/column, label: sensor 2"));
+  static const char *const curves[] = {
+      "name: front, from: front, run: c/column",
+      "name: tip_x, from: jet, run: c/column, take: x",
+      "name: tip_y, from: jet, run: c/column, take: y",
+      "name: overhang, from: jet, run: c/column, take: overhang",
+      "name: gap, from: jet, run: c/column, take: gap",
+      "name: impact, from: event, run: c/column, event: wall_impact",
+      "name: impact_y, from: event, run: c/column, event: wall_impact, take: y",
+      "name: over, from: event, run: c/column, event: overflow, take: y",
+      "name: turn, from: event, run: c/column, event: overturning",
+      "name: touch, from: event, run: c/column, event: touchdown",
+      "name: wrong, from: event, run: c/column, event: impact",
+      "name: steps, from: statistic, run: c/column, statistic: projections",
+      "name: none, from: statistic, run: c/column, statistic: steps",
+      "name: sensor, from: experiment, run: c/column, label: sensor 1",
+      "name: sensors, from: experiment, run: c/column, label: sensor 2",
+      NULL};
+  open_desk(curves);
   EXPECT_NEAR(value("at(\"front\", 0.6)"), front_of(0.6), ROUNDING);
   EXPECT(isnan(value("at(\"tip_x\", 0.8)")));
   EXPECT_NEAR(value("at(\"tip_x\", 1.5)"), 1.9, ROUNDING);
@@ -425,21 +435,23 @@ static void test_fronts_jets_and_events(void) {
 }
 
 static void test_signals(void) {
-  open_desk(
-      /* 400 samples of one period 2 pi: bins at whole numbers */
-      CURVE("name: wave, from: formula, y: '2*cos(7*x) + 0.3*cos(90*x) + 5', to: "
-            "6.267477343911637, points: 400") CURVE("name: spectrum, from: spectrum, curve: wave")
-          CURVE("name: half, from: spectrum, curve: wave, to: 3.14")
-              CURVE("name: low, from: lowpass, curve: wave, period: 0.2")
-                  CURVE("name: square, from: formula, y: x^2, points: 31, to: 3")
-                      CURVE("name: slope, from: derivative, curve: square")
-                          CURVE("name: area, from: integral, curve: slope")
-                              CURVE("name: smooth, from: average, curve: slope, over: 0.55")
-                                  CURVE("name: rest, from: highpass, curve: square, over: 0.6")
-                                      CURVE("name: back, from: formula, y: x, at: 0-x, points: 31")
-                                          CURVE("name: wrong, from: derivative, curve: back") CURVE(
-                                              "name: few, from: spectrum, curve: square, to: 1")
-                                              CURVE("name: itself, from: integral, curve: itself"));
+  /* 400 samples of one period 2 pi: bins at whole numbers */
+  static const char *const curves[] = {"name: wave, from: formula, y: '2*cos(7*x) + 0.3*cos(90*x) "
+                                       "+ 5', to: 6.267477343911637, points: 400",
+                                       "name: spectrum, from: spectrum, curve: wave",
+                                       "name: half, from: spectrum, curve: wave, to: 3.14",
+                                       "name: low, from: lowpass, curve: wave, period: 0.2",
+                                       "name: square, from: formula, y: x^2, points: 31, to: 3",
+                                       "name: slope, from: derivative, curve: square",
+                                       "name: area, from: integral, curve: slope",
+                                       "name: smooth, from: average, curve: slope, over: 0.55",
+                                       "name: rest, from: highpass, curve: square, over: 0.6",
+                                       "name: back, from: formula, y: x, at: 0-x, points: 31",
+                                       "name: wrong, from: derivative, curve: back",
+                                       "name: few, from: spectrum, curve: square, to: 1",
+                                       "name: itself, from: integral, curve: itself",
+                                       NULL};
+  open_desk(curves);
   EXPECT(value("count(\"spectrum\")") == 201);
   EXPECT_NEAR(value("at(\"spectrum\", 7)"), 2, 1e-11);
   EXPECT_NEAR(value("at(\"spectrum\", 90)"), 0.3, 1e-11);
