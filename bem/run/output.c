@@ -223,6 +223,8 @@ static enum status point_of(void *solver, const struct case_point *point,
                      &wet, &place));
   for (int k = 0; k < CASE_POINT_FIELDS; k++) value[k] = NAN;
   value[CASE_POINT_cover] = wet;
+  value[CASE_POINT_x] = o->mirrored ? bem_mirror_x(c, point->x) : point->x;
+  value[CASE_POINT_y] = point->y;
   if (!wet) return OK;
   value[CASE_POINT_p] = c->density * c->gravity * c->H * place.pressure;
   value[CASE_POINT_rho] = c->density;

@@ -26,10 +26,12 @@ struct case_point { /* in the water or on a wall */
   char *name;
   double x, y; /* m */
   int every;   /* steps of SPH from one row to the next */
+  bool follow; /* the particle that is nearest at t = 0, of SPH alone */
 };
 
-/* What is known of the water at a point: of SPH means over the particles around it. NaN where there
- * is next to no water, or where the solver does not know it. X(name, units, help) */
+/* What is known of the water at a point: of SPH means over the particles around it, or what the
+ * particle has that is followed. NaN where there is next to no water, or where the solver does not
+ * know it. X(name, units, help) */
 #define CASE_POINT(X)                                                                              \
   X(p, "Pa", "pressure, of SPH by the equation of state")                                          \
   X(rho, "kg/m^3", "density")                                                                      \
@@ -37,7 +39,10 @@ struct case_point { /* in the water or on a wall */
   X(v, "m/s", "velocity along y")                                                                  \
   X(a_x, "m/s^2", "acceleration along x")                                                          \
   X(a_y, "m/s^2", "acceleration along y")                                                          \
-  X(cover, "1", "1 in the water, 0 outside; of SPH sum V W, below 0.1 of which there are no means")
+  X(cover, "1",                                                                                    \
+    "1 in the water, 0 outside; of SPH sum V W, below 0.1 of which there are no means")            \
+  X(x, "m", "where it is")                                                                         \
+  X(y, "m", "where it is")
 
 enum { /* CASE_POINT_p, CASE_POINT_rho, ... */
 #define X(name, units, help) CASE_POINT_##name,
@@ -293,8 +298,8 @@ enum status case_parse_settings(const char *name, const char *text, const struct
                                 const struct registry *registry, struct problems *problems,
                                 struct case_file **c);
 
-/* The keys of n runs in the text of a case and their values in words, in alphabetical order, but for
- * name, solver and how fine a run is: runs that have the same differ by their resolution alone.
+/* The keys of n runs in the text of a case and their values in words, in alphabetical order, but
+ * for name, solver and how fine a run is: runs that have the same differ by their resolution alone.
  * settings [n]: NULL where the text has no such run, or is no case; owned by the caller.
  * ERR_MEMORY, and all of them NULL. */
 enum status case_run_settings(const char *text, size_t n, const char *const *run, char **settings);

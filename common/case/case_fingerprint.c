@@ -53,8 +53,8 @@ static void write_inputs(FILE *out, const struct case_file *c, const struct case
   for (size_t i = 0; i < c->n_gauges; i++)
     fprintf(out, "gauge %s %.17g\n", c->gauges[i].name, c->gauges[i].x);
   for (size_t i = 0; i < c->n_points; i++)
-    fprintf(out, "point %s %.17g %.17g %d\n", c->points[i].name, c->points[i].x, c->points[i].y,
-            c->points[i].every);
+    fprintf(out, "point %s %.17g %.17g %d%s\n", c->points[i].name, c->points[i].x, c->points[i].y,
+            c->points[i].every, c->points[i].follow ? " follow" : "");
   fprintf(out, "solver %s %.17g\n", r->solver->name, r->resolution);
   params_write(out, r->solver->params, r->solver->n_params, r->options);
 }

@@ -140,6 +140,7 @@ static const struct param gauge_rows[] = {
 struct point_section {
   char *name;
   int at, every;
+  bool follow;
 };
 static const struct param point_rows[] = {
     TEXT(struct point_section, name, 64, NULL, "name of the series"),
@@ -153,6 +154,11 @@ static const struct param point_rows[] = {
      .help = "steps of SPH from one row to the next: sum V f W / sum V W over the particles around "
              "it, of p, rho, u, v, the accelerations a_x, a_y, and sum V W, cover; BEM has a row a "
              "sample, without accelerations"},
+    {.key = "follow",
+     .type = PARAM_BOOL,
+     .offset = offsetof(struct point_section, follow),
+     .value = "false",
+     .help = "of SPH: instead, what the particle has that is nearest at t = 0, wherever it goes"},
 };
 
 bool case_read_section(struct case_draft *d, int node, const char *path, const struct param *rows,
@@ -315,7 +321,7 @@ static enum status read_points(struct case_draft *d) {
       snprintf(at_path, sizeof at_path, "%s.at", path);
       case_read_point(doc, s.at, at_path, at);
     }
-    *point = (struct case_point){s.name, at[0], at[1], s.every};
+    *point = (struct case_point){s.name, at[0], at[1], s.every, s.follow};
   }
   d->good.points = doc->faults == faults;
   return OK;

@@ -16,6 +16,7 @@ enum status record_row(struct result *w, const struct case_file *c, const struct
   }
   for (size_t k = 0; r->point && k < c->n_points; k++) {
     double at[CASE_POINT_FIELDS];
+    if (c->points[k].follow) continue; /* there are no particles */
     TRY(r->point(r->solver, &c->points[k], at));
     TRY(result_point(w, k, t, at));
   }

@@ -4,17 +4,19 @@
  * Every particle of water j near a wall has an image there (images.h), with its volume and its
  * velocity with the normal component reversed: beside an upright wall with its pressure, too. In a
  * corner there is a third image, mirrored in both walls. Below the bed, at the distance d from it,
- * the pressure goes on in one of three ways:
+ * the pressure goes on in one of four ways:
  *
  *   mirror-plain         p_j' = p_j, with which the lowest row of still water starts to fall, until
  *                        it is near enough to its own images
  *   mirror               p_j' = p_j + 2 d rho_j g, linearly, where rho_j is rho0 in the momentum
  *                        equation `reference`: then rho' is T's (4.44), rho_j + 2 d rho0 g/c0^2
+ *   mirror-reference     p_j' = p_j + 2 d rho0 g: (4.44) in any form, with which water that is
+ *                        heavier at the bed than rho0 does not rest
  *   mirror-exponential   by dp/dy = -rho g and the equation of state. The same to first order in
  *                        d g/c0^2; where sound is slow, rho0 g d/c0^2 is not small, and water that
  *                        starts as rho0 exp(-g y/c0^2) rests on no other
  *
- * In still water the last two continue the pressure through the wall, and its renormalised
+ * In still water all but the first continue the pressure through the wall, and its renormalised
  * gradient, whose excess over the hydrostatic one is reflected like a velocity, as the fixed ghosts
  * do (ghost.c); plain images reflect all of it.
  *
@@ -106,11 +108,11 @@ static bool has_image(const struct sph *s, const struct images *t, const struct 
 }
 
 /* How the pressure goes on below the bed. */
-enum continuation { PLAIN, LINEAR, EXPONENTIAL };
+enum continuation { PLAIN, LINEAR, REFERENCE, EXPONENTIAL };
 
-static struct sph_vector weight_of(const struct sph *s, const struct sph_pack *j,
-                                   const struct sph_drive *d) {
-  return sph_weight(s, j->rho, j->x, j->y, j->u, j->v, d->A);
+static struct sph_vector weight_of(const struct sph *s, enum continuation c,
+                                   const struct sph_pack *j, const struct sph_drive *d) {
+  return sph_weight(s, c == REFERENCE ? s->rho0 : j->rho, j->x, j->y, j->u, j->v, d->A);
 }
 
 /* Of the image at (x, y). */
@@ -119,8 +121,9 @@ SPECIALISE double pressure_at(const struct sph *s, enum continuation c, const st
   switch (c) {
   case PLAIN:
     return j->p;
-  case LINEAR: {
-    const struct sph_vector weight = weight_of(s, j, d);
+  case LINEAR:
+  case REFERENCE: {
+    const struct sph_vector weight = weight_of(s, c, j, d);
     return j->p + weight.x * (x - j->x) + weight.y * (y - j->y);
   }
   case EXPONENTIAL:
@@ -157,7 +160,7 @@ SPECIALISE void fill(struct sph *s, enum continuation c) {
 /* The gradient at rest of what is reflected, and of its image, Pa/m; their excess is alike. */
 SPECIALISE struct sph_vector gradient_at_rest(const struct sph *s, enum continuation c,
                                               const struct sph_pack *a, const struct sph_drive *d) {
-  return c == PLAIN ? (struct sph_vector){0, 0} : weight_of(s, a, d);
+  return c == PLAIN ? (struct sph_vector){0, 0} : weight_of(s, c, a, d);
 }
 
 SPECIALISE void fill_gradients(struct sph *s, enum continuation c) {
@@ -211,4 +214,5 @@ static void mirror_destroy(struct sph *s) {
   };
 MIRROR(mirror_plain, PLAIN)
 MIRROR(mirror, LINEAR)
+MIRROR(mirror_reference, REFERENCE)
 MIRROR(mirror_exponential, EXPONENTIAL)

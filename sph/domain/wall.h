@@ -44,6 +44,9 @@ struct sph_wall {
   X(mirror_plain, "mirror-plain",                                                                  \
     "mirror images of the water with p* = p (Colagrossi & Landrini 2003): the lowest row of "      \
     "water at rest starts to fall, by 0.56 g with the radial spline")                              \
+  X(mirror_reference, "mirror-reference",                                                          \
+    "mirror images of the water, below the bed with p* = p + 2 d rho0 g (thesis, eq. (4.44)) in "  \
+    "any form: water that is heavier than rho0 at the bed does not rest on them")                  \
   X(mirror_exponential, "mirror-exponential",                                                      \
     "mirror images of the water, below the bed by dp/dy = -rho g and the equation of state: rho* " \
     "= rho exp(2 d g/c0^2) where that is linear")                                                  \

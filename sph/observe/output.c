@@ -28,6 +28,7 @@ struct sph_output {
   double budget0, available, budget; /* J/m */
   bool diagnose, due;                /* the rates of a sample, of an output, are still to come */
   bool *dry;                         /* [faces], its wall_impact is still to come; owned */
+  uint32_t *followed; /* [points], ids of the particles of those that follow; owned */
   size_t room;
   double *x, *y, *u, *v, *rho, *p, *m, *V; /* [room], in the order of the particles' ids */
   double *ax, *ay;                         /* the same; NULL: not wanted */
@@ -80,6 +81,9 @@ enum status sph_output_create(const struct case_file *c, const struct sph *s, st
   ATTEMPT(sph_allocate(s->faces.n, sizeof *o->dry, &o->dry));
   for (size_t k = 0; k < s->faces.n; k++)
     o->dry[k] = !s->tank.periodic[0] && gap(s, &s->faces.face[k]) > 1.5 * s->dx;
+  ATTEMPT(sph_allocate(c->n_points, sizeof *o->followed, &o->followed));
+  for (size_t k = 0; k < c->n_points; k++)
+    if (c->points[k].follow) o->followed[k] = sph_point_nearest(s, &c->points[k]);
   struct result_energy e = sph_energy(s);
   o->budget = o->budget0 = result_energy_budget(&e);
   double rest;
@@ -118,6 +122,7 @@ void sph_output_destroy(struct sph_output *o) {
   geo_lines_destroy(&o->surface);
   sph_gauges_destroy(o->gauges);
   free(o->dry);
+  free(o->followed);
   free(o->x);
   free(o->y);
   free(o->u);
@@ -285,7 +290,10 @@ static enum status write_points(const struct sph_output *o, const struct sph *s)
   for (size_t k = 0; k < o->c->n_points; k++) {
     const struct case_point *point = &o->c->points[k];
     if (s->steps % (size_t)point->every) continue;
-    sph_point(s, point, value);
+    if (point->follow)
+      sph_point_follow(s, o->followed[k], value);
+    else
+      sph_point(s, point, value);
     TRY(result_point(o->result, k, s->t, value));
   }
   return OK;

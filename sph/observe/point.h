@@ -9,3 +9,9 @@
  * NaN where sum V W < 0.1. */
 void sph_point(const struct sph *s, const struct case_point *point,
                double value[CASE_POINT_FIELDS]);
+
+/* The id of the particle that is nearest to the point. */
+uint32_t sph_point_nearest(const struct sph *s, const struct case_point *point);
+
+/* What the particle of that id has, and sum V W around it; all NaN when it has been taken out. */
+void sph_point_follow(const struct sph *s, uint32_t id, double value[CASE_POINT_FIELDS]);

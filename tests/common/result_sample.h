@@ -42,7 +42,8 @@ static struct case_run sample_runs[] = {
     {.name = "antuono", .solver = &sample_solver, .resolution = 23.85, .options = &sample_chosen}};
 static struct case_probe sample_probes[] = {{"P/1", 3.2196, 0.1596, 0.09}, {"P0", 0, 1e-17, 0}};
 static struct case_gauge sample_gauges[] = {{"G1", 1.2000000000000002}};
-static struct case_point sample_points[] = {{"above/1", 0.1, 1e-17, 3}, {"A", 2.385, 0.3, 1}};
+static struct case_point sample_points[] = {{"above/1", 0.1, 1e-17, 3, false},
+                                            {"A", 2.385, 0.3, 1, true}};
 static double sample_t[] = {0.1, 0.30000000000000004, 7},
               sample_value[] = {-1e-300, 5e-324, 1.7e308};
 static struct case_experiment sample_experiments[] = {
@@ -133,7 +134,8 @@ static inline enum status sample_output(struct result *w, size_t k, size_t scale
         w, &(struct result_energy){ti, 1 / 3.0, -2 / 7.0, 1e-300, ti * ti, -0.0, {5, 6}}));
     ATTEMPT(result_step(w, &(struct result_step){ti, 1e-5, 4.0 * (double)k, 0.5, 0.72, 0}));
     ATTEMPT(result_probe(w, 0, ti, ti * 9810));
-    if (i % 2) ATTEMPT(result_point(w, 1, ti, (double[]){ti, 998.2, -0.0, NAN, 5e-324, 7, 0.5}));
+    if (i % 2)
+      ATTEMPT(result_point(w, 1, ti, (double[]){ti, 998.2, -0.0, NAN, 5e-324, 7, 0.5, 0.1, -3}));
     ATTEMPT(result_gauge(w, 0, ti, i % 2 ? NAN : 0.6 + ti));
   }
   ATTEMPT(result_event(w, "touchdown", t, 2.385, 0.01));

@@ -77,8 +77,49 @@ static void test_periodic_sides_are_none(void) {
   sph_point(s, &ends[0], left);
   sph_point(s, &ends[1], right);
   EXPECT_NEAR(left[CASE_POINT_cover], 1, 0.01);
-  for (int k = 0; k < CASE_POINT_FIELDS; k++)
+  for (int k = 0; k <= CASE_POINT_cover; k++)
     EXPECT_NEAR(left[k], right[k], 1e-12 * fmax(1, fabs(left[k])));
+  sph_destroy(s);
+  case_destroy(c);
+}
+
+/* The nearest, also beyond a periodic side, and the same one wherever it goes and however particles
+ * are sorted: by its mass, which no other has. */
+static void test_a_particle_is_followed(void) {
+  struct case_file *c = pool_case(
+      "title: wave\nscales: {H: 1}\ntank: {walls: [[[0, 2], [0, 0], [1, 0], [1, 2]]], sides: "
+      "periodic}\nwater: {wave: {kind: airy, amplitude: 0.05, wavelength: 1, depth: "
+      "1}}\n" POOL_TIMES,
+      "resolution: 20, kernel: tensor, h_over_dx: 1, walls: mirror, momentum: mass, continuity: "
+      "mass");
+  struct sph *s = pool_create(c);
+  double value[CASE_POINT_FIELDS];
+  EXPECT_OK(sph_rates(s, 0, true, true));
+  size_t of = 0;
+  for (size_t i = 0; i < s->f.n; i++)
+    if (s->f.id[i] == 238) of = i;
+  struct case_point place = at(s->f.w.x[of] + 1e-3, s->f.w.y[of] - 1e-3);
+  EXPECT(sph_point_nearest(s, &place) == 238);
+  place.x += 1;
+  EXPECT(sph_point_nearest(s, &place) == 238);
+  const double mass = s->f.m[of] *= 1 + 1e-9;
+  const double began = s->f.w.x[of];
+  for (int step = 0; step < 50; step++) {
+    EXPECT_OK(sph_rates(s, 0, true, true));
+    EXPECT_OK(sph_step(s, 0.5 * s->h / s->c0));
+  }
+  EXPECT_OK(sph_rates(s, 0, true, true));
+  for (size_t i = 0; i < s->f.n; i++)
+    if (s->f.m[i] == mass) of = i;
+  sph_point_follow(s, 238, value);
+  EXPECT(fabs(s->f.w.x[of] - began) > 1e-3);
+  EXPECT(value[CASE_POINT_x] == s->f.w.x[of] && value[CASE_POINT_y] == s->f.w.y[of]);
+  EXPECT(value[CASE_POINT_u] == s->f.w.u[of] && value[CASE_POINT_v] == s->f.w.v[of]);
+  EXPECT(value[CASE_POINT_a_x] == s->f.k[0].u[of] && value[CASE_POINT_a_y] == s->f.k[0].v[of]);
+  EXPECT(value[CASE_POINT_rho] == s->f.w.rho[of]);
+  EXPECT_NEAR(value[CASE_POINT_cover], 1, 0.05);
+  sph_point_follow(s, (uint32_t)s->f.n, value); /* one that has gone */
+  for (int k = 0; k < CASE_POINT_FIELDS; k++) EXPECT(isnan(value[k]));
   sph_destroy(s);
   case_destroy(c);
 }
@@ -87,5 +128,6 @@ int main(void) {
   RUN(test_inside_a_lattice_means_are_values);
   RUN(test_cover_tells_edges);
   RUN(test_periodic_sides_are_none);
+  RUN(test_a_particle_is_followed);
   return TEST_RESULT;
 }
