@@ -383,15 +383,14 @@ static void check(const struct case_file *c, const struct case_run *r, struct pr
   sph_forms_check(r, problems);
   sph_owners_check(r, problems);
   check_integrator(r, problems);
-  if (o->free_surface == SPH_FREE_SURFACE_fitted &&
+  if (o->free_surface != SPH_FREE_SURFACE_natural &&
       !(flow_is_wave(c->flow) && !c->flow->line && c->rectangular))
-    problems_add(
-        problems, case_run_line(r, "free_surface"),
-        "runs.%s.free_surface: found 'fitted' with regions of water, a curve, or in a tank "
-        "that is not rectangular, whose outline no row of "
-        "particles follows; allowed: with water.wave in a rectangular tank; write "
-        "free_surface: natural",
-        r->name);
+    problems_add(problems, case_run_line(r, "free_surface"),
+                 "runs.%s.free_surface: found '%s' with regions of water, a curve, or in a tank "
+                 "that is not rectangular, whose outline no row of "
+                 "particles follows; allowed: with water.wave in a rectangular tank; write "
+                 "free_surface: natural",
+                 r->name, o->free_surface == SPH_FREE_SURFACE_fitted ? "fitted" : "level");
   check_forces(r, problems);
   check_walls(c, r, problems);
   check_gravity(c, r, problems);

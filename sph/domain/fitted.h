@@ -10,6 +10,9 @@
   X(fitted,                                                                                        \
     "a first row of particles on the surface, which keep p = 0 (thesis, 2.6.5, 4.2.3): waves "     \
     "that do not break",                                                                           \
+    ##__VA_ARGS__)                                                                                 \
+  X(level,                                                                                         \
+    "the same row on the surface, of which nothing is asked: what fitted adds is seen beside it",  \
     ##__VA_ARGS__)
 SPH_FAMILY(sph_free_surface, SPH_FREE_SURFACE, SPH_FREE_SURFACES);
 

@@ -180,7 +180,7 @@ const char *sph_forms_warning(const struct sph_scheme *o, double g) {
   if (eos_drives_by_excess((enum sph_eos)o->eos) && g > 0)
     return "eos dynamic has no dynamic pressure at a free surface, instead of no pressure: water "
            "does not fall";
-  if (is_fitted(o) && o->free_surface == SPH_FREE_SURFACE_natural)
+  if (is_fitted(o) && o->free_surface != SPH_FREE_SURFACE_fitted)
     return "a fitted derivative imposes no pressure on a free surface: violent flow is thrown "
            "about; waves want free_surface: fitted";
   if (o->momentum == SPH_MOMENTUM_minus)

@@ -97,17 +97,16 @@ done:
 struct rows {
   size_t n;
   double height; /* of a row, m; the first lies half of it above the bed */
-  bool fitted;
 };
 
 static struct rows rows_in(const struct sph *s, double depth) {
-  const bool fitted = s->scheme.free_surface == SPH_FREE_SURFACE_fitted;
-  const size_t n = geo_intervals(depth + (fitted ? s->dx / 2 : 0), s->dx);
-  return (struct rows){n, depth / ((double)n - (fitted ? 0.5 : 0)), fitted};
+  const bool below = s->scheme.free_surface == SPH_FREE_SURFACE_natural;
+  const size_t n = geo_intervals(depth + (below ? 0 : s->dx / 2), s->dx);
+  return (struct rows){n, depth / ((double)n - (below ? 0 : 0.5))};
 }
 
 static enum status mark_first_row(struct sph *s, const struct rows *rows) {
-  if (!rows->fitted) return OK;
+  if (s->scheme.free_surface != SPH_FREE_SURFACE_fitted) return OK;
   TRY(sph_allocate(s->f.n, sizeof *s->fitted, &s->fitted));
   for (size_t i = 0; i < s->f.n; i++) s->fitted[s->f.id[i]] = i % rows->n == rows->n - 1;
   return OK;

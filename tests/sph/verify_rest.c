@@ -29,14 +29,12 @@ static double largest(const struct sph *s, const double *rate) {
 static struct growth march(const char *forms, bool fitted) {
   char run[400];
   snprintf(run, sizeof run,
-           "resolution: 50, kernel: tensor, h_over_dx: 1, %s, free_surface: fitted, diffusion: "
-           "none, alpha: 0, walls: mirror, integrator: rk4, c0: 6.324555320336759 sqrt(gH), "
-           "precision: double",
-           forms);
+           "resolution: 50, kernel: tensor, h_over_dx: 1, %s, free_surface: %s, diffusion: none, "
+           "alpha: 0, walls: mirror, integrator: rk4, c0: 6.324555320336759 sqrt(gH), precision: "
+           "double",
+           forms, fitted ? "fitted" : "level");
   struct case_file *c = pool_case(tank, run);
   struct sph *s = pool_create(c);
-  unsigned char *row = s->fitted;
-  if (!fitted) s->fitted = NULL;
   const double unit = 1 / sqrt(s->g), dt = 0.5 * s->h / s->c0;
   double n = 0, t1 = 0, t2 = 0, l1 = 0, tl = 0;
   struct growth g = {.end = 12};
@@ -56,7 +54,6 @@ static struct growth march(const char *forms, bool fitted) {
   if (n > 2) g.slope = (n * tl - t1 * l1) / (n * t2 - t1 * t1);
   printf("     %s, %s: growth %.2f sqrt(g/H), ends at t = %.2f sqrt(H/g)\n", forms,
          fitted ? "p = 0 on the first row" : "no condition", g.slope, g.end);
-  s->fitted = row;
   sph_destroy(s);
   case_destroy(c);
   return g;
