@@ -160,7 +160,7 @@ static enum status distance_between(struct cmp_geos *g, const struct surface_sou
                                     const struct geo_lines *of_a, const struct geo_lines *of_b,
                                     double *mean) {
   const struct geo_box window = window_of(s, a->H);
-  const double step = fmax(a->spacing / 2, 1e-3 * a->H), film = 2 * fmax(a->spacing, b->spacing);
+  const double step = fmax(a->spacing / 2, 1e-3 * a->H), film = 2 * a->spacing;
   struct cmp_outline *p = NULL, *q = NULL;
   struct cmp_distance both;
   struct cmp_value value, largest;
