@@ -240,7 +240,7 @@ enum status gallery_runs_make(struct gallery_runs *runs, bool again, int jobs,
   ATTEMPT(room_take_for_blas());
   struct job_plan plan = jobs_plan_here(jobs, "run", "runs");
   jobs_plan(n, job, &plan);
-  status = jobs_run(n, job, &plan, run_job, &work, progress, &exit_code);
+  ATTEMPT(jobs_run(n, job, &plan, run_job, &work, progress, &exit_code));
   for (size_t i = 0; i < n; i++) {
     struct gallery_run *run = &runs->run[job[i].item];
     look(&runs->cases[run->of], run);

@@ -11,7 +11,6 @@ pretend_gnuplot
 [ -e out ] && fail "--list makes something"
 id=$(awk 'substr($0, 12, 6) == "theory" {print substr($0, 1, 10); exit}' list | sed 's/ *$//')
 key=${id// /-}
-[ "$id" ] || exit 77 # there is no entry of theory
 
 # ---- an entry of theory, made once ----
 "$program" gallery "$id" --out g >log 2>err || fail "$id: $? $(cat log err)"
@@ -76,6 +75,22 @@ if [ "$run" ]; then
   "$program" plan gallery "$run" --for slurm --results r | bash -n || fail "the script is none"
 else
   echo "no entry with short runs: not tried"
+fi
+
+# ---- stopped: what is finished stays ----
+if grep -q '^P 2  ' list; then
+  "$program" gallery "$id" 'P 2' --out s >log 2>err &
+  pid=$!
+  for _ in $(seq 400); do
+    [ "$(find s/runs -name '*.h5' 2>/dev/null)" ] && break
+    sleep 0.05
+  done
+  kill -INT $pid
+  got=0
+  wait $pid || got=$?
+  [ $got = 3 ] && [ "$(tail -2 err)" = "what is finished stays; the same command makes the rest
+plunge: stopped" ] || fail "stopped: $got $(cat log err)"
+  [ -e s/gallery.json ] && fail "a stopped gallery looks whole"
 fi
 
 # ---- wrong words: exit code 2, this sentence, nothing made ----
