@@ -34,6 +34,8 @@ struct graph_spec {
 
 /* ---- reading ---- */
 
+enum { LABEL = 200 }; /* bytes of one, at most */
+
 #define FLAG(struct_, member, standard, text)                                                      \
   {                                                                                                \
     .key = #member, .type = PARAM_BOOL, .offset = offsetof(struct_, member), .value = standard,    \
@@ -46,7 +48,7 @@ struct graph_spec {
   }
 
 static const struct param graph_rows[] = {
-    TEXT(struct graph_spec, x, 200, NULL, "label of the axis that the panels share"),
+    TEXT(struct graph_spec, x, LABEL, NULL, "label of the axis that the panels share"),
     FLAG(struct graph_spec, log, "false", "whether that is logarithmic"),
     END(struct graph_spec, "from", 0, "where it begins"),
     END(struct graph_spec, "to", 1, "where it ends"),
@@ -54,7 +56,7 @@ static const struct param graph_rows[] = {
     NODE(struct graph_spec, panels, NULL, "a list of panels"),
 };
 static const struct param panel_rows[] = {
-    TEXT(struct graph_panel, y, 200, NULL, "label of its axis"),
+    TEXT(struct graph_panel, y, LABEL, NULL, "label of its axis"),
     FLAG(struct graph_panel, log, "false", "whether that is logarithmic"),
     END(struct graph_panel, "bottom", 0, "where it begins"),
     END(struct graph_panel, "top", 1, "where it ends"),
@@ -203,12 +205,45 @@ static void curves_free(struct graph_curves *c) {
 
 /* Words of a column: as a label, within single quotes of gnuplot's, and at the head of a table. */
 struct words {
-  char label[2 * 200 + 1], head[200 + 1], level[32];
+  char label[4 * LABEL + 1], head[2 * LABEL + 1], level[32];
 };
 
+/* The letter that stands for `c` in gnuplot's Symbol font, which browsers do not have. */
+static const char *greek(char c) {
+  static const char *const small[] = {"α", "β", "χ", "δ", "ε", "φ", "γ", "η", "ι",
+                                      "ϕ", "κ", "λ", "μ", "ν", "ο", "π", "θ", "ρ",
+                                      "σ", "τ", "υ", "ϖ", "ω", "ξ", "ψ", "ζ"};
+  static const char *const large[] = {"Α", "Β", "Χ", "Δ", "Ε", "Φ", "Γ", "Η", "Ι",
+                                      "ϑ", "Κ", "Λ", "Μ", "Ν", "Ο", "Π", "Θ", "Ρ",
+                                      "Σ", "Τ", "Υ", "ς", "Ω", "Ξ", "Ψ", "Ζ"};
+  return c >= 'a' && c <= 'z' ? small[c - 'a'] : c >= 'A' && c <= 'Z' ? large[c - 'A'] : NULL;
+}
+
+/* "{/Symbol m}_c" as "μ_c". */
+static void letters_replace(const char *text, char *out) {
+  static const char opening[] = "{/Symbol ";
+  while (*text) {
+    if (strncmp(text, opening, sizeof opening - 1) != 0 || !strchr(text, '}')) {
+      *out++ = *text++;
+      continue;
+    }
+    for (text += sizeof opening - 1; *text != '}'; text++) {
+      const char *letter = greek(*text);
+      if (letter)
+        out = stpcpy(out, letter);
+      else
+        *out++ = *text;
+    }
+    text++;
+  }
+  *out = 0;
+}
+
 static void words_set(struct words *w, const char *text) {
+  char plain[2 * LABEL + 1];
   size_t n = 0, m = 0;
-  for (const char *c = text; *c; c++) {
+  letters_replace(text, plain);
+  for (const char *c = plain; *c; c++) {
     if (*c == '\'') w->label[n++] = '\'';
     w->label[n++] = *c;
     w->head[m++] = *c == ',' || *c == '"' ? ' ' : *c;

@@ -155,13 +155,13 @@ static void test_graph(void) {
                       "            top: 2\n"
                       "            level: 1/4\n"
                       "            lines: [{curve: a, name: first}, {curve: b, name: second}]\n"
-                      "          - y: b\n"
+                      "          - y: '{/Symbol Dm}_{c}'\n"
                       "            lines: [{curve: b, name: first}]\n"
                       "      - kind: graph\n"
                       "        x: k h\n"
                       "        panels: [{y: c, lines: [{curve: c, name: c}]}]\n");
   EXPECT(json_array_size(made) == 2);
-  EXPECT(says("P-1.csv", "curve,name,k h,a  'as printed',b\n"
+  EXPECT(says("P-1.csv", "curve,name,k h,a  'as printed',Δμ_{c}\n"
                          "0,\"first\",0,1,NaN\n"));
   EXPECT(says("P-1.csv", "0,\"first\",4,0,NaN\n" /* then the panel below */
                          "0,\"first\",NaN,NaN,NaN\n"
@@ -170,6 +170,7 @@ static void test_graph(void) {
   EXPECT(says("P-1.csv", "1,\"second\",4,8,NaN\n"));
   EXPECT(says("P-1.gp", "plot 0.25 with lines"));
   EXPECT(says("P-1.gp", "set label 'a, ''as printed''' at"));
+  EXPECT(says("P-1.gp", "set label 'Δμ_{c}' at"));
   EXPECT(says("P-1.gp", "set xrange [-1:4]"));
   EXPECT(says("P-1.gp", ":2]\nset ytics"));
   EXPECT_STR(text_in(made, 0, "failure"), "");
