@@ -214,6 +214,8 @@ static enum status data_of(struct gallery_desk *desk, const struct surface_sourc
   const struct result_file *f = NULL;
   double T = NAN;
   TRY(file_of(desk, s->run, &f, &T));
+  CHECK(f->walls.pieces, ERR_INPUT, "run %s has no walls, without which no front or jet is known",
+        s->run);
   *depth = s->depth > 0 ? s->depth : 2 * f->spacing / f->H;
   *scales = (struct cmp_scales){.H = f->H, .T = T, .p = f->density * f->g * f->H, .E = 1};
   const enum status status = cmp_data_create(f, &f->walls, scales, *depth, window, d);

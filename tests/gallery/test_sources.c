@@ -47,7 +47,7 @@ static double front_of(double t) {
   return 1 + 0.5 * t;
 }
 
-static struct geo_lines box;
+static struct geo_lines box, none;
 static struct case_probe probe = {.name = "P", .x = 3 * 2.385, .y = 0.5};
 static double measured_t[] = {0, 1}, measured_p[] = {0, 500};
 static struct case_experiment measured = {.label = "sensor 1",
@@ -74,7 +74,7 @@ static struct result *begin(const char *name, bool sound) {
                                      .density = RHO,
                                      .resolution = NY,
                                      .rest_potential = 0,
-                                     .walls = &box,
+                                     .walls = strcmp(name, "bare") ? &box : &none,
                                      .n_probes = 1,
                                      .probes = &probe,
                                      .params = options_table,
@@ -184,12 +184,13 @@ static void write_all(void) {
   write_run("flat", false, true, false, flat);
   write_run("level", false, false, false, level);
   write_run("column", true, false, false, column);
+  write_run("bare", true, false, false, column);
 }
 
 static void remove_all(void) {
-  static const char *const runs[] = {"known", "lost", "flat", "level", "column"};
+  static const char *const runs[] = {"known", "lost", "flat", "level", "column", "bare"};
   char name[160];
-  for (int i = 0; i < 5; i++) {
+  for (int i = 0; i < 6; i++) {
     snprintf(name, sizeof name, "%s/c/%s.h5", folder, runs[i]);
     unlink(name);
     snprintf(name, sizeof name, "%s/c/%s.xdmf", folder, runs[i]);
@@ -411,6 +412,7 @@ static void test_fronts_jets_and_events(void) {
       "name: steps, from: statistic, run: c/column, statistic: projections",
       "name: none, from: statistic, run: c/column, statistic: steps",
       "name: sensor, from: experiment, run: c/column, label: sensor 1",
+      "name: bare, from: event, run: c/bare, event: touchdown",
       "name: sensors, from: experiment, run: c/column, label: sensor 2",
       NULL};
   open_desk(curves);
@@ -430,6 +432,7 @@ static void test_fronts_jets_and_events(void) {
   expect_failure("none", "has no statistic 'steps'");
   EXPECT_NEAR(value("last(\"sensor\")"), 500 / (RHO * G * H), ROUNDING);
   EXPECT_NEAR(value("crosses(\"sensor\", 0.5*last(\"sensor\"))"), 0.5 / sqrt(H / G), ROUNDING);
+  expect_failure("bare", "run c/bare has no walls");
   expect_failure("sensors", "has no measured series 'sensor 2'");
   close_desk();
 }
