@@ -18,27 +18,56 @@ function frameOf(curves, section) {
   return [low >= 0 && low < 0.4 * high ? 0 : low - room, high + room];
 }
 
+/* The times that all charts show; null: each shows all of its own. */
+let zoomed = null;
+
+/* A curve in those times alone: what its frame is made of. */
+function within(curve, times) {
+  if (!times) return curve;
+  const kept = curve.values.filter((_, k) => curve.ts[k] >= times[0] && curve.ts[k] <= times[1]);
+  const ends = times.map(t => valueAt(curve.ts, curve.values, t)).filter(Number.isFinite);
+  return {...curve, values: [...kept, ...ends]};
+}
+
+/* Takes the window in to what there is, and draws all charts in it. */
+function setZoom(low, high) {
+  const all = lastTime(), width = Math.max(all / 1000, Math.min(all, high - low)), from = Math.max(0, Math.min(all - width, low));
+  zoomed = width > 0.999 * all ? null : [from, from + width];
+  cancelAnimationFrame(setZoom.frame);
+  setZoom.frame = requestAnimationFrame(() => charts.forEach(c => c.draw()));
+}
+
 const inFrame = (curve, [low, high]) => quantile(curve.values, 0) >= low - (high - low) && quantile(curve.values, 1) <= high + (high - low);
 
 class Chart {
   constructor(section, plan) {
     Object.assign(this, plan, {section});
     this.legend = make('div', {class: 'legend'});
-    this.drawing = make('div', {class: 'drawing'});
-    this.element = make('figure', {class: 'chart'}, make('figcaption', {}, this.title), this.drawing, this.legend);
-    this.frame = frameOf(this.curves, section);
+    this.drawing = make('div', {class: 'drawing', tabindex: 0, role: 'group', 'aria-label': `${this.title}: plus, minus, arrows and 0 zoom and move all charts`});
+    this.back = make('button', {type: 'button', class: 'back', hidden: ''}, 'All times');
+    this.back.addEventListener('click', () => setZoom(0, lastTime()));
+    this.element = make('figure', {class: 'chart'}, make('figcaption', {}, this.title, this.back), this.drawing, this.legend);
     charts.push(this);
+    this.listenZoom();
   }
+
+  /* The times at its left and right edge. */
+  get span() { return zoomed || [0, this.end || lastTime()]; }
 
   visible(curve) { return curve.run === null || shown.runs.has(curve.run); }
 
   draw() {
     const width = Math.max(240, this.drawing.clientWidth), right = width - MARGIN.right, bottom = HEIGHT - MARGIN.bottom;
-    this.x = d3.scaleLinear().domain([0, this.end || lastTime()]).range([MARGIN.left, right]);
+    const shownCurves = this.curves.map(c => within(c, zoomed));
+    this.frame = frameOf(shownCurves, this.section);
+    this.strays = new Set(this.curves.filter((_, k) => !inFrame(shownCurves[k], this.frame)));
+    this.back.hidden = !zoomed;
+    this.x = d3.scaleLinear().domain(this.span).range([MARGIN.left, right]);
+    this.zoomAlike();
     this.y = d3.scaleLinear().domain(this.frame).range([bottom, MARGIN.top]);
     this.drawing.replaceChildren();
     const svg = d3.select(this.drawing).append('svg').attr('viewBox', `0 0 ${width} ${HEIGHT}`).attr('width', width).attr('height', HEIGHT)
-      .attr('role', 'img').attr('aria-label', `${this.title}, ${this.unit}, against time`);
+      .attr('role', 'img').attr('aria-label', `${this.title}, ${this.unit}, against time from t* = ${g(this.span[0])} to ${g(this.span[1])}`);
     const id = `clip-${charts.indexOf(this)}`;
     svg.append('clipPath').attr('id', id).append('rect').attr('x', MARGIN.left).attr('y', MARGIN.top - 1).attr('width', right - MARGIN.left).attr('height', bottom - MARGIN.top + 2);
     svg.append('g').attr('class', 'axis').attr('transform', `translate(0,${bottom})`).call(d3.axisBottom(this.x).ticks(width / 90 / PX));
@@ -47,7 +76,7 @@ class Chart {
     svg.append('text').attr('class', 'label').attr('x', right).attr('y', HEIGHT - 4).attr('text-anchor', 'end').text('t* in √(H/g)');
     svg.append('text').attr('class', 'label').attr('x', -MARGIN.top).attr('y', 12 * PX).attr('transform', 'rotate(-90)').attr('text-anchor', 'end').text(this.unit);
     const lines = svg.append('g').attr('clip-path', `url(#${id})`);
-    const far = c => inFrame(c, this.frame) ? 1 : 0; // those that leave the frame lie below the others
+    const far = c => this.strays.has(c) ? 0 : 1; // those that leave the frame lie below the others
     [...this.curves].sort((a, b) => far(a) - far(b)).filter(c => this.visible(c)).forEach(c => this.drawCurve(lines, c));
     this.levels.forEach(level => lines.append('line').attr('class', 'level').attr('x1', MARGIN.left).attr('x2', right).attr('y1', this.y(level)).attr('y2', this.y(level)));
     this.hoverLine = svg.append('line').attr('class', 'hover').attr('y1', MARGIN.top).attr('y2', bottom).attr('visibility', 'hidden');
@@ -67,7 +96,7 @@ class Chart {
     }
     if (curve.errors) lines.append('path').attr('fill', colourOf(curve.run)).attr('fill-opacity', 0.2)
       .attr('d', d3.area().defined(k => Number.isFinite(curve.errors[k])).x(x).y0(k => this.y(curve.values[k] - curve.errors[k])).y1(k => this.y(curve.values[k] + curve.errors[k]))(rows));
-    lines.append('path').attr('fill', 'none').style('stroke', curve.run === null ? 'var(--soft)' : colourOf(curve.run)).attr('stroke-width', curve.raw || !inFrame(curve, this.frame) ? 0.5 : curve.run ? 1.4 : 2)
+    lines.append('path').attr('fill', 'none').style('stroke', curve.run === null ? 'var(--soft)' : colourOf(curve.run)).attr('stroke-width', curve.raw || this.strays.has(curve) ? 0.5 : curve.run ? 1.4 : 2)
       .attr('stroke-dasharray', curve.run ? DASHES[styleOf(curve.run).dashes] : null)
       .attr('d', d3.line().defined(k => Number.isFinite(curve.values[k])).x(x).y(y)(rows));
   }
@@ -76,13 +105,13 @@ class Chart {
     this.values = this.curves.filter(c => !c.raw && this.visible(c)).map(curve => ({curve, value: make('b', {})}));
     this.legend.replaceChildren(...this.values.map(({curve, value}) => make('span', {},
       ...curve.run === null ? [make('span', {class: 'dot ring'}), curve.experiment] : runName(curve.run),
-      inFrame(curve, this.frame) ? '' : ' (beyond the frame)', ' ', value)));
+      this.strays.has(curve) ? ' (beyond the frame)' : '', ' ', value)));
   }
 
   cursor(t, hovered) {
     if (!this.timeLine) return;
     const line = hovered ? this.hoverLine : this.timeLine, px = this.x(t);
-    line.attr('x1', px).attr('x2', px).attr('visibility', px > this.x.range()[1] + 1 ? 'hidden' : 'visible');
+    line.attr('x1', px).attr('x2', px).attr('visibility', px > this.x.range()[1] + 1 || px < this.x.range()[0] - 1 ? 'hidden' : 'visible');
     if (!hovered) this.hoverLine.attr('visibility', 'hidden');
     for (const {curve, value} of this.values) value.textContent = g(valueAt(curve.ts, curve.values, t)).replace('n/a', '–');
   }
@@ -90,11 +119,48 @@ class Chart {
   listen(svg) {
     const timeOf = event => {
       const box = svg.getBoundingClientRect();
-      return Math.max(0, Math.min(this.x.domain()[1], this.x.invert((event.clientX - box.left) * svg.viewBox.baseVal.width / box.width)));
+      return Math.max(this.span[0], Math.min(this.span[1], this.x.invert((event.clientX - box.left) * svg.viewBox.baseVal.width / box.width)));
     };
-    svg.addEventListener('pointermove', event => event.buttons ? setTime(timeOf(event)) : charts.forEach(c => c.cursor(timeOf(event), true)));
-    svg.addEventListener('pointerdown', event => setTime(timeOf(event)));
+    const other = event => event.shiftKey || this.zooming; // that moves and zooms
+    svg.addEventListener('pointermove', event => {
+      if (other(event)) return;
+      if (event.buttons) setTime(timeOf(event));
+      else charts.forEach(c => c.cursor(timeOf(event), true));
+    });
+    svg.addEventListener('pointerdown', event => other(event) || setTime(timeOf(event)));
     svg.addEventListener('pointerleave', () => charts.forEach(c => c.cursor(state.t)));
+  }
+
+  /* ---- zoom: of all charts together ---- */
+
+  listenZoom() {
+    this.zoom = d3.zoom().touchable(() => true).scaleExtent([1, 1000]).filter(() => {
+      const e = d3.event;
+      return e.type === 'wheel' ? e.ctrlKey : e.touches ? e.touches.length > 1 : e.type === 'mousedown' && e.shiftKey && !e.button;
+    });
+    this.zoom.on('start', () => { this.zooming = true; }).on('end', () => { this.zooming = false; }).on('zoom', () => {
+      if (d3.event.sourceEvent) setZoom(...d3.event.transform.rescaleX(this.whole).domain());
+    });
+    d3.select(this.drawing).call(this.zoom).on('dblclick.zoom', () => setZoom(0, lastTime()));
+    this.drawing.addEventListener('keydown', event => {
+      const [low, high] = this.span, width = high - low, middle = Math.max(low, Math.min(high, state.t));
+      const by = factor => setZoom(middle - (middle - low) * factor, middle + (high - middle) * factor);
+      const keys = {'+': () => by(0.8), '=': () => by(0.8), '-': () => by(1.25), 0: () => setZoom(0, lastTime()),
+        ArrowLeft: () => setZoom(low - width / 10, high - width / 10), ArrowRight: () => setZoom(low + width / 10, high + width / 10)};
+      if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey || (!zoomed && /^Arrow/.test(event.key))) return;
+      event.preventDefault();
+      event.stopPropagation();
+      keys[event.key]();
+    });
+  }
+
+  /* What D3 knows of the zoom, as that of all charts is. */
+  zoomAlike() {
+    const [low, high] = this.x.domain(), range = this.x.range();
+    this.whole = d3.scaleLinear().domain([0, lastTime()]).range(range);
+    this.zoom.extent([[range[0], 0], [range[1], HEIGHT]]).translateExtent([[range[0], -Infinity], [range[1], Infinity]]);
+    const k = lastTime() / (high - low);
+    if (!this.zooming) this.drawing.__zoom = d3.zoomIdentity.translate(range[0] - k * this.whole(low), 0).scale(k);
   }
 }
 

@@ -68,6 +68,61 @@ def check_controls(b):
     claim("x = " in b.run("return document.getElementById('pointed').textContent"), "the pointer shows where it is")
 
 
+SPANS = """return [...document.querySelectorAll('.chart svg')].map(s => s.getAttribute('aria-label').match(/from t\\* = (\\S+) to (\\S+)$/)
+  .slice(1).map(Number))"""
+
+
+def spans(b):
+    """The times that charts show: those of all, when they are the same."""
+    time.sleep(0.3)  # of D3's wheel, and the next frame
+    found = b.run(SPANS)
+    return found[0] if all(f == found[0] for f in found) else None
+
+
+def check_zoom(b):
+    b.run("document.querySelector('.drawing').scrollIntoView({block: 'center', behavior: 'instant'})")
+    box = b.run("const r = document.querySelector('.drawing').getBoundingClientRect(); return [r.left, r.top, r.width, r.height]")
+    x, y = box[0] + 0.6 * box[2], box[1] + 0.5 * box[3]
+    whole = b.run(SPANS)[0]
+    claim(whole[0] == 0 and whole[1] > 0.5, f"charts begin with all times: {whole}")
+
+    def widths(what, fine):
+        span = spans(b)
+        claim(span is not None and span[0] >= 0 and span[1] <= whole[1] and fine(*span), f"{what}: {span} of {whole}")
+        return span
+
+    mouse = lambda kind, at, modifiers=0, **more: b.tell("Input.dispatchMouseEvent", type=kind, x=at, y=y, modifiers=modifiers, **more)
+    mouse("mouseWheel", x, 2, deltaX=0, deltaY=-400)
+    near = widths("Ctrl and wheel zoom all charts", lambda low, high: high - low < 0.7 * whole[1] and low > 0)
+    now = b.run(NOW)
+    pressed = dict(button="left", buttons=1, clickCount=1)
+    for kind, at in (("mousePressed", x), ("mouseMoved", x + 30), ("mouseMoved", x + 60), ("mouseReleased", x + 60)):
+        mouse(kind, at, 8, **pressed)
+    moved = widths("Shift and drag move them", lambda low, high: low < near[0] - 1e-6)
+    claim(abs(moved[1] - moved[0] - (near[1] - near[0])) < 2e-3 * whole[1] and b.run(NOW) == now, "a move keeps the width and the time")
+    b.run("document.querySelector('.drawing').dispatchEvent(new MouseEvent('dblclick', {bubbles: true, view: window}))")
+    time.sleep(0.3)
+    claim(b.run(SPANS)[0] == whole, "a double click shows all times")
+    b.run("document.querySelector('.drawing').focus()")
+    view = settled(b)
+    b.key("+")
+    b.key("+")
+    near = widths("+ zooms", lambda low, high: abs((high - low) / whole[1] - 0.64) < 2e-3)
+    b.key(RIGHT if near[0] == 0 else LEFT)
+    widths("an arrow moves", lambda low, high: low != near[0])
+    claim(b.run(NOW) == now and settled(b) == view, "keys of a chart leave the picture alone")
+    b.run("document.querySelector('.back').click()")
+    time.sleep(0.3)
+    claim(b.run(SPANS)[0] == whole and b.run("return document.querySelector('.back').hidden"), "the button shows all times")
+    touch = lambda kind, *at: b.tell("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": p, "y": y, "id": k} for k, p in enumerate(at)])
+    b.tell("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+    for kind, at in (("touchStart", (x - 20,)), ("touchStart", (x - 20, x + 20)), ("touchMove", (x - 40, x + 40)), ("touchMove", (x - 60, x + 60)), ("touchEnd", ())):
+        touch(kind, *at)
+    widths("two fingers zoom", lambda low, high: high - low < 0.6 * whole[1])
+    b.tell("Emulation.setTouchEmulationEnabled", enabled=False)
+    b.run("document.querySelector('.back').click()")
+
+
 def check_jet(b):
     """Where "Follow the jet" leads: past a short fold at 4.25, and not to what overhangs after touchdown."""
     stage = pathlib.Path(__file__).resolve().parents[2] / "compare/page/stage.js"
@@ -171,7 +226,7 @@ browser = Browser()
 try:
     browser.open(sys.argv[1])
     browser.wait("document.documentElement.dataset.ready === 'yes'", "the page")
-    for check in (check_text, check_time, check_controls, check_jet, check_distances, check_tables, lambda b: check_access(b, "light", rules), check_looks):
+    for check in (check_text, check_time, check_controls, check_zoom, check_jet, check_distances, check_tables, lambda b: check_access(b, "light", rules), check_looks):
         check(browser)
     for line in browser.ask("POST", "/se/log", {"type": "browser"}):
         claim(False, f"console: {line['level']} {line['message']}")
