@@ -88,6 +88,20 @@ static void gap_take(double *longest, double from, double to) {
   longest[1] = to;
 }
 
+/* Why there is no distance at any output of the run. */
+static struct cmp_value nothing_shared(const struct comparison *c, const struct cmp_run *run) {
+  const struct cmp_data *a = &run->data, *b = &c->ref.data;
+  double off = INFINITY;
+  for (size_t i = 0; i < a->n && b->n; i++) {
+    const double here = a->t[i] - b->t[cmp_data_output(b, a->t[i], INFINITY)];
+    if (fabs(here) < fabs(off)) off = here;
+  }
+  if (run->evolution.n || !isfinite(off)) return cmp_unknown("no surfaces at common times");
+  return cmp_unknown("no outputs at common times: the nearest is %.3g s %s one of the reference "
+                     "(see time_offset)",
+                     fabs(off) * c->scales.T, off < 0 ? "before" : "after");
+}
+
 static void off_measure(const struct comparison *c, struct cmp_run *run) {
   const struct cmp_evolution *e = &run->evolution;
   const double *mean = e->value[CMP_MEASURE_mean_distance];
@@ -102,19 +116,19 @@ static void off_measure(const struct comparison *c, struct cmp_run *run) {
   }
   run->off = !cmp_known(&c->motion) ? c->motion
              : isfinite(worst)      ? cmp_number(worst / c->motion.value)
-                                    : cmp_unknown("no surfaces at common times");
+                                    : nothing_shared(c, run);
 }
 
 /* Until when the mean distance stays within one particle spacing, linear between outputs that
  * follow each other; it is not known to stay any longer than before outputs that cannot be
  * compared. */
-static void agreement_measure(struct cmp_run *run) {
+static void agreement_measure(const struct comparison *c, struct cmp_run *run) {
   const struct cmp_evolution *e = &run->evolution;
   const double *mean = e->value[CMP_MEASURE_mean_distance];
   double limit = 2 * run->noise;
   size_t last = SIZE_MAX; /* the last output with a distance */
   run->blind[0] = run->blind[1] = NAN;
-  run->agreement = cmp_unknown("no surfaces at common times");
+  run->agreement = nothing_shared(c, run);
   for (size_t i = 0; i < e->n; i++) {
     if (!isfinite(mean[i])) continue;
     size_t next = last == SIZE_MAX ? 0 : last + 1;
@@ -214,7 +228,7 @@ static enum status signals_take(const struct comparison *c, struct cmp_run *run)
 /* ---- all of it ---- */
 
 static enum status run_measure(const struct comparison *c, struct cmp_run *run) {
-  agreement_measure(run);
+  agreement_measure(c, run);
   off_measure(c, run);
   budget_measure(c, run);
   return pairs_measure(c, run);

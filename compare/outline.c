@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/furthest.h"
 #include "compare/polyline.h"
 
 struct cmp_geos {
@@ -15,9 +16,11 @@ struct cmp_geos {
 
 struct cmp_outline {
   struct cmp_geos *geos;
-  double spacing, enclosed, length;
-  struct geo_lines samples; /* points of the main surface in the window, away from walls */
-  GEOSGeometry *main;       /* the main surface, everywhere */
+  double spacing, film, enclosed, length;
+  struct geo_lines line, walls; /* the main surface in the window; those of the tank */
+  struct cmp_furthest *far;     /* from the main surface, everywhere; NULL: it is empty */
+  struct geo_lines samples;     /* points of the main surface in the window, away from walls */
+  GEOSGeometry *main;           /* the main surface, everywhere */
   const GEOSPreparedGeometry *prepared; /* the same, indexed */
   GEOSGeometry *all;                    /* every piece, in the window */
   GEOSGeometry *longest;                /* the longest connected part in the window; may be NULL */
@@ -164,6 +167,9 @@ void cmp_outline_destroy(struct cmp_outline *o) {
   for (size_t i = 0; i < sizeof owned / sizeof *owned; i++)
     if (owned[i]) GEOSGeom_destroy_r(h, owned[i]);
   geo_lines_destroy(&o->samples);
+  geo_lines_destroy(&o->line);
+  geo_lines_destroy(&o->walls);
+  cmp_furthest_destroy(o->far);
   free(o);
 }
 
@@ -199,11 +205,15 @@ enum status cmp_outline_create(struct cmp_geos *g, const struct geo_lines *surfa
   CHECK(o, ERR_MEMORY, "no memory for an outline");
   o->geos = g;
   o->spacing = spacing;
+  o->film = film;
   ATTEMPT(cmp_lines_main(surface, CMP_MAIN_FRACTION, &main));
   GEOS("take the main surface", o->main = multi_line(g, &main));
   GEOS("index the main surface", o->prepared = GEOSPrepare_r(g->handle, o->main));
   ATTEMPT(cmp_lines_clip(&main, window, &cut));
   for (size_t k = 0; k < cut.pieces; k++) o->length += geo_piece_length(&cut, k);
+  ATTEMPT(geo_lines_copy(&o->line, &cut));
+  ATTEMPT(geo_lines_copy(&o->walls, walls));
+  o->far = cmp_furthest_create(g->handle, &main);
   ATTEMPT(cmp_lines_sample(&cut, spacing, &samples));
   ATTEMPT(cmp_lines_away(&samples, walls, film, &o->samples));
   size_t longest = cmp_piece_longest(&cut);
@@ -238,7 +248,7 @@ double cmp_outline_enclosed(const struct cmp_outline *o) {
 
 static bool either_empty(const struct cmp_outline *a, const struct cmp_outline *b,
                          struct cmp_value *v) {
-  bool empty = !a->samples.points || !b->samples.points;
+  bool empty = !a->samples.points || !b->samples.points || !a->far || !b->far;
   if (empty) *v = cmp_unknown("no free surface inside the compared window, away from walls");
   return empty;
 }
@@ -263,6 +273,8 @@ static enum status one_way(const struct cmp_outline *from, const struct cmp_outl
     }
   }
   *mean = sum / (double)from->samples.points;
+  ATTEMPT(cmp_furthest_find(to->far, &from->line, &from->walls, from->film, from->spacing,
+                            &d->largest, d->at));
 done:
   return status;
 }
