@@ -61,18 +61,13 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   }
 }
 
-/* Where a file has particles alone. Walls: its own, or those of the first that has any; without
- * any, nothing can be compared. */
+/* Where a file has particles alone. */
 static enum status find_surfaces(size_t n, struct result_file *const *files,
                                  struct progress *progress) {
-  const struct geo_lines *walls = &files[0]->walls;
-  for (size_t i = 0; i < n && !walls->pieces; i++) walls = &files[i]->walls;
-  for (size_t i = 0; i < n && walls->pieces; i++) {
-    struct result_file *f = files[i];
-    TRY(result_find_surfaces(f, f->walls.pieces ? &f->walls : walls));
-    if (f->surfaces_found)
-      progress_say(progress, "the surface of %s is found from its particles", f->run);
-  }
+  TRY(result_find_all_surfaces(n, files));
+  for (size_t i = 0; i < n; i++)
+    if (files[i]->surfaces_found)
+      progress_say(progress, "the surface of %s is found from its particles", files[i]->run);
   return OK;
 }
 

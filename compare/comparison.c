@@ -68,14 +68,12 @@ static void window_set(struct comparison *c) {
 }
 
 static void labels_make_unique(struct comparison *c) {
-  for (size_t r = 0; r < c->n_runs; r++) {
+  for (size_t r = c->n_runs; r-- > 0;) { /* from the last: those before it are as they were */
     char *label = c->run[r].data.label;
-    size_t room = sizeof c->run[r].data.label;
-    unsigned copies = 1;
-    if (!strcmp(c->ref.data.file->run, c->run[r].data.file->run)) copies++;
-    for (size_t q = 0; q < r; q++)
-      if (!strcmp(c->run[q].data.file->run, c->run[r].data.file->run)) copies++;
-    if (copies > 1) snprintf(label, room, "%.60s (%u)", c->run[r].data.file->run, copies);
+    const size_t room = sizeof c->run[r].data.label, n = strlen(label);
+    unsigned copies = 1 + !strcmp(c->ref.data.label, label);
+    for (size_t q = 0; q < r; q++) copies += !strcmp(c->run[q].data.label, label);
+    if (copies > 1) snprintf(label + n, room - n, " (%u)", copies);
   }
 }
 

@@ -303,7 +303,7 @@ enum status cmp_data_create(const struct result_file *f, const struct geo_lines 
   *d = (struct cmp_data){.file = f, .dx = f->spacing / s->H, .floats = f->floats};
   CHECK(f->spacing > 0, ERR_INPUT, "%s: its spacing is %g m; it must be positive", f->path,
         f->spacing);
-  cmp_text_fit(f->run, d->label, sizeof d->label);
+  cmp_text_fit(f->run, d->label, CMP_LABEL + 1);
   TRY(lines_scaled(walls, s->H, &d->walls));
   TRY(surfaces(f, s, depth, window, d));
   TRY(energies(f, s, d));

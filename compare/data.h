@@ -43,9 +43,11 @@ struct cmp_series {
   double *error;     /* standard errors of `value`, NaN where not known; NULL: none; owned */
 };
 
+enum { CMP_LABEL = 60 }; /* bytes of a run's name in labels */
+
 struct cmp_data {
   const struct result_file *file; /* borrowed */
-  char label[96];                 /* unique among what is compared */
+  char label[96]; /* of 60 bytes at most and a number, unique among what is compared */
   double dx;
   bool floats; /* the water is a body without gravity, which overhangs from the first on: no jets */
 

@@ -14,8 +14,11 @@ void cmp_text_fit(const char *text, char *out, size_t room) {
   char *copy = text_visible(text, "");
   size_t n = copy ? strlen(copy) : 0;
   if (n >= room) {
-    const char *cut = text_bad_utf8(copy, room - 1); /* a character cut in half */
-    n = cut ? (size_t)(cut - copy) : room - 1;
+    static const char mark[] = "…";
+    const char *cut = text_bad_utf8(copy, room - sizeof mark); /* a character cut in half */
+    n = cut ? (size_t)(cut - copy) : room - sizeof mark;
+    memcpy(copy + n, mark, sizeof mark); /* it was longer */
+    n += sizeof mark - 1;
   }
   if (n) memcpy(out, copy, n);
   out[n] = 0;

@@ -267,13 +267,16 @@ static enum status create(const char *path, struct import_reader *r) {
 
 enum status import_sidecar_load(const char *path, const struct registry *registry,
                                 struct problems *problems, struct import_sidecar **out) {
+  static const char wanted[] =
+      "a mapping with run, source, scales or case, and profiles, grid or particles at least";
   struct import_reader r = {.d = {.registry = registry}};
   size_t n = 0;
   *problems = (struct problems){0};
   *out = NULL;
   enum status status = create(path, &r);
   char *text = status == OK ? read_text(path, problems, &n) : NULL;
-  if (text && case_doc_load(&r.d.doc, text, n, problems)) status = read_all(&r, registry);
+  if (text && case_doc_load_other(&r.d.doc, text, n, wanted, problems))
+    status = read_all(&r, registry);
   case_doc_destroy(&r.d.doc);
   free(text);
   free(r.top.case_path);

@@ -105,7 +105,8 @@ static void survey(const char *text, size_t n, struct problems *problems) {
   yaml_parser_delete(&parser);
 }
 
-bool case_doc_load(struct case_doc *d, const char *text, size_t n, struct problems *problems) {
+bool case_doc_load_other(struct case_doc *d, const char *text, size_t n, const char *wanted,
+                         struct problems *problems) {
   *d = (struct case_doc){.problems = problems, .scales = {NAN, NAN}};
   yaml_parser_t parser;
   survey(text, n, problems);
@@ -114,12 +115,15 @@ bool case_doc_load(struct case_doc *d, const char *text, size_t n, struct proble
     report_syntax(problems, &parser);
   } else {
     d->loaded = true;
-    if (!case_doc_root(d))
-      problems_add(problems, 0,
-                   "found no keys; allowed: a mapping with tank, water, time and runs at least");
+    if (!case_doc_root(d)) problems_add(problems, 0, "found no keys; allowed: %s", wanted);
   }
   yaml_parser_delete(&parser);
   return d->loaded && !problems->n && !problems->out_of_memory;
+}
+
+bool case_doc_load(struct case_doc *d, const char *text, size_t n, struct problems *problems) {
+  return case_doc_load_other(d, text, n, "a mapping with tank, water, time and runs at least",
+                             problems);
 }
 
 void case_doc_destroy(struct case_doc *d) {

@@ -19,6 +19,9 @@ enum { CASE_PATH = 192 }; /* room for "runs.NAME.key" and the like */
 
 /* Parses `text` (without NUL bytes). False with problems added; case_doc_destroy in any case. */
 bool case_doc_load(struct case_doc *d, const char *text, size_t n, struct problems *problems);
+/* The same of a text that is no case: of an empty one it says that `wanted` is allowed. */
+bool case_doc_load_other(struct case_doc *d, const char *text, size_t n, const char *wanted,
+                         struct problems *problems);
 void case_doc_destroy(struct case_doc *d);
 
 /* Applies "path=value" number k (from 0); adds a problem when the path leads nowhere. */

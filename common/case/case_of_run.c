@@ -12,6 +12,7 @@ struct words {
   struct case_doc *doc;
   FILE *out;
   int depth;
+  bool cut; /* what is left out may differ from that of others */
 };
 
 static void write_node(struct words *w, int node);
@@ -40,6 +41,7 @@ static void write_node(struct words *w, int node) {
   const yaml_node_t *n = yaml_document_get_node(&w->doc->yaml, node);
   if (w->depth >= MOST_DEPTH || ftell(w->out) > MOST_BYTES || !n) {
     fputs("...", w->out);
+    w->cut = true;
     return;
   }
   w->depth++;
@@ -82,7 +84,7 @@ static int find_run(struct case_doc *d, const char *name) {
   return 0;
 }
 
-static enum status write_run(struct words *w, int run) {
+static enum status write_run(struct words *w, int run, const char *name) {
   const yaml_node_t *n = yaml_document_get_node(&w->doc->yaml, run);
   const yaml_node_pair_t *pair = n->data.mapping.pairs.start;
   const size_t all = (size_t)(n->data.mapping.pairs.top - pair);
@@ -100,15 +102,16 @@ static enum status write_run(struct words *w, int run) {
   }
   /* it sets more than the resolution: not of one group with runs that have that themselves */
   if (case_doc_member(w->doc, run, "accuracy")) fprintf(w->out, "%sby accuracy", kept ? ", " : "");
+  if (w->cut) fprintf(w->out, ", and more, of %s alone", name);
   free(setting);
   return OK;
 }
 
-static enum status write_settings(struct case_doc *d, int run, char **settings) {
+static enum status write_settings(struct case_doc *d, int run, const char *name, char **settings) {
   size_t n;
-  struct words words = {d, open_memstream(settings, &n), 0};
+  struct words words = {.doc = d, .out = open_memstream(settings, &n)};
   CHECK(words.out, ERR_MEMORY, "no memory for the settings of a run");
-  const enum status status = write_run(&words, run);
+  const enum status status = write_run(&words, run, name);
   const bool written = !fclose(words.out);
   if (status == OK && written) return OK;
   free(*settings);
@@ -120,7 +123,7 @@ static enum status write_all(struct case_doc *d, size_t n, const char *const *ru
                              char **settings) {
   for (size_t i = 0; i < n; i++) {
     const int found = find_run(d, run[i]);
-    if (found && case_doc_is_mapping(d, found)) TRY(write_settings(d, found, &settings[i]));
+    if (found && case_doc_is_mapping(d, found)) TRY(write_settings(d, found, run[i], &settings[i]));
   }
   return OK;
 }

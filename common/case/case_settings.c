@@ -216,7 +216,10 @@ static enum status read_text(const char *text, size_t n, bool own, const struct 
                              struct case_draft *d, struct problems *problems) {
   d->c = calloc(1, sizeof *d->c);
   CHECK(d->c, ERR_MEMORY, "no memory for settings");
-  if (!case_doc_load(&d->doc, text, n, problems)) return OK;
+  if (!(own ? case_doc_load(&d->doc, text, n, problems)
+            : case_doc_load_other(&d->doc, text, n, "a mapping with the section compare",
+                                  problems)))
+    return OK;
   if (own && !case_sweep_expand(&d->doc)) return OK;
   TRY(take_frame(d, frame));
   if (own) return read_own(d, frame);

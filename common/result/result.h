@@ -294,6 +294,9 @@ void result_cloud_free(struct result_cloud *cloud);
  * that it has; those of others stay. `walls` (m) are the file's own or those of its tank, of no
  * piece: none. ERR_INPUT: particles that are too scattered. */
 enum status result_find_surfaces(struct result_file *f, const struct geo_lines *walls);
+/* Of n files that are compared. Walls: a file's own, or those of the first that has any; without
+ * any, nothing is found. */
+enum status result_find_all_surfaces(size_t n, struct result_file *const *files);
 
 /* Whether `path` is a finished result with this fingerprint (never raises). */
 bool result_is_current(const char *path, const char *fingerprint);

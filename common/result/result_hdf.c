@@ -269,7 +269,10 @@ static enum status table_open(struct table *t) {
     return hdf_raise(ERR_INPUT, "its dataset %s has the wrong shape", full_name(t->group, t->name));
   H5T_class_t has = H5Tget_class(t->stored), asked = H5Tget_class(t->type);
   bool fits = has == asked || (has == H5T_INTEGER && asked == H5T_FLOAT);
-  if (!fits || !plausible(t->set, t->stored, t->dims, rank))
+  if (!fits)
+    return hdf_raise(ERR_INPUT, "its dataset %s has values of another type: %s are needed",
+                     full_name(t->group, t->name), asked == H5T_INTEGER ? "integers" : "numbers");
+  if (!plausible(t->set, t->stored, t->dims, rank))
     return hdf_raise(ERR_INPUT, "its dataset %s is damaged", full_name(t->group, t->name));
   return OK;
 }

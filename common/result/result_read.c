@@ -253,10 +253,12 @@ static enum status read_texts(hid_t file, struct result_file *f) {
       {"created", &f->created}};
   for (size_t k = 0; k < sizeof text / sizeof *text; k++)
     TRY(read_optional(file, text[k].name, text[k].to));
-  if (H5Aexists(file, "run") > 0)
-    TRY(hdf_get_string(file, "run", &f->run));
-  else
+  TRY(read_optional(file, "run", &f->run));
+  if (!f->run[strspn(f->run, " \t\n")]) { /* a name that nobody sees is none */
+    free(f->run);
+    f->run = NULL;
     TRY(name_of_file(f->path, &f->run));
+  }
   TRY(read_health(file, &f->health));
   if (hdf_is_there(file, "case")) return hdf_get_text(file, "case", &f->case_text);
   f->case_text = strdup("");

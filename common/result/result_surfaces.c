@@ -106,3 +106,11 @@ done:
   free(b.area);
   return status;
 }
+
+enum status result_find_all_surfaces(size_t n, struct result_file *const *files) {
+  const struct geo_lines *walls = &files[0]->walls;
+  for (size_t i = 0; i < n && !walls->pieces; i++) walls = &files[i]->walls;
+  for (size_t i = 0; i < n && walls->pieces; i++)
+    TRY(result_find_surfaces(files[i], files[i]->walls.pieces ? &files[i]->walls : walls));
+  return OK;
+}

@@ -152,6 +152,7 @@ static enum status surfaces_draw(struct cmp_diff_run *run, const struct case_fil
   struct case_file s = cmp_settings_at(settings, NULL, times, 1);
   struct comparison *c = NULL;
   enum status status;
+  ATTEMPT(result_find_all_surfaces(2, run->d->file));
   ATTEMPT(comparison_at(run, &s, &c));
   const double most = time_of_most(c);
   if (isfinite(most)) { /* all that is new is known only now */

@@ -323,9 +323,9 @@ static json_t *thinned_say(const struct pack *p, const char *remarks) {
   if (asprintf(
           &said,
           "In this page: surfaces %s; particles %s%s; of series longer than %d rows the lowest and "
-          "highest value of each stretch (%zu series). Numbers of the drawing have 10 to 16 bits, "
-          "those of "
-          "tables all that report.json has.%s",
+          "highest value of each stretch (%zu series). Of the numbers of the drawing those of "
+          "surfaces and series have 16 bits, places of particles 13 and their fields 10; tables "
+          "have all that report.json has.%s",
           surfaces, points, every, CMP_SERIES_ROWS, p->rows_thinned, remarks) < 0)
     return NULL;
   json_t *value = cmp_json_text(said);

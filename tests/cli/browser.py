@@ -21,13 +21,13 @@ class Browser:
         self.at = f"http://127.0.0.1:{found[1]}"
         flags = ["--headless=new", "--no-sandbox", "--disable-gpu", "--window-size=1400,1000", "--hide-scrollbars"]
         made = self.ask("POST", "/session", {"capabilities": {"alwaysMatch": {
-            "browserName": "chrome", "goog:chromeOptions": {"args": flags}, "goog:loggingPrefs": {"browser": "ALL"}}}})
+            "browserName": "chrome", "timeouts": {"script": 300000}, "goog:chromeOptions": {"args": flags}, "goog:loggingPrefs": {"browser": "ALL"}}}})
         self.at += f"/session/{made['sessionId']}"
 
     def ask(self, how, path, body=None):
         request = urllib.request.Request(self.at + path, method=how, headers={"Content-Type": "application/json"},
                                          data=None if body is None else json.dumps(body).encode())
-        with urllib.request.urlopen(request, timeout=120) as answer:
+        with urllib.request.urlopen(request, timeout=300) as answer:
             return json.load(answer)["value"]
 
     def run(self, script, *arguments):

@@ -63,4 +63,43 @@ grep -q "2 of 2 checks passed" log || fail "escaped particles: $(cat log)"
 /usr/bin/python3 strip.py lone walls
 ! "$program" compare lone.h5 reference.h5 -o report >log 2>&1 || fail "no walls anywhere"
 grep -q "neither lone.h5 nor any other file has /walls" log || fail "no walls anywhere: $(cat log)"
+
+# a diff finds the surfaces of particles, too, and draws them
+/usr/bin/python3 strip.py left pressure
+/usr/bin/python3 strip.py right pressure
+/usr/bin/python3 - <<'E2'
+import h5py
+with h5py.File("right.h5", "a") as f:
+    p = f["VTKHDF/Points"]
+    p[:] = p[:] * [1, 0.99, 1]
+E2
+"$program" diff left.h5 right.h5 --out apart >log 2>&1
+[ $? = 1 ] || fail "particles that differ: $(cat log)"
+ls apart/figures/overlay*.gp >/dev/null 2>&1 || fail "a diff of particles draws no surface: $(ls apart apart/figures)"
+
+# names and types that other programs may leave
+named() { # name of the run, what is wanted of it in the report
+  /usr/bin/python3 - "$1" <<'E2'
+import h5py, sys
+with h5py.File("left.h5", "a") as f: f.attrs["run"] = sys.argv[1]
+E2
+  "$program" compare out/dam.h5 left.h5 -o report >log 2>&1 || fail "a run named '$1': $(cat log)"
+  grep -qF -- "$2" report/report.json || fail "a run named '$1' is not $2"
+}
+named "" '"label": "left"'
+named "  " '"label": "left"'
+named "$(printf 'x%.0s' $(seq 80))" "$(printf 'x%.0s' $(seq 57))…"
+named "$(printf 'ä%.0s' $(seq 40))" "$(printf 'ä%.0s' $(seq 28))…"
+named "=1+cmd|' /C calc'!A0" '=1+cmd'
+grep -hF '=1+cmd' report/figures/*.csv >cells || fail "the name is in no table"
+grep -qE "(^|,)\"?[=]" cells && fail "a cell is a formula: $(head -2 cells)"
+/usr/bin/python3 - <<'E2'
+import h5py, numpy
+with h5py.File("left.h5", "a") as f:
+    n = len(f["VTKHDF/Points"])
+    del f["VTKHDF/Points"]
+    f["VTKHDF/Points"] = numpy.full((n, 3), b"1")
+E2
+! "$program" compare out/dam.h5 left.h5 -o report >log 2>&1 || fail "texts for places"
+grep -q "VTKHDF/Points has values of another type: numbers are needed" log || fail "texts for places: $(cat log)"
 exit $failed

@@ -105,6 +105,9 @@ done
 cp wave.yaml settings.yaml # a case is not settings
 compare 2
 grep -q "settings.yaml:1: title: found an unknown key; allowed: compare" log || fail "a case as settings: $(cat log)"
+: >settings.yaml
+compare 2
+grep -q "settings.yaml: found no keys; allowed: a mapping with the section compare" log || fail "empty settings: $(cat log)"
 
 "$program" list >log
 for words in "rk4-frozen  *classic Runge-Kutta, diffusion" "antuono  *Antuono et al. 2010" "mirror  *mirror images" \

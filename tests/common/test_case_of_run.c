@@ -56,6 +56,21 @@ static void test_no_such_run_or_no_case(void) {
   expect("runs: [{name: a, sweep: {b: []}}]\n", "a", NULL);
 }
 
+/* What is too long to be kept whole is nobody else's. */
+static void test_long_settings_differ(void) {
+  const char *const names[] = {"a", "b"};
+  char *settings[2], *text, list[8001];
+  for (size_t i = 0; i < sizeof list - 1; i++) list[i] = i % 2 ? ',' : '1';
+  list[sizeof list - 1] = 0;
+  if (asprintf(&text, "runs: [{name: a, x: [%s 1]}, {name: b, x: [%s 2]}]\n", list, list) < 0)
+    abort();
+  EXPECT_OK(case_run_settings(text, 2, names, settings));
+  EXPECT(settings[0] && settings[1] && strcmp(settings[0], settings[1]) != 0);
+  free(settings[0]);
+  free(settings[1]);
+  free(text);
+}
+
 /* An alias within itself, and lists that double, end. */
 static void test_aliases_end(void) {
   const char *a = "a";
@@ -76,6 +91,7 @@ int main(void) {
   RUN(test_keys_in_order_without_what_says_how_fine);
   RUN(test_many_runs_of_one_text);
   RUN(test_no_such_run_or_no_case);
+  RUN(test_long_settings_differ);
   RUN(test_aliases_end);
   return TEST_RESULT;
 }
