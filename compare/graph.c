@@ -169,16 +169,19 @@ static struct cmp_style style_of(const struct cmp_graph *g, size_t curve, size_t
   return style;
 }
 
-static void symbol_write(FILE *s, size_t rank, const struct cmp_style *style) {
+#define SYMBOL 0.7 /* size of one, as gnuplot counts; half of it where there are many */
+enum { MANY = 120 };
+
+static void symbol_write(FILE *s, size_t rank, double size, const struct cmp_style *style) {
   static const int symbols[] = {7, 6, 5, 4, 9, 8}; /* discs, rings, squares, triangles */
-  fprintf(s, " with points pointtype %d pointsize 0.7 linewidth 1 linecolor '%s' ",
-          symbols[rank % (sizeof symbols / sizeof *symbols)], style->colour);
+  fprintf(s, " with points pointtype %d pointsize %g linewidth 1 linecolor '%s' ",
+          symbols[rank % (sizeof symbols / sizeof *symbols)], size, style->colour);
 }
 
 static void look_write(FILE *s, const struct cmp_graph *g, size_t column,
                        const struct cmp_style *style) {
   if (g->column[column].points)
-    symbol_write(s, rank_of(g, column, false), style);
+    symbol_write(s, rank_of(g, column, false), SYMBOL, style);
   else
     fprintf(s, " with lines linewidth 1.3 dashtype %s linecolor '%s' ", cmp_dashes(style),
             style->colour);
@@ -191,7 +194,7 @@ static void curve_draw(struct graph *d, size_t curve, size_t column) {
   FILE *s = d->panels.fig->script;
   fprintf(s, "'%s.csv' skip 1 using ($1==%zu?$3:NaN):%zu", d->panels.fig->name, curve, column + 3);
   if (g->curve[curve].points)
-    symbol_write(s, curve, &style);
+    symbol_write(s, curve, g->curve[curve].n > MANY ? SYMBOL / 2 : SYMBOL, &style);
   else
     look_write(s, g, column, &style);
   fputs("notitle", s);
@@ -211,7 +214,7 @@ static void key_draw(struct graph *d) {
     open_curve(d);
     fputs("keyentry", s);
     if (g->curve[c].points)
-      symbol_write(s, c, &style);
+      symbol_write(s, c, SYMBOL, &style);
     else
       fprintf(s, " with lines linewidth 1.3 dashtype %s linecolor '%s' ", cmp_dashes(&style),
               style.colour);

@@ -10,7 +10,9 @@ enum { KEY_LONGEST = 36 };
 #define LABEL_X 18.0 /* px: the middle of the label of the y axis */
 
 struct cmp_key cmp_key_of(size_t n, size_t longest) {
-  static const int width[] = {CMP_PANELS_WIDTH - 40, CMP_PANELS_NARROW - 10};
+  /* gnuplot lets a key be as wide as the plot that draws it */
+  static const int width[] = {CMP_PANELS_WIDTH - LEFT - RIGHT,
+                              CMP_PANELS_NARROW - LEFT_OF_COLUMN - RIGHT};
   struct cmp_key key;
   for (int k = 0; k < 2; k++) {
     const int columns = width[k] / (84 + 9 * (int)longest); /* a sample and text of 14 px */

@@ -24,6 +24,7 @@ enum { /* px */
 
 struct layout {
   double width, height; /* of a pane, px */
+  struct geo_box water; /* what of it points are drawn in, H: between the walls */
   double top;           /* of the first row's head */
   double bar;           /* top of the bar of colours */
 };
@@ -40,6 +41,10 @@ static struct layout layout_of(const struct gallery_grid *g, struct cmp_figure *
   l.height = l.width / aspect;
   l.bar = l.top + (double)g->rows * (ROW_HEAD + l.height) + ROW_GAP * (double)(g->rows - 1) + BOTTOM;
   fig->height = (int)ceil(l.bar + BAR_ROOM);
+  for (int k = 0; k < 2; k++) {
+    l.water.min[k] = fmax(g->view.min[k], g->room.min[k]);
+    l.water.max[k] = fmin(g->view.max[k], g->room.max[k]);
+  }
   return l;
 }
 
@@ -55,8 +60,16 @@ static const char *palette_of(const struct gallery_grid *g) {
                                                                : cmp_panes_palette;
 }
 
+/* px of a layer along an axis. */
+static long layer_px(const struct gallery_grid *g, const struct layout *l,
+                     const struct cmp_figure *fig, int axis) {
+  const double share =
+      (l->water.max[axis] - l->water.min[axis]) / (g->view.max[axis] - g->view.min[axis]);
+  return lround(fmax(1, fig->layer * share * (axis ? l->height : l->width)));
+}
+
 /* Points as squares, below which larger ones close the gaps where the water is stretched. */
-#define FILLING 2.0
+#define FILLING 1.7
 
 static void squares_write(const struct cmp_figure *fig, size_t pane, double half) {
   fprintf(fig->script,
@@ -73,9 +86,8 @@ static void layers_write(const struct gallery_grid *g, const struct layout *l,
           "set terminal pngcairo transparent size %ld,%ld\nset margins 0,0,0,0\n"
           "unset border\nunset tics\nunset colorbox\nunset key\n"
           "set xrange [%.6g:%.6g]\nset yrange [%.6g:%.6g]\n",
-          palette_of(g), g->low, g->high, lround(fig->layer * l->width),
-          lround(fig->layer * l->height), g->view.min[0], g->view.max[0], g->view.min[1],
-          g->view.max[1]);
+          palette_of(g), g->low, g->high, layer_px(g, l, fig, 0), layer_px(g, l, fig, 1),
+          l->water.min[0], l->water.max[0], l->water.min[1], l->water.max[1]);
   for (size_t k = 0; k < g->columns * g->rows; k++) {
     const double half = g->pane[k].side / 2;
     if (!(half > 0)) continue;
@@ -157,13 +169,15 @@ static void pane_write(const struct gallery_grid *g, const struct layout *l,
     fputs("unset colorbox\n", s);
   /* one point of the palette, so that the bar appears */
   fputs("plot '+' using (-1e9):(-1e9):(0) with points pointtype 0 linecolor palette notitle", s);
-  if (p->side > 0)
+  if (p->side > 0) {
+    const struct geo_box *w = &l->water;
+    const double dx = (w->max[0] - w->min[0]) / (double)layer_px(g, l, fig, 0);
+    const double dy = (w->max[1] - w->min[1]) / (double)layer_px(g, l, fig, 1);
     fprintf(s,
             ", \\\n  '%s.layer%zu.png' binary filetype=png origin=(%.8g,%.8g) dx=%.8g dy=%.8g with "
             "rgbalpha notitle",
-            fig->name, k, g->view.min[0], g->view.min[1],
-            (g->view.max[0] - g->view.min[0]) / round(fig->layer * l->width),
-            (g->view.max[1] - g->view.min[1]) / round(fig->layer * l->height));
+            fig->name, k, w->min[0] + dx / 2, w->min[1] + dy / 2, dx, dy);
+  }
   if (p->walls != SIZE_MAX) cmp_panes_plot(fig, p->walls, "linewidth 1.6 linecolor '#666666'");
   if (p->surface != SIZE_MAX) {
     cmp_panes_plot(fig, p->surface, "linewidth 2.6 linecolor '#ffffff'");

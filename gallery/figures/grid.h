@@ -16,6 +16,7 @@ struct gallery_grid {
   const char *const *column, *const *row; /* their heads */
   struct gallery_pane *pane;              /* [rows][columns] */
   struct geo_box view;                    /* H */
+  struct geo_box room;                    /* H: there is water nowhere else */
   double low, high;                       /* of the colours */
   const char *label;                      /* of these, enhanced text */
   bool wide;                              /* two columns of a journal, else one */

@@ -293,11 +293,22 @@ static void pane_note(struct gallery_pane *pane, double t, double asked) {
   if (fabs(t - asked) > EXACT) snprintf(pane->note, sizeof pane->note, "(at %.4g)", t);
 }
 
+/* Between the sides of a tank and above its bed; everywhere where there is none. */
+static void room_include(struct geo_box *room, const struct result_file *f) {
+  const struct geo_box walls = geo_lines_box(&f->walls);
+  const bool any = f->walls.points > 0;
+  for (int k = 0; k < 2; k++)
+    room->min[k] = fmin(room->min[k], any ? walls.min[k] / f->H : -INFINITY);
+  room->max[0] = fmax(room->max[0], any ? walls.max[0] / f->H : INFINITY);
+  room->max[1] = INFINITY;
+}
+
 /* The outputs of a run at the times: of those that it has. */
 static enum status outputs_find(struct drawing *d, size_t *output, size_t *time, size_t *n) {
   const struct snapshots_spec *s = d->spec;
   const struct result_file *f = d->file;
   size_t walls = SIZE_MAX;
+  room_include(&d->grid.room, f);
   if (f->walls.points) TRY(lines_add(d, "tank", &f->walls, f->H, &walls));
   *n = 0;
   for (size_t k = 0; k < s->n_times; k++) {
@@ -436,6 +447,7 @@ static enum status draw(struct gallery_desk *desk, const struct gallery_entry *e
                       .field = &fields[s->field],
                       .f = f,
                       .seen = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}},
+                      .grid.room = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}},
                       .low = INFINITY,
                       .high = -INFINITY};
   const bool across = s->across == ACROSS_RUNS;
