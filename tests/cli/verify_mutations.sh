@@ -17,7 +17,7 @@ T 2-24|theory/surface.c|theory/surface.c|v.plus -= (P_b + P)|v.plus -= (P_b - P)
 T Tab 2.1|theory/potentials.c|theory/potentials.c|((e->delta - e->nu * e->s)|((e->delta + e->nu * e->s)
 T 3-1|theory/damping.c|theory/damping.c|csqrt(1 + x - 2 * p->zeta|csqrt(1 + x + 2 * p->zeta
 P 4|common/flow/release_field.c|common/flow/release_field.c|(k == 2 ? 4 : 1) / 6;|(k == 2 ? 4 : 1) / 5;
-T 4-19|sph/start/initial.c|sph/start/initial.c|f->w.rho[i] * cell;|f->w.rho[i] * cell / 0.5625;
+T 2-17|sph/start/initial.c|sph/start/initial.c|density_of(w, p.rest, Y) * dx * dy;|density_of(w, p.rest, Y) * dx * dy * 1.1;
 T 2-33|sph/time/rk.c|sph/time/rk.c|.b = {1. / 6, 1. / 3, 1. / 3, 1. / 6}};|.b = {1. / 3, 1. / 6, 1. / 6, 1. / 3}};
 T 4-18|theory/smoothing.c|theory/smoothing.c|-log((2 + cos(kh)) / 3)|-log((3 + cos(kh)) / 4)
 END
