@@ -12,10 +12,12 @@ ids() {
   for n in 2.1 2.2 2.3 2.4 3.1 3.2; do echo "T Tab $n"; done
 }
 
+ids | sort >expected
+"$program" gallery --list | cut -c 1-10 | sed 's/ *$//' | sort | diff expected - >log ||
+  { fail "other entries than the items of the documents: $(cat log)"; exit $failed; }
 "$program" gallery --quick --out g --quiet >log 2>err || fail "exit code $?: $(grep -v ' agrees ' log) $(tail -5 err)"
 tail -2 log
-sed -n 's/^   "id": "\(.*\)",$/\1/p' g/gallery.json | sort >found
-ids | sort | diff - found >log || fail "other entries than those of the documents: $(cat log)"
+sed -n 's/^   "id": "\(.*\)",$/\1/p' g/gallery.json | sort | diff expected - >log || fail "gallery.json has others: $(cat log)"
 grep -q '"verdict": "failed"' g/gallery.json && fail "an entry could not be made"
 [ -s g/gallery.html ] || fail "no page"
 exit $failed
