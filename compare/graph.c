@@ -105,6 +105,18 @@ static void log_range_write(const struct graph *d, const struct cmp_graph_column
           r->high / r->low > 1e4 || r->low < 1e-3 ? "10^{%L}" : "%g");
 }
 
+enum { ROOM_OF_COLUMN = 6 }; /* characters of a tick's label that are not in the axis label's way */
+
+static size_t longest_tick(const struct cmp_frame *frame, double step) {
+  size_t longest = 0;
+  for (double k = ceil(frame->low / step); k * step <= frame->high; k++) {
+    char text[32];
+    const int n = snprintf(text, sizeof text, "%g", k * step);
+    if (n > 0 && (size_t)n > longest) longest = (size_t)n;
+  }
+  return longest;
+}
+
 static void range_write(const struct graph *d, size_t panel) {
   const struct cmp_graph_column *c = first_of(d->g, panel);
   struct range r = range_of(d->g, panel, c->log);
@@ -120,8 +132,12 @@ static void range_write(const struct graph *d, size_t panel) {
   double margin = fmax(0.06 * (r.high - r.low), 1e-9 * fmax(fabs(r.high), DBL_MIN));
   struct cmp_frame frame = {r.low - margin, r.high + margin};
   ends_take(c, &frame.low, &frame.high);
-  fprintf(s, "unset logscale y\nset yrange [%.9g:%.9g]\nset ytics %.9g\nset format y '%%g'\n",
-          frame.low, frame.high, cmp_tick_step(&frame));
+  const double step = cmp_tick_step(&frame);
+  fprintf(s,
+          "ticks = %s\nunset logscale y\nset yrange [%.9g:%.9g]\nset ytics %.9g font ticks\n"
+          "set format y '%%g'\n",
+          longest_tick(&frame, step) > ROOM_OF_COLUMN ? "narrow ? small : ''" : "''", frame.low,
+          frame.high, step);
 }
 
 static bool has_points(const struct cmp_graph *g) {
@@ -134,15 +150,16 @@ static bool has_points(const struct cmp_graph *g) {
 
 static void axis_write(const struct graph *d) {
   const struct cmp_graph *g = d->g;
+  const bool log = g->column[0].log;
   struct range r = {INFINITY, -INFINITY};
   for (size_t c = 0; c < g->n_curves; c++)
     for (size_t i = 0; i < g->curve[c].n; i++) {
       double x = g->curve[c].row[i * g->n_columns];
+      if (log && !(x > 0)) continue;
       r.low = fmin(r.low, x);
       r.high = fmax(r.high, x);
     }
   FILE *s = d->panels.fig->script;
-  bool log = g->column[0].log;
   if (log) fputs("set logscale x\n", s);
   double margin = has_points(g) && !log ? 0.03 * (r.high - r.low) : 0;
   if (!log && r.low > 0 && r.low < 0.02 * r.high) r.low = 0;

@@ -69,8 +69,11 @@ static const struct param line_rows[] = {
     FLAG(struct graph_line, points, "false", "symbols in place of a line"),
 };
 
-static void ends_check(struct gallery_reader *r, int node, const char *path, const double ends[2]) {
-  if (ends[0] >= ends[1])
+static void ends_check(struct gallery_reader *r, int node, const char *path, const double ends[2],
+                       bool log) {
+  if (log && (ends[0] <= 0 || ends[1] <= 0))
+    gallery_complain(r, node, path, "a logarithmic axis that reaches zero", "ends above 0", "");
+  else if (ends[0] >= ends[1])
     gallery_complain(r, node, path, "an axis that ends where it begins, or before",
                      "an end above its beginning", "");
 }
@@ -80,7 +83,7 @@ static enum status panel_read(struct gallery_reader *r, int node, const char *pa
   const struct case_block block = {panel_rows, ROWS(panel_rows), p, NULL};
   p->ends[0] = p->ends[1] = NAN;
   if (!case_doc_read(&r->doc, node, path, 0, 1, &block)) return OK;
-  ends_check(r, node, path, p->ends);
+  ends_check(r, node, path, p->ends, p->log);
   const struct gallery_list list = gallery_list_of(r, p->lines, path, "lines");
   TRY(array_create(&p->line, list.n, "lines"));
   p->n = list.n;
@@ -127,7 +130,7 @@ static enum status read(struct gallery_reader *r, int node, const char *path, vo
   CHECK(s, ERR_MEMORY, "no memory for a figure");
   s->ends[0] = s->ends[1] = NAN;
   if (gallery_figure_read(r, node, path, graph_rows, ROWS(graph_rows), s)) {
-    ends_check(r, node, path, s->ends);
+    ends_check(r, node, path, s->ends, s->log);
     status = panels_read(r, path, s);
   }
   if (status == OK && r->doc.faults == faults)
