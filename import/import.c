@@ -28,6 +28,8 @@ struct work {
   struct geo_lines walls; /* behind which the water goes on */
   double *volume;         /* scratch, [volume_room] */
   size_t volume_room;
+  double *place[2]; /* scratch, [place_room]: x, y where they are wrapped */
+  size_t place_room[2];
   struct import_summary *summary;
 };
 
@@ -87,20 +89,21 @@ static enum status check_particles(const struct import_rows *r) {
   return OK;
 }
 
-/* The water of a periodic tank goes on beyond its ends from what is inside. */
-static enum status check_period(const struct work *w, const struct import_rows *r) {
-  const int axis[] = {IMPORT_x, IMPORT_y};
-  for (int k = 0; k < 2 && tank_is_periodic(&w->tank); k++)
-    for (size_t i = 0; i < r->n; i++) {
-      const double place = r->column[axis[k]][i];
-      CHECK(tank_wrap(&w->tank, k, place) == place, ERR_INPUT,
-            "%s: particle %zu at %g s has %c = %g m, beyond the end of the periodic tank", r->path,
-            i + 1, r->time, "xy"[k], place);
-    }
+/* The places of particles. Those beyond an end of a periodic tank are the same water as what is one
+ * period further in. */
+static enum status find_places(struct work *w, const struct import_rows *r, const double *at[2]) {
+  for (int k = 0; k < 2; k++) {
+    at[k] = r->column[k ? IMPORT_y : IMPORT_x];
+    if (!w->s->scales->walls.pieces || !w->tank.periodic[k]) continue;
+    TRY(array_grow(&w->place[k], &w->place_room[k], r->n + 1, "particles"));
+    for (size_t i = 0; i < r->n; i++) w->place[k][i] = tank_wrap(&w->tank, k, at[k][i]);
+    at[k] = w->place[k];
+  }
   return OK;
 }
 
-static enum status put_particles(struct work *w, const struct import_rows *r) {
+static enum status put_particles(struct work *w, const struct import_rows *r,
+                                 const double *const at[2]) {
   const double *const *c = r->column;
   const struct result_field all[] = {{"pressure", "Pa", "pressure", c[IMPORT_pressure], NULL},
                                      {"density", "kg/m^3", "density", c[IMPORT_density], NULL},
@@ -112,23 +115,23 @@ static enum status put_particles(struct work *w, const struct import_rows *r) {
   for (size_t k = 0; k < sizeof all / sizeof *all; k++)
     if (all[k].a) field[n++] = all[k];
   count(w, r->time, &w->summary->clouds);
-  return result_points(w->result, r->time, r->n, c[IMPORT_x], c[IMPORT_y], RESULT_VERTICES, n,
-                       field);
+  return result_points(w->result, r->time, r->n, at[0], at[1], RESULT_VERTICES, n, field);
 }
 
 static enum status take_particles(void *data, const struct import_rows *r) {
   struct work *w = data;
   const bool found = !w->s->profiles.given && !w->s->grid.given;
+  const double *place[2];
   TRY(check_particles(r));
-  TRY(check_period(w, r));
   if (!w->result) return OK;
-  TRY(put_particles(w, r));
+  TRY(find_places(w, r, place));
+  TRY(put_particles(w, r, place));
   if (found) {
     const double *volume;
     TRY(find_volume(w, r, &volume));
-    const struct cloud cloud = {
-        r->n,   r->column[IMPORT_x], r->column[IMPORT_y],
-        volume, w->s->spacing,       w->s->scales->walls.pieces ? &w->tank : NULL};
+    const struct cloud cloud = {r->n,          place[0],
+                                place[1],      volume,
+                                w->s->spacing, w->s->scales->walls.pieces ? &w->tank : NULL};
     enum status status = cloud_surface_extract(w->finder, &cloud, &w->walls, &w->surface);
     if (status != OK) return status_context(status, "%s: ", r->path);
     count(w, r->time, &w->summary->surfaces);
@@ -332,6 +335,7 @@ static void release(struct work *w) {
   free(w->probes);
   free(w->gauges);
   free(w->volume);
+  for (int k = 0; k < 2; k++) free(w->place[k]);
 }
 
 enum status import_run(const char *sidecar, const char *out, const struct registry *registry,

@@ -111,4 +111,28 @@ none " at its time 0.5: found 0, 2.5" 0:1 0.5:0 0.5:2.5
 sed -i 's/{time: t, /{/; s/file: text.csv/files: [{file: text.csv, time: 0}]/' kind.yaml
 none ": found 0, 2" 0:both
 
+# ---- a periodic tank: particles that have gone on beyond its ends are water inside ----
+cat >round.yaml <<'E2'
+scales: {H: 1}
+tank: {walls: [[[0, 3], [0, 0], [4, 0], [4, 3]]], sides: periodic}
+water: {wave: {kind: airy, depth: 1, amplitude: 0.01, wavelength: 4}}
+time: {end: 1, every: 1}
+runs: [{name: bem, solver: bem, resolution: 10}]
+E2
+for name in inside beyond; do
+  cat >$name.yaml <<E2
+run: same
+solver: another
+source: made up
+case: round.yaml
+spacing: 0.125
+units: {length: m, time: s, pressure: Pa}
+particles: {format: csv, files: [{file: $name.csv, time: 0}], columns: {x: x, y: y}}
+E2
+  awk -v gone=$([ $name = beyond ] && echo 1 || echo 0) 'BEGIN {
+    print "x,y"
+    for (i = 0; i < 32; i++) for (j = 0; j < 8 + (i < 9); j++) printf "%.17g,%.17g\n", (i + 0.5) / 8 + gone * (i % 3 - 1) * 4, (j + 0.5) / 8 }' >$name.csv
+  "$program" import $name.yaml -o $name.h5 >log 2>&1 || fail "$name: $(cat log)"
+done
+"$program" diff inside.h5 beyond.h5 >log 2>&1 || fail "particles beyond the ends: $(cat log)"
 exit $failed
