@@ -10,7 +10,7 @@ for tool in chromium chromedriver gnuplot; do
   }
 done
 
-"$program" gallery 'T 2-24' 'T 3-1' 'T Tab 3.1' --quick --out out -q >log 2>&1
+"$program" gallery 'T 2-24' 'T Tab 2.2' 'T 3-1' --quick --out out -q >log 2>&1
 [ -s out/gallery.html ] || fail "no page: $(cat log)"
 [ -n "${AXE_CORE:-}" ] || echo "AXE_CORE is not set: rules of accessibility are not checked"
 /usr/bin/python3 "$2/tests/cli/gallery_page.py" out/gallery.html ${AXE_CORE:+"$AXE_CORE"} || fail "the page"
