@@ -111,6 +111,17 @@ none " at its time 0.5: found 0, 2.5" 0:1 0.5:0 0.5:2.5
 sed -i 's/{time: t, /{/; s/file: text.csv/files: [{file: text.csv, time: 0}]/' kind.yaml
 none ": found 0, 2" 0:both
 
+# ---- a result that is only shifted in time: the comparison tells by how much ----
+pretend_gnuplot
+for late in 0 0.07; do
+  sed "s/^profiles.*/time_offset: $late\n&/; s/^run: .*/run: late-$late/" plain.yaml | sed 's/\[{file.*}\]/[{file: plain.csv, time: 0}, {file: plain.csv, time: 0.2}]/' >late-$late.yaml
+  "$program" import late-$late.yaml -o late-$late.h5 >log 2>&1 || fail "late by $late: $(cat log)"
+done
+"$program" compare late-0.h5 late-0.07.h5 -o late >log 2>&1
+grep -q "no outputs at common times: the nearest is 0.07 s after one of the reference (see time_offset)" log || fail "a shift is not told: $(cat log)"
+"$program" compare late-0.07.h5 late-0.h5 -o late >log 2>&1
+grep -q "the nearest is 0.07 s before one of the reference" log || fail "a shift back is not told: $(cat log)"
+
 # ---- a periodic tank: particles that have gone on beyond its ends are water inside ----
 cat >round.yaml <<'E2'
 scales: {H: 1}

@@ -240,4 +240,11 @@ head -c 900 a1.vti >cut.vti
 refused vti 's/a1.vti/cut.vti/' "11: grid.files[1]: cut.vti "
 refused foam 's|foam/case.foam|none/case.foam|' "9: grid.file: cannot read none/case.foam"
 
+# ---- installed elsewhere, the program has its module from there ----
+cmake --install "$(dirname "$program")" --prefix "$folder/stage" >log 2>&1 || fail "no installation: $(cat log)"
+stage/bin/plunge import vti.yaml -o staged.h5 >log 2>&1 && "$program" diff vti.h5 staged.h5 >log 2>&1 || fail "installed: $(cat log)"
+rm stage/lib*/plunge/libplunge-vtk.so || fail "no module is installed"
+stage/bin/plunge import vti.yaml -o staged.h5 >log 2>&1
+[ $? = 2 ] && grep -q "without the VTK library; install libvtk9-dev" log || fail "installed without the module: $(cat log)"
+
 exit $failed
