@@ -22,8 +22,8 @@ static const char speeds[] = "set palette defined (0 '#f7fbff', 1 '#d0e1f2', 2 '
 struct current {
   size_t run; /* SIZE_MAX: the reference */
   size_t output;
-  double spacing, top; /* H; the speed that all but one in a hundred stay below, sqrt(gH) */
-  struct result_cloud points;
+  double spacing, top;        /* H; the speed that all but one in a hundred stay below, sqrt(gH) */
+  struct result_water points; /* and their velocities, owned */
 };
 
 static double speed_unit(const struct comparison *c) {
@@ -31,6 +31,13 @@ static double speed_unit(const struct comparison *c) {
 }
 
 /* ---- what there is to show ---- */
+
+static enum status keep(void *data, size_t k, struct result_water *w) {
+  (void)k;
+  *(struct result_water *)data = *w;
+  *w = (struct result_water){0};
+  return OK;
+}
 
 static enum status look(const struct comparison *c, size_t time, size_t r, struct current *out) {
   const struct cmp_run *run = cmp_run_or_ref(c, r);
@@ -40,19 +47,20 @@ static enum status look(const struct comparison *c, size_t time, size_t r, struc
   if (out->output == SIZE_MAX) return OK;
   out->spacing = cmp_cloud_spacing(f, (size_t)f->output_points[out->output]) / c->scales.H;
   if (!(out->spacing > 0)) return OK;
-  if (result_read_vectors(f->path, "velocity", 1, &out->output, &out->points) != OK)
+  const struct result_wanted velocity = {"velocity", true, false};
+  if (result_stream(f->path, 1, &velocity, 1, &out->output, keep, &out->points) != OK)
     out->spacing = 0; /* points that do not say how they move */
   return OK;
 }
 
 /* Speeds of all points, sorted: the largest but those of one in a hundred. */
 static enum status find_top(const struct comparison *c, struct current *k) {
-  const struct result_cloud *p = &k->points;
+  const struct result_water *p = &k->points;
   double *speed = NULL;
   if (!p->n) return OK;
   TRY(array_create(&speed, p->n, "speeds"));
   for (size_t i = 0; i < p->n; i++)
-    speed[i] = hypot(p->value[2 * i], p->value[2 * i + 1]) / speed_unit(c);
+    speed[i] = hypot(p->value[0][2 * i], p->value[0][2 * i + 1]) / speed_unit(c);
   qsort(speed, p->n, sizeof *speed, array_ascending);
   k->top = speed[p->n - 1 - p->n / 100];
   free(speed);
@@ -61,9 +69,9 @@ static enum status find_top(const struct comparison *c, struct current *k) {
 
 /* ---- tables ---- */
 
-static void write_row(const struct comparison *c, const struct result_cloud *p, size_t i,
+static void write_row(const struct comparison *c, const struct result_water *p, size_t i,
                       FILE *data) {
-  const double u = p->value[2 * i] / speed_unit(c), v = p->value[2 * i + 1] / speed_unit(c);
+  const double u = p->value[0][2 * i] / speed_unit(c), v = p->value[0][2 * i + 1] / speed_unit(c);
   fprintf(data, "%.6g,%.6g,%.5g,%.5g,%.5g\n", p->p[i][0] / c->scales.H, p->p[i][1] / c->scales.H, u,
           v, hypot(u, v));
 }
@@ -87,7 +95,7 @@ static enum status write_points(const struct comparison *c, struct cmp_figures *
 
 /* The point nearest to the middle of each cell of a lattice, which are squares on the page, of
  * those in it. */
-static enum status choose(const struct comparison *c, const struct result_cloud *p,
+static enum status choose(const struct comparison *c, const struct result_water *p,
                           const struct geo_box *view, const double cell[2], size_t columns,
                           size_t rows, size_t *chosen) {
   double *least = NULL;
@@ -238,7 +246,7 @@ static enum status write_time(const struct comparison *c, struct cmp_figures *f,
     if (cmp_run_is_picked(c, r, CMP_PANELS)) ATTEMPT(take(c, time, r, all, &n));
   if (n > 0) ATTEMPT(figure_draw(c, f, time, n, all));
 done:
-  for (size_t k = 0; k < n; k++) result_cloud_free(&all[k].points);
+  for (size_t k = 0; k < n; k++) result_water_free(&all[k].points);
   return status;
 }
 

@@ -232,7 +232,7 @@ struct result_file {
   double *output_time;
   int64_t *output_points; /* how many, [n_outputs] */
   size_t n_fields;
-  char **fields; /* names for result_read_points and others (vectors), [n_fields] */
+  char **fields; /* names for result_stream (scalars and vectors), [n_fields] */
 };
 
 /* ERR_INPUT with one sentence when the file is missing, truncated, damaged or not a result file. */
@@ -274,21 +274,6 @@ enum status result_stream_part(const char *path, const struct result_part *part,
                                const struct result_wanted *field, size_t n, const size_t *output,
                                enum status (*take)(void *data, size_t k, struct result_water *water),
                                void *data);
-
-struct result_cloud {
-  size_t n;
-  double (*p)[2]; /* m, [n] */
-  double *value;  /* [n]; of vectors their x and y in turn, [2 n] */
-};
-
-/* The points of some outputs and one scalar field of theirs (NULL: zeros), for which the file is opened and
- * checked once. `cloud` [n] is the caller's to free, and empty after a failure. */
-enum status result_read_points(const char *path, const char *field, size_t n, const size_t *output,
-                               struct result_cloud *cloud);
-/* The same of a vector. */
-enum status result_read_vectors(const char *path, const char *field, size_t n, const size_t *output,
-                                struct result_cloud *cloud);
-void result_cloud_free(struct result_cloud *cloud);
 
 /* Finds the surface of a file that has particles and no /surface, by common/cloud, at each output
  * that it has; those of others stay. `walls` (m) are the file's own or those of its tank, of no

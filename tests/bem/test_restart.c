@@ -4,6 +4,7 @@
 #include "common/base/geometry_check.h"
 #include "common/flow/line.h"
 #include "tests/bem/run.h"
+#include "tests/common/result_water.h"
 
 static const double A = 1e-3;
 
@@ -92,15 +93,14 @@ static struct result_file *run_wave(const char *wave, int outputs, int resolutio
 /* The nodes of a period, from the first on, wherever it is. */
 static void write_curve(const char *path, void *unused) {
   (void)unused;
-  struct result_cloud at = {0};
-  const size_t output = BEFORE;
-  EXPECT_OK(result_read_points(path, "potential", 1, &output, &at));
+  struct result_water at;
+  EXPECT_OK(water_read(path, "potential", false, BEFORE, &at));
   FILE *out = fopen("plunge-breaker.csv", "w");
   EXPECT(out && at.n);
   for (size_t k = 0; out && k < at.n; k++)
-    fprintf(out, "%.17g, %.17g, %.17g\n", at.p[k][0], at.p[k][1], at.value[k]);
+    fprintf(out, "%.17g, %.17g, %.17g\n", at.p[k][0], at.p[k][1], at.value[0][k]);
   EXPECT(out && fclose(out) == 0);
-  result_cloud_free(&at);
+  result_water_free(&at);
 }
 
 /* Splines through the points of a surface, as chords of a fiftieth of their distances. */

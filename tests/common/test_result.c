@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include "tests/common/result_sample.h"
+#include "tests/common/result_water.h"
 #include "tests/test.h"
 
 static char path[128];
@@ -140,36 +141,47 @@ static void test_events_and_statistics_come_back(void) {
   result_file_destroy(f);
 }
 
+struct crossing {
+  size_t many, seen;
+  const size_t *output;
+};
+
+static enum status cross(void *data, size_t k, struct result_water *w) {
+  struct crossing *q = data;
+  EXPECT(k == q->seen++ && w->n == sample_n(q->output[k], q->many));
+  for (size_t i = 0; i < w->n; i++) {
+    EXPECT_SAME(w->p[i][0], sample_x(q->output[k], i));
+    EXPECT_SAME(w->value[0][i], 1000 * w->p[i][1] / 7);
+  }
+  return OK;
+}
+
 /* Chunks hold 4096 points: 5000 of them cross chunks at every output. In any order, at once. */
 static void test_points_come_back(void) {
   enum { MANY = 5000 };
   struct result_file *f = round_trip(OUTPUTS, MANY, true);
   if (!f) return;
+  const struct result_wanted pressure = {.name = "pressure"};
   size_t output[OUTPUTS];
-  struct result_cloud cloud[OUTPUTS];
+  struct crossing q = {MANY, 0, output};
   EXPECT(f->n_outputs == OUTPUTS);
-  for (size_t k = 0; k < OUTPUTS; k++) output[k] = OUTPUTS - 1 - k;
-  EXPECT_OK(result_read_points(path, "pressure", OUTPUTS, output, cloud));
   for (size_t k = 0; k < OUTPUTS; k++) {
+    output[k] = OUTPUTS - 1 - k;
     EXPECT_SAME(f->output_time[k], sample_time(k));
-    EXPECT(cloud[k].n == sample_n(output[k], MANY));
-    for (size_t i = 0; i < cloud[k].n; i++) {
-      EXPECT_SAME(cloud[k].p[i][0], sample_x(output[k], i));
-      EXPECT_SAME(cloud[k].value[i], 1000 * cloud[k].p[i][1] / 7);
-    }
-    result_cloud_free(&cloud[k]);
   }
+  EXPECT_OK(result_stream(path, 1, &pressure, OUTPUTS, output, cross, &q));
+  EXPECT(q.seen == OUTPUTS);
   result_file_destroy(f);
 }
 
 static void test_wrong_points_are_refused(void) {
-  const size_t output[] = {0, 2};
-  struct result_cloud cloud[2];
+  struct result_water water;
   struct result_file *f = round_trip(2, SCALE, true);
-  EXPECT(result_read_points(path, "pressure", 2, output, cloud) == ERR_INPUT);
-  EXPECT(!cloud[0].n && !cloud[0].p && !cloud[1].value); /* nor the one that is there */
-  EXPECT(result_read_points(path, "vorticity", 1, output, cloud) == ERR_INPUT);
-  EXPECT(result_read_points(path, "velocity", 1, output, cloud) == ERR_INPUT); /* not a scalar */
+  EXPECT(water_read(path, "pressure", false, 2, &water) == ERR_INPUT);
+  EXPECT(water_read(path, "vorticity", false, 0, &water) == ERR_INPUT);
+  EXPECT(water_read(path, "velocity", false, 0, &water) == ERR_INPUT); /* not a scalar */
+  EXPECT(water_read(path, "pressure", true, 0, &water) == ERR_INPUT);  /* not a vector */
+  EXPECT(!water.n && !water.p && !water.value[0]);
   result_file_destroy(f);
 }
 

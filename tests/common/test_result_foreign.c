@@ -4,6 +4,7 @@
 
 #include "common/result/result_diff.h"
 #include "tests/common/result_sample.h"
+#include "tests/common/result_water.h"
 #include "tests/test.h"
 
 static char path[128];
@@ -182,11 +183,11 @@ static void test_wrong_points_are_refused(void) {
                {REPLACE_DOUBLE, "VTKHDF/Points", 0, 0},
                {DELETE, "VTKHDF/PointData", 0, 0}};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-    struct result_cloud cloud;
+    struct result_water water;
     write_result();
     spoil(wrong[i].way, wrong[i].name, wrong[i].row, wrong[i].value);
-    EXPECT(result_read_points(path, "pressure", 1, &(size_t){1}, &cloud) == ERR_INPUT);
-    EXPECT(cloud.n == 0 && !cloud.p && !cloud.value && strstr(status_message(), ", output 1: "));
+    EXPECT(water_read(path, "pressure", false, 1, &water) == ERR_INPUT);
+    EXPECT(water.n == 0 && !water.p && !water.value[0] && strstr(status_message(), ", output 1: "));
   }
 }
 

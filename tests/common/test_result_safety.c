@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "tests/common/result_sample.h"
+#include "tests/common/result_water.h"
 #include "tests/test.h"
 
 static char path[160];
@@ -67,11 +68,11 @@ static void test_every_flushed_output_survives_a_kill(void) {
     EXPECT(f->n_surfaces == n && f->n_energy == 10 * n && f->n_events == n &&
            f->probes[0].n == 10 * n);
     for (size_t k = n < 3 ? 0 : n - 3; k < n; k++) {
-      struct result_cloud cloud;
-      EXPECT_OK(result_read_points(path, "pressure", 1, &k, &cloud));
-      EXPECT(cloud.n == sample_n(k, 600) && cloud.p &&
-             cloud.p[cloud.n - 1][0] == sample_x(k, cloud.n - 1));
-      result_cloud_free(&cloud);
+      struct result_water water;
+      EXPECT_OK(water_read(path, "pressure", false, k, &water));
+      EXPECT(water.n == sample_n(k, 600) && water.p &&
+             water.p[water.n - 1][0] == sample_x(k, water.n - 1));
+      result_water_free(&water);
     }
     result_file_destroy(f);
   }

@@ -5,6 +5,7 @@
 #include "common/result/health.h"
 #include "common/result/result.h"
 #include "library/plunge_result.h"
+#include "tests/common/result_water.h"
 #include "tests/test.h"
 
 static char folder[] = "/tmp/plunge-library-XXXXXX", path[128];
@@ -53,10 +54,10 @@ static void test_everything_comes_back(void) {
   EXPECT_STR(f->probes[0].name, "left/low");
   EXPECT(f->n_gauges == 1 && f->gauges[0].x == 1.5 && f->gauges[0].value[0] == 2);
   EXPECT(f->n_events == 1 && f->events[0].time == 0.4 && f->n_outputs == 1 && f->n_fields == 3);
-  struct result_cloud cloud;
-  EXPECT_OK(result_read_vectors(path, "velocity", 1, (size_t[]){0}, &cloud));
-  EXPECT(cloud.n == 3 && cloud.p[1][1] == 2.6 && cloud.value[5] == -3);
-  result_cloud_free(&cloud);
+  struct result_water water;
+  EXPECT_OK(water_read(path, "velocity", true, 0, &water));
+  EXPECT(water.n == 3 && water.p[1][1] == 2.6 && water.value[0][5] == -3);
+  result_water_free(&water);
   result_file_destroy(f);
 }
 

@@ -7,6 +7,7 @@
 #include "common/result/result.h"
 #include "sph/fluid/energy.h"
 #include "sph/observe/gauge.h"
+#include "tests/common/result_water.h"
 #include "tests/sph/pool.h"
 
 /* Mechanical energy at the start above the solver's own water at rest, J/m. */
@@ -68,10 +69,10 @@ static bool text_holds(const char *path, const char *word) {
 }
 
 static double *field_of(const struct result_file *f, size_t output, const char *name) {
-  struct result_cloud cloud;
-  EXPECT_OK(result_read_points(f->path, name, 1, &output, &cloud));
-  free(cloud.p);
-  return cloud.value;
+  struct result_water water;
+  EXPECT_OK(water_read(f->path, name, false, output, &water));
+  free(water.p);
+  return water.value[0];
 }
 
 /* Every output has the particles' masses, the same ones, and volumes that sum to the series'. */
@@ -187,11 +188,11 @@ static void test_points_follow_the_steps(void) {
   "water: {regions: [[[1, %d], [2, %d], [2, 2], [1, 2]]], pressure: %s}\n"                         \
   "time: {end: %s, every: %s, sample: 0.05 ms}\n"
 
-static struct result_cloud vectors_of(const struct result_file *f, size_t output,
+static struct result_water vectors_of(const struct result_file *f, size_t output,
                                       const char *name) {
-  struct result_cloud cloud = {0};
-  EXPECT_OK(result_read_vectors(f->path, name, 1, &output, &cloud));
-  return cloud;
+  struct result_water water;
+  EXPECT_OK(water_read(f->path, name, true, output, &water));
+  return water;
 }
 
 /* Water that falls freely, at every output and at the end of the run. */
@@ -202,19 +203,19 @@ static void test_accelerations_of_falling_water(void) {
                                             "accelerations: true");
   EXPECT(a.f->n_outputs == 6);
   for (size_t k = 0; k < a.f->n_outputs; k++) {
-    struct result_cloud w = vectors_of(a.f, k, "acceleration");
+    struct result_water w = vectors_of(a.f, k, "acceleration");
     EXPECT_NEAR(a.f->output_time[k], 0.01 * (double)k, 1e-12);
     EXPECT(w.n == 100);
     for (size_t i = 0; i < w.n; i++) {
-      EXPECT_NEAR(w.value[2 * i], 0, 1e-9);
-      EXPECT_NEAR(w.value[2 * i + 1], -9.81, 1e-9);
+      EXPECT_NEAR(w.value[0][2 * i], 0, 1e-9);
+      EXPECT_NEAR(w.value[0][2 * i + 1], -9.81, 1e-9);
     }
-    result_cloud_free(&w);
+    result_water_free(&w);
   }
   finished_destroy(&a);
   a = finished_create(head, "resolution: 10, dt: 1 ms");
-  struct result_cloud none;
-  EXPECT(result_read_vectors(a.f->path, "acceleration", 1, (size_t[]){0}, &none) == ERR_INPUT);
+  struct result_water none;
+  EXPECT(water_read(a.f->path, "acceleration", true, 0, &none) == ERR_INPUT);
   finished_destroy(&a);
 }
 
@@ -231,16 +232,17 @@ static void test_accelerations_are_those_of_the_state(void) {
   EXPECT(a.f->n_outputs == 21);
   double most = 0, worst = 0;
   for (size_t k = 1; k + 1 < a.f->n_outputs; k++) {
-    struct result_cloud before = vectors_of(a.f, k - 1, "velocity");
-    struct result_cloud after = vectors_of(a.f, k + 1, "velocity");
-    struct result_cloud now = vectors_of(a.f, k, "acceleration");
+    struct result_water before = vectors_of(a.f, k - 1, "velocity");
+    struct result_water after = vectors_of(a.f, k + 1, "velocity");
+    struct result_water now = vectors_of(a.f, k, "acceleration");
     for (size_t i = 0; i < 2 * now.n; i++) {
-      most = fmax(most, fabs(now.value[i]));
-      worst = fmax(worst, fabs((after.value[i] - before.value[i]) / (2 * dt) - now.value[i]));
+      most = fmax(most, fabs(now.value[0][i]));
+      worst =
+          fmax(worst, fabs((after.value[0][i] - before.value[0][i]) / (2 * dt) - now.value[0][i]));
     }
-    result_cloud_free(&before);
-    result_cloud_free(&after);
-    result_cloud_free(&now);
+    result_water_free(&before);
+    result_water_free(&after);
+    result_water_free(&now);
   }
   printf("     off by %.2g of the largest acceleration, %.3g m/s^2\n", worst / most, most);
   EXPECT(worst < 1e-3 * most);
