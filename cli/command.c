@@ -38,6 +38,15 @@ int command_fail(enum status status) {
   return status_exit_code(status);
 }
 
+enum status command_find_surfaces(size_t n, struct result_file *const *files,
+                                  struct progress *progress) {
+  TRY(result_find_all_surfaces(n, files));
+  for (size_t i = 0; i < n; i++)
+    if (files[i]->surfaces_found)
+      progress_say(progress, "the surface of %s is found from its particles", files[i]->run);
+  return OK;
+}
+
 int command_finish(int exit_code) {
   struct stat out;
   if (!fflush(stdout) && !ferror(stdout)) return exit_code;

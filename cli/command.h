@@ -74,6 +74,10 @@ enum command_lock { COMMAND_ALONE, COMMAND_SHARED };
 enum status command_lock_folder(const char *folder, enum command_lock how, bool wait,
                                 struct progress *progress, int *fd);
 
+/* Finds the surfaces of files that have particles alone (result_find_all_surfaces), with a word. */
+enum status command_find_surfaces(size_t n, struct result_file *const *files,
+                                  struct progress *progress);
+
 /* Compares `n` runs with `ref` by the settings of `c`, writes the report into `out` and prints the
  * verdict. Returns the exit code. */
 int command_report(const struct case_file *c, const struct result_file *ref, size_t n,

@@ -61,16 +61,6 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   }
 }
 
-/* Where a file has particles alone. */
-static enum status find_surfaces(size_t n, struct result_file *const *files,
-                                 struct progress *progress) {
-  TRY(result_find_all_surfaces(n, files));
-  for (size_t i = 0; i < n; i++)
-    if (files[i]->surfaces_found)
-      progress_say(progress, "the surface of %s is found from its particles", files[i]->run);
-  return OK;
-}
-
 int command_compare(int argc, char **argv) {
   static const struct argp_option options[] = {
       {"out", 'o', "DIR", 0, "folder of the report (default: comparison)", 0},
@@ -106,7 +96,7 @@ int command_compare(int argc, char **argv) {
     exit_code = command_fail(status);
     goto done;
   }
-  const enum status found = find_surfaces(a.n, files, progress);
+  const enum status found = command_find_surfaces(a.n, files, progress);
   if (found != OK) {
     exit_code = command_fail(found);
     goto done;

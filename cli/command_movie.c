@@ -142,6 +142,7 @@ static enum status movie(const struct movie_arguments *a) {
   ATTEMPT(plan_make(a, NULL, &plan)); /* before anything is read */
   for (size_t i = 0; i < a->n; i++) ATTEMPT(result_read(a->files[i], &files[i]));
   ATTEMPT(plan_make(a, files[0], &plan));
+  ATTEMPT(command_find_surfaces(a->n, files, progress));
   settings = command_settings(NULL, a->n, files, true, &ignored);
   ATTEMPT(cmp_movie_write(settings, a->n, files, &plan, progress, where));
   if (cmp_movie_is_film(a->out) && strcmp(where, a->out) != 0)

@@ -42,7 +42,8 @@ bool cmp_movie_is_film(const char *path) {
 static enum status times_take(const struct result_file *file, const struct cmp_movie_plan *plan,
                               double **times, size_t *n) {
   const size_t all = file->n_surfaces;
-  CHECK(all, ERR_USAGE, "%s has no surfaces (/surface), so no outputs to be drawn", file->path);
+  CHECK(all, ERR_USAGE, "%s has no surfaces (/surface)%s, so no outputs to be drawn", file->path,
+        file->n_outputs ? ", and no file has /walls, without which its particles show none" : "");
   TRY(array_create(times, all, "frames"));
   *n = 0;
   for (size_t k = 0; k < all; k++)

@@ -77,6 +77,16 @@ E2
 [ $? = 1 ] || fail "particles that differ: $(cat log)"
 ls apart/figures/overlay*.gp >/dev/null 2>&1 || fail "a diff of particles draws no surface: $(ls apart apart/figures)"
 
+# a film, too: a frame for each output
+"$program" movie left.h5 right.h5 --out film >log 2>&1 || fail "a film of particles: $(cat log)"
+grep -q "the surface of left is found from its particles" log || fail "a film of particles: not told: $(cat log)"
+[ "$(ls film)" = "frame-00001.png
+frame-00002.png
+frame-00003.png" ] || fail "a film of particles: $(ls film)"
+/usr/bin/python3 strip.py unwalled walls
+! "$program" movie unwalled.h5 --out nothing >log 2>&1 || fail "a film without walls"
+grep -q "and no file has /walls, without which its particles show none" log || fail "a film without walls: $(cat log)"
+
 # names and types that other programs may leave
 named() { # name of the run, what is wanted of it in the report
   /usr/bin/python3 - "$1" <<'E2'
