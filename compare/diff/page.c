@@ -5,7 +5,7 @@
 
 #include "compare/diff/write.h"
 #include "compare/markup.h"
-#include "compare/output.h"
+#include "compare/picture.h"
 #include "embed/cmp_diff_template.h"
 
 enum { MOST_ROWS = 60, MOST_RUNS = 200 }; /* of what stands in the page without a script */
@@ -108,28 +108,16 @@ static enum status quantities_table(struct markup *p, const struct cmp_diff_run 
 
 /* ---- pictures ---- */
 
-static enum status image(struct markup *p, const struct cmp_figures *figures,
-                         const struct cmp_figure *fig) {
-  char file[128], path[PATH_MAX], *bytes;
-  size_t n;
-  snprintf(file, sizeof file, "%s%s", fig->name, fig->raster ? ".png" : ".svg");
-  TRY(cmp_path_join(figures->dir, file, path));
-  TRY(cmp_file_read(path, &bytes, &n));
-  cmp_markup_open(p, "div", NULL);
-  cmp_markup_image(p, fig->raster ? "image/png" : "image/svg+xml", bytes, n, fig->caption,
-                   fig->width, fig->height);
-  cmp_markup_close(p);
-  free(bytes);
-  return OK;
-}
-
 static enum status picture(struct markup *p, const struct cmp_figures *figures,
                            const struct cmp_figure *fig) {
   cmp_markup_open(p, "figure", NULL);
-  if (*fig->missing)
+  if (*fig->missing) {
     cmp_markup_element(p, "p", "soft", "The figure %s is missing: %s.", fig->name, fig->missing);
-  else
-    TRY(image(p, figures, fig));
+  } else {
+    cmp_markup_open(p, "div", NULL);
+    TRY(cmp_picture_write(p, figures, fig));
+    cmp_markup_close(p);
+  }
   cmp_markup_element(p, "figcaption", NULL, "%s", fig->caption);
   cmp_markup_close(p);
   return OK;

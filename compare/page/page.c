@@ -6,6 +6,7 @@
 #include "compare/output.h"
 #include "compare/page/content.h"
 #include "compare/page/pack.h"
+#include "compare/picture.h"
 #include "embed/cmp_page_library.h"
 #include "embed/cmp_page_licence.h"
 #include "embed/cmp_page_script.h"
@@ -35,19 +36,12 @@ static void links(struct markup *m, const struct cmp_figure *fig) {
   cmp_markup_close(m);
 }
 
-static enum status image(struct markup *m, const struct cmp_figures *figures,
-                         const struct cmp_figure *fig) {
-  char file[128], path[PATH_MAX], *bytes;
-  size_t n;
-  snprintf(file, sizeof file, "%s%s", fig->name, fig->raster ? ".png" : ".svg");
-  TRY(cmp_path_join(figures->dir, file, path));
-  TRY(cmp_file_read(path, &bytes, &n));
+static enum status picture(struct markup *m, const struct cmp_figures *figures,
+                           const struct cmp_figure *fig) {
   cmp_markup_open(m, "div", "paper");
   cmp_markup_attribute(m, "tabindex", "0");
-  cmp_markup_image(m, fig->raster ? "image/png" : "image/svg+xml", bytes, n, fig->caption,
-                   fig->width, fig->height);
+  TRY(cmp_picture_write(m, figures, fig));
   cmp_markup_close(m);
-  free(bytes);
   return OK;
 }
 
@@ -63,7 +57,7 @@ static enum status section_figures(struct markup *m, const struct cmp_page_conte
     if (*fig->missing)
       cmp_markup_element(m, "p", "why", "The figure %s is missing: %s.", fig->name, fig->missing);
     else
-      TRY(image(m, w->figures, fig));
+      TRY(picture(m, w->figures, fig));
     cmp_markup_open(m, "figcaption", NULL);
     cmp_markup_text(m, fig->caption);
     cmp_markup_text(m, " ");
