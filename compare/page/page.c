@@ -1,7 +1,5 @@
 #include "compare/page/page.h"
 
-#include <stdlib.h>
-
 #include "compare/chart.h"
 #include "compare/output.h"
 #include "compare/page/content.h"
@@ -112,39 +110,36 @@ ANY(has_probes, d->n_probes > 0)
 ANY(has_gauges, d->n_gauges > 0)
 ANY(has_diagnostics, d->n_diagnostics > 0)
 
-#define NO_FIGURES CMP_SECTION_CHECKS
-
 static const struct {
-  const char *id, *title;
   bool (*has)(const struct cmp_page_content *w);
-  enum status (*write)(struct markup *m, const struct cmp_page_content *w); /* before the figures, or NULL */
-  enum cmp_section figures;
-} sections[] = {
-    {"health", "Health", always, cmp_page_health, NO_FIGURES},
-    {"summary", "Summary", always, cmp_page_summary, NO_FIGURES},
-    {"checks", "Checks", always, cmp_page_checks, NO_FIGURES},
-    {"convergence", "Convergence", has_convergence, NULL, CMP_SECTION_CONVERGENCE},
-    {"distance", "Distance against time", always, NULL, CMP_SECTION_DISTANCE},
-    {"overlays", "Overlays", has_overlays, NULL, CMP_SECTION_OVERLAY},
-    {"jet", "Plunging jet", has_jet, NULL, CMP_SECTION_JET},
-    {"front", "Front", has_front, NULL, CMP_SECTION_FRONT},
-    {"energy", "Energy", has_energies, NULL, CMP_SECTION_ENERGY},
-    {"pressure", "Pressure", has_probes, NULL, CMP_SECTION_PRESSURE},
-    {"gauges", "Water height", has_gauges, NULL, CMP_SECTION_GAUGE},
-    {"spectra", "Spectra", has_spectra, NULL, CMP_SECTION_SPECTRA},
-    {"diagnostics", "Noise, momenta and forces", has_diagnostics, NULL, CMP_SECTION_DIAGNOSTICS},
-    {"runs", "Runs and provenance", always, NULL, NO_FIGURES},
-    {"method", "How it is measured", always, NULL, NO_FIGURES}};
-enum { SECTIONS = sizeof sections / sizeof *sections };
+  /* what stands before the figures, or NULL */
+  enum status (*write)(struct markup *m, const struct cmp_page_content *w);
+  bool figures;
+} sections[CMP_N_SECTIONS] = {
+    [CMP_SECTION_HEALTH] = {always, cmp_page_health, false},
+    [CMP_SECTION_SUMMARY] = {always, cmp_page_summary, false},
+    [CMP_SECTION_CHECKS] = {always, cmp_page_checks, false},
+    [CMP_SECTION_CONVERGENCE] = {has_convergence, NULL, true},
+    [CMP_SECTION_DISTANCE] = {always, NULL, true},
+    [CMP_SECTION_OVERLAY] = {has_overlays, NULL, true},
+    [CMP_SECTION_JET] = {has_jet, NULL, true},
+    [CMP_SECTION_FRONT] = {has_front, NULL, true},
+    [CMP_SECTION_ENERGY] = {has_energies, NULL, true},
+    [CMP_SECTION_PRESSURE] = {has_probes, NULL, true},
+    [CMP_SECTION_GAUGE] = {has_gauges, NULL, true},
+    [CMP_SECTION_SPECTRA] = {has_spectra, NULL, true},
+    [CMP_SECTION_DIAGNOSTICS] = {has_diagnostics, NULL, true},
+    [CMP_SECTION_RUNS] = {always, NULL, false},
+    [CMP_SECTION_METHOD] = {always, NULL, false}};
 
 static enum status write_contents(struct markup *m, const void *content) {
-  for (size_t k = 0; k < SECTIONS; k++) {
+  for (enum cmp_section k = 0; k < CMP_N_SECTIONS; k++) {
     char href[32];
     if (!sections[k].has(content)) continue;
-    snprintf(href, sizeof href, "#%s", sections[k].id);
+    snprintf(href, sizeof href, "#%s", cmp_section_name(k));
     cmp_markup_open(m, "a", NULL);
     cmp_markup_attribute(m, "href", href);
-    cmp_markup_text(m, sections[k].title);
+    cmp_markup_text(m, cmp_section_title(k));
     cmp_markup_close(m);
     cmp_markup_raw(m, "\n", 1);
   }
@@ -152,24 +147,26 @@ static enum status write_contents(struct markup *m, const void *content) {
 }
 
 /* What scripts add to a section stands before its figures, in "live". */
-static enum status section_write(struct markup *m, const struct cmp_page_content *w, size_t k) {
+static enum status section_write(struct markup *m, const struct cmp_page_content *w,
+                                 enum cmp_section section) {
+  const char *id = cmp_section_name(section);
   cmp_markup_open(m, "section", NULL);
-  cmp_markup_attribute(m, "aria-labelledby", sections[k].id);
+  cmp_markup_attribute(m, "aria-labelledby", id);
   cmp_markup_open(m, "h2", NULL);
-  cmp_markup_attribute(m, "id", sections[k].id);
-  cmp_markup_text(m, sections[k].title);
+  cmp_markup_attribute(m, "id", id);
+  cmp_markup_text(m, cmp_section_title(section));
   cmp_markup_close(m);
-  if (sections[k].write) TRY(sections[k].write(m, w));
+  if (sections[section].write) TRY(sections[section].write(m, w));
   cmp_markup_open(m, "div", "live");
-  cmp_markup_attribute(m, "data-of", sections[k].id);
+  cmp_markup_attribute(m, "data-of", id);
   cmp_markup_close(m);
-  if (sections[k].figures != NO_FIGURES) TRY(section_figures(m, w, sections[k].figures));
+  if (sections[section].figures) TRY(section_figures(m, w, section));
   cmp_markup_close(m);
   return OK;
 }
 
 static enum status write_sections(struct markup *m, const void *content) {
-  for (size_t k = 0; k < SECTIONS; k++)
+  for (enum cmp_section k = 0; k < CMP_N_SECTIONS; k++)
     if (sections[k].has(content)) TRY(section_write(m, content, k));
   return OK;
 }
