@@ -4,25 +4,11 @@ source "$2/tests/cli/begin"
 pretend_gnuplot
 python=/usr/bin/python3
 
-code() { # wanted exit code, then a command; its output is in `log`, its talk in `talk`
-  local wanted=$1 got=0
-  shift
-  "$@" >log 2>talk || got=$?
-  [ "$got" = "$wanted" ] || fail "exit code $got, expected $wanted: $* ($(head -3 log talk))"
-}
 says() { # the one line of talk
   [ "$(tail -1 talk)" = "$1" ] || fail "expected '$1', found '$(cat talk)'"
 }
 
-cat >dam.yaml <<'E2'
-title: A small dam break
-scales: {H: 0.6}
-tank:
-  walls: [[[0, 2 H], [0, 0], [4 H, 0], [4 H, 2 H]]]
-water:
-  regions: [[[0, 0], [1 H, 0], [1 H, 1 H], [0, 1 H]]]
-  pressure: released
-time: {end: 0.5 sqrt(H/g), every: 0.1 sqrt(H/g)}
+small_dam 4 0.5 0.1 <<'E2'
 probes:
   - {name: P1, at: [0, 0.1 H]}
 runs:

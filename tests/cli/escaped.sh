@@ -8,15 +8,7 @@ $python -c 'import h5py' 2>/dev/null || {
   exit 77
 }
 
-cat >dam.yaml <<'E2'
-title: A small dam break
-scales: {H: 0.6}
-tank:
-  walls: [[[0, 2 H], [0, 0], [3 H, 0], [3 H, 2 H]]]
-water:
-  regions: [[[0, 0], [1 H, 0], [1 H, 1 H], [0, 1 H]]]
-  pressure: released
-time: {end: 0.4 sqrt(H/g), every: 0.1 sqrt(H/g)}
+small_dam 3 0.4 0.1 <<'E2'
 runs:
   - {name: bem, solver: bem, resolution: 15}
   - {name: sph, solver: sph, resolution: 15}

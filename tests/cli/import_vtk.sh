@@ -209,36 +209,28 @@ for which in text vtp legacy; do
   "$program" diff text.h5 $which.h5 >log 2>&1 || fail "$which is not the same as text: $(cat log)"
 done
 
-refused() { # sidecar, sed, message
-  rm -f wrong.h5
-  sed "$2" $1.yaml >wrong.yaml
-  "$program" import wrong.yaml -o wrong.h5 >log 2>&1
-  code=$?
-  [ $code = 2 ] && [ ! -e wrong.h5 ] || fail "$2: exit code $code"
-  grep -qF "plunge: wrong.yaml:$3" log || fail "$2: $(cat log)"
-}
-refused vti 's/: "alpha"/: beta/' "11: grid.files[0]: a0.vti has no array 'beta'; it has alpha"
-refused vts 's/up: z/up: y/' "11: grid.files[0]: a0.vts: the field goes from 0.65 to 0.77 there, so it has no contour at 0.5; correct the field, the level or the axes"
-refused slice 's/slice: 0.05/slice: 0.7/' "12: grid.files[0]: a0.vts goes from 0 to 0.2 across the tank; slice is at 0.7"
-refused vtp 's/Vel:2/Vel:5/' "10: particles.files[0]: cloud0.vtp has no component 5 of 'Vel', which has 3, from 0"
-refused vtp 's/"Vel:2"/Vel/' "10: particles.files[0]: cloud0.vtp has 3 components of 'Vel'; ask for one, as 'Vel:0'"
-refused vtp 's/Points:2/Points/' "10: particles.files[0]: cloud0.vtp has 3 components of 'Points'; ask for one, as 'Points:0'"
+import_refused vti 's/: "alpha"/: beta/' "11: grid.files[0]: a0.vti has no array 'beta'; it has alpha"
+import_refused vts 's/up: z/up: y/' "11: grid.files[0]: a0.vts: the field goes from 0.65 to 0.77 there, so it has no contour at 0.5; correct the field, the level or the axes"
+import_refused slice 's/slice: 0.05/slice: 0.7/' "12: grid.files[0]: a0.vts goes from 0 to 0.2 across the tank; slice is at 0.7"
+import_refused vtp 's/Vel:2/Vel:5/' "10: particles.files[0]: cloud0.vtp has no component 5 of 'Vel', which has 3, from 0"
+import_refused vtp 's/"Vel:2"/Vel/' "10: particles.files[0]: cloud0.vtp has 3 components of 'Vel'; ask for one, as 'Vel:0'"
+import_refused vtp 's/Points:2/Points/' "10: particles.files[0]: cloud0.vtp has 3 components of 'Points'; ask for one, as 'Points:0'"
 # a flat grid has one place across
 sed 's/^  up: y/&\n  slice: 0/' vti.yaml >at.yaml
 "$program" import at.yaml -o at.h5 >log 2>&1 && "$program" diff vti.h5 at.h5 >log 2>&1 || fail "a slice where a flat grid is: $(cat log)"
-refused at 's/slice: 0/slice: 0.3/' "12: grid.files[0]: a0.vti is flat, at 0 across the tank; slice is at 0.3"
+import_refused at 's/slice: 0/slice: 0.3/' "12: grid.files[0]: a0.vti is flat, at 0 across the tank; slice is at 0.3"
 # legacy files that end early, in text and in binary, points and fields
 for cut in a1.vtk:vtk:11:grid:90 ascii1.vtk:ascii:11:grid:50 cloud1.vtk:legacy:10:particles:20; do
   IFS=: read -r file sidecar line section percent <<<"$cut"
   head -c $(($(stat -c %s $file) * percent / 100)) $file >cut.vtk
-  refused $sidecar "s/$file/cut.vtk/" "$line: $section.files[1]: cut.vtk is damaged or cut short"
+  import_refused $sidecar "s/$file/cut.vtk/" "$line: $section.files[1]: cut.vtk is damaged or cut short"
 done
-refused pvd 's/all.pvd/up.pvd/' "9: grid.file: up.pvd names the file '../../etc/passwd', which is not in its folder; name that file in the sidecar"
-refused vti 's/a0.vti/cloud0.csv/' "11: grid.files[0]: cloud0.csv is no file of VTK: allowed are"
-refused vti 's/a0.vti/none.vti/' "11: grid.files[0]: cannot read none.vti: No such file or directory"
+import_refused pvd 's/all.pvd/up.pvd/' "9: grid.file: up.pvd names the file '../../etc/passwd', which is not in its folder; name that file in the sidecar"
+import_refused vti 's/a0.vti/cloud0.csv/' "11: grid.files[0]: cloud0.csv is no file of VTK: allowed are"
+import_refused vti 's/a0.vti/none.vti/' "11: grid.files[0]: cannot read none.vti: No such file or directory"
 head -c 900 a1.vti >cut.vti
-refused vti 's/a1.vti/cut.vti/' "11: grid.files[1]: cut.vti "
-refused foam 's|foam/case.foam|none/case.foam|' "9: grid.file: cannot read none/case.foam"
+import_refused vti 's/a1.vti/cut.vti/' "11: grid.files[1]: cut.vti "
+import_refused foam 's|foam/case.foam|none/case.foam|' "9: grid.file: cannot read none/case.foam"
 
 # ---- installed elsewhere, the program has its module from there ----
 cmake --install "$(dirname "$program")" --prefix "$folder/stage" >log 2>&1 || fail "no installation: $(cat log)"

@@ -4,14 +4,7 @@
 source "$2/tests/cli/begin"
 pretend_gnuplot
 
-cat >dam.yaml <<'E'
-scales: {H: 0.6}
-tank:
-  walls: [[[0, 2 H], [0, 0], [4 H, 0], [4 H, 2 H]]]
-water:
-  regions: [[[0, 0], [1 H, 0], [1 H, 1 H], [0, 1 H]]]
-  pressure: released
-time: {end: 0.5 sqrt(H/g), every: 0.05 sqrt(H/g)}
+small_dam 4 0.5 0.05 <<'E'
 runs:
   - {name: bem, solver: bem, resolution: 15}
   - {name: one, solver: sph, resolution: 15}

@@ -3,12 +3,6 @@
 source "$2/tests/cli/begin"
 command -v gnuplot >/dev/null || { echo "gnuplot is not installed"; exit 77; }
 
-code() { # wanted exit code, then a command
-  local wanted=$1 got=0
-  shift
-  "$@" >log 2>talk || got=$?
-  [ "$got" = "$wanted" ] || fail "exit code $got, expected $wanted: $* ($(head -3 log talk))"
-}
 refuse() { # words of the one complaint, then arguments
   local words=$1
   shift
@@ -18,15 +12,7 @@ refuse() { # words of the one complaint, then arguments
 }
 hidden() { find . -name '.drawing-*' | grep -q . && fail "$1 leaves a folder"; }
 
-cat >dam.yaml <<'E2'
-title: A small dam break
-scales: {H: 0.6}
-tank:
-  walls: [[[0, 2 H], [0, 0], [3 H, 0], [3 H, 2 H]]]
-water:
-  regions: [[[0, 0], [1 H, 0], [1 H, 1 H], [0, 1 H]]]
-  pressure: released
-time: {end: 1 sqrt(H/g), every: 0.2 sqrt(H/g)}
+small_dam 3 1 0.2 <<'E2'
 runs:
   - {name: bem, solver: bem, resolution: 15}
   - {name: sph, solver: sph, resolution: 15}

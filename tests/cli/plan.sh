@@ -81,13 +81,6 @@ bash -n plan.slurm || fail "the script is none"
 
 # ---- runs that share a folder ----
 sed 's/end: 0.4/end: 4000/; s/every: 0.1/every: 10/' case.yaml >long.yaml
-wait_for() { # a file
-  for _ in $(seq 400); do
-    [ -e "$1" ] && return
-    sleep 0.05
-  done
-  fail "no $1"
-}
 "$program" run long.yaml --out shared --only=-b-16 --no-report -q >one.log 2>&1 &
 pid=$!
 wait_for shared/-b-16.h5

@@ -5,15 +5,7 @@ nm "$1" | grep -q __asan_init && exit 77 # sanitizers take terabytes of address 
 source "$2/tests/cli/begin"
 pretend_gnuplot
 
-cat >dam.yaml <<'E2'
-title: A small dam
-scales: {H: 0.6}
-tank:
-  walls: [[[0, 2 H], [0, 0], [4 H, 0], [4 H, 2 H]]]
-water:
-  regions: [[[0, 0], [1 H, 0], [1 H, 1 H], [0, 1 H]]]
-  pressure: released
-time: {end: 0.2 sqrt(H/g), every: 0.1 sqrt(H/g)}
+small_dam 4 0.2 0.1 <<'E2'
 runs:
   - {name: bem, solver: bem, resolution: 15}
   - name: sph

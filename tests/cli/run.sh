@@ -7,7 +7,7 @@ expect() { # what should hold, then the words of a test
   shift
   "$@" || fail "$claim"
 }
-code() { # wanted exit code, then a command; its output is in `log`
+code() { # as in `begin`, but all that is said is in `log`
   local wanted=$1 got=0
   shift
   "$@" >log 2>&1 || got=$?
@@ -17,15 +17,7 @@ code() { # wanted exit code, then a command; its output is in `log`
   }
 }
 
-cat >dam.yaml <<'E2'
-title: A small dam break
-scales: {H: 0.6}
-tank:
-  walls: [[[0, 2 H], [0, 0], [4 H, 0], [4 H, 2 H]]]
-water:
-  regions: [[[0, 0], [1 H, 0], [1 H, 1 H], [0, 1 H]]]
-  pressure: released
-time: {end: 0.5 sqrt(H/g), every: 0.1 sqrt(H/g)}
+small_dam 4 0.5 0.1 <<'E2'
 runs:
   - {name: bem, solver: bem, resolution: 15}
   - {name: sph, solver: sph, resolution: 15}

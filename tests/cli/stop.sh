@@ -30,13 +30,6 @@ end_with() {
   wait $pid 2>/dev/null || got=$?
   [ $got = 3 ] || fail "$signal: exit code $got: $(cat log)"
 }
-wait_for() { # a file
-  for _ in $(seq 400); do
-    [ -s "$1" ] && return
-    sleep 0.05
-  done
-  fail "no $1"
-}
 
 # ---- during the set-up of half a million particles, which is not asked whether to stop ----
 for signal in TERM INT HUP; do
