@@ -16,12 +16,11 @@
 #include "common/result/result_header.h"
 #include "common/result/result_layout.h"
 #include "common/result/result_store.h"
+#include "common/result/result_surface_table.h"
 #include "common/result/result_table.h"
 #include "common/result/result_vtkhdf.h"
 #include "common/result/result_xdmf.h"
 #include "revision.h"
-
-enum { SURFACE_ROWS = 4096 }; /* of a chunk */
 
 struct result {
   char *path;
@@ -29,9 +28,7 @@ struct result {
   struct xdmf *xdmf;
   hid_t file, events, statistics;
   struct hdf_columns *columns;
-  struct {
-    struct hdf_column *time, *first_piece, *first_point, *closed, *points;
-  } surface;
+  struct result_surface_table surface;
   struct result_table energy, steps, diagnostics;
   struct result_about about;            /* what is in it is borrowed */
   struct result_table *probes, *gauges; /* of each, owned */
@@ -127,38 +124,9 @@ done:
   return status;
 }
 
-static enum status create_surface(struct result *w) {
-  static const size_t zero = 0;
-  const struct hdf_rows times = {H5T_NATIVE_DOUBLE, 0, RESULT_ROWS},
-                        counts = {H5T_NATIVE_HSIZE, 0, RESULT_ROWS},
-                        flags = {H5T_NATIVE_UCHAR, 0, RESULT_ROWS},
-                        points = {H5T_NATIVE_DOUBLE, 2, SURFACE_ROWS};
-  hid_t group = -1;
-  enum status status = OK;
-  ATTEMPT(hdf_group_create(w->file, "surface", &group));
-  ATTEMPT(hdf_column_create(w->columns, group, "time", &times, "s", "time of each surface",
-                            &w->surface.time));
-  ATTEMPT(hdf_column_create(w->columns, group, "first_piece", &counts, "1",
-                            "first piece of each surface, and the end of the last",
-                            &w->surface.first_piece));
-  ATTEMPT(hdf_column_create(w->columns, group, "first_point", &counts, "1",
-                            "first row of points of each piece, and the end of the last",
-                            &w->surface.first_point));
-  ATTEMPT(hdf_column_create(w->columns, group, "closed", &flags, "1",
-                            "1 where the last point of a piece joins its first",
-                            &w->surface.closed));
-  ATTEMPT(hdf_column_create(w->columns, group, "points", &points, "m",
-                            "x, y; the water lies on the right", &w->surface.points));
-  ATTEMPT(hdf_column_append(w->surface.first_piece, 1, &zero));
-  ATTEMPT(hdf_column_append(w->surface.first_point, 1, &zero));
-done:
-  if (group >= 0) H5Gclose(group);
-  return status;
-}
-
 static enum status create_content(struct result *w) {
   TRY(result_header_write(w->file, &w->about));
-  TRY(create_surface(w));
+  TRY(result_surface_table_create(w->columns, w->file, &w->surface));
   TRY(create_series(w));
   TRY(hdf_group_create(w->file, "events", &w->events));
   return hdf_group_create(w->file, "statistics", &w->statistics);
@@ -290,17 +258,7 @@ enum status result_points(struct result *w, double time, size_t n, const double 
 }
 
 static enum status append_surface(struct result *w, double time, const struct geo_lines *surface) {
-  size_t n_pieces = hdf_column_length(w->surface.closed);
-  size_t n_points = hdf_column_length(w->surface.points);
-  TRY(hdf_column_append(w->surface.points, surface->points, surface->p));
-  TRY(hdf_column_append(w->surface.closed, surface->pieces, surface->closed));
-  for (size_t k = 0; k < surface->pieces; k++) {
-    size_t end = n_points + surface->first[k + 1];
-    TRY(hdf_column_append(w->surface.first_point, 1, &end));
-  }
-  size_t end = n_pieces + surface->pieces;
-  TRY(hdf_column_append(w->surface.first_piece, 1, &end));
-  TRY(hdf_column_append(w->surface.time, 1, &time));
+  TRY(result_surface_table_add(&w->surface, time, surface));
   return w->errors ? result_errors_surface(w->errors, time, surface) : OK;
 }
 
