@@ -1,93 +1,9 @@
 #include "common/cloud/surface.h"
 
 #include <omp.h>
-#include <stdint.h>
-#include <stdlib.h>
 
 #include "common/base/gauge.h"
-#include "tests/test.h"
-
-static const double dx = 0.0123;
-
-struct swarm {
-  size_t n, room;
-  double *x, *y;
-};
-
-static void swarm_add(struct swarm *c, double x, double y) {
-  if (c->n == c->room) {
-    c->room = c->room ? 2 * c->room : 1024;
-    c->x = realloc(c->x, c->room * sizeof *c->x);
-    c->y = realloc(c->y, c->room * sizeof *c->y);
-    if (!c->x || !c->y) abort();
-  }
-  c->x[c->n] = x;
-  c->y[c->n++] = y;
-}
-
-static void swarm_destroy(struct swarm *c) {
-  free(c->x);
-  free(c->y);
-  *c = (struct swarm){0};
-}
-
-/* A square lattice of particles in the cells of [x0, x1] x [y0, y1]. */
-static void swarm_block(struct swarm *c, double x0, double y0, double x1, double y1, double d) {
-  for (long j = 0; j < lround((y1 - y0) / d); j++)
-    for (long i = 0; i < lround((x1 - x0) / d); i++)
-      swarm_add(c, x0 + ((double)i + 0.5) * d, y0 + ((double)j + 0.5) * d);
-}
-
-/* Reproducible uniform numbers in (-1, 1). */
-static double noise(void) {
-  static uint64_t state = 88172645463325252u;
-  state ^= state << 13;
-  state ^= state >> 7;
-  state ^= state << 17;
-  return (double)(state >> 11) / 4503599627370496.0 - 1;
-}
-
-static void swarm_jitter(struct swarm *c, double amplitude) {
-  for (size_t i = 0; i < c->n; i++) {
-    c->x[i] += amplitude * noise();
-    c->y[i] += amplitude * noise();
-  }
-}
-
-/* Rings of particles that fill the disc or annulus evenly right up to its edges: its surface is
- * known exactly, unlike that of a lattice cut by a circle. */
-static void swarm_disc(struct swarm *c, double x, double y, double inner, double outer,
-                       double spacing, double *volume) {
-  int rings = (int)lround((outer - inner) / spacing);
-  double width = (outer - inner) / rings;
-  for (int k = 0; k < rings; k++) {
-    double r = inner + (k + 0.5) * width;
-    int m = (int)lround(2 * M_PI * r / width);
-    for (int i = 0; i < m; i++) {
-      double angle = 2 * M_PI * (i + 0.3 * k) / m;
-      swarm_add(c, x + r * cos(angle), y + r * sin(angle));
-      volume[c->n - 1] = 2 * M_PI * r * width / m;
-    }
-  }
-}
-
-/* Walls of a tank [0, width] x [0, height], open at the top. */
-static void tank(struct geo_lines *l, double width, double height) {
-  EXPECT_OK(geo_lines_begin(l, false));
-  EXPECT_OK(geo_lines_add(l, 0, height));
-  EXPECT_OK(geo_lines_add(l, 0, 0));
-  EXPECT_OK(geo_lines_add(l, width, 0));
-  EXPECT_OK(geo_lines_add(l, width, height));
-}
-
-static void extract(const struct swarm *c, const double *volume, double spacing,
-                    const struct geo_lines *walls, struct geo_lines *out) {
-  struct cloud_surface *s = NULL;
-  EXPECT_OK(cloud_surface_create(&s));
-  EXPECT_OK(cloud_surface_extract(s, &(struct cloud){c->n, c->x, c->y, volume, spacing, NULL},
-                                  walls, out));
-  cloud_surface_destroy(s);
-}
+#include "tests/common/swarm.h"
 
 /* F of the header comment of surface.c by direct summation, without walls. */
 static double fraction(const struct swarm *c, double x, double y) {
@@ -96,9 +12,6 @@ static double fraction(const struct swarm *c, double x, double y) {
     f += exp(-((x - c->x[i]) * (x - c->x[i]) + (y - c->y[i]) * (y - c->y[i])) / (dx * dx)) / M_PI;
   return f;
 }
-
-/* The ripple of the lattice, 2.1e-4 in F at most, over its slope 1/(sqrt(pi) dx). */
-#define LATTICE_NOISE (3.7e-4 * dx)
 
 static void test_still_water_has_its_surface_and_ends_on_the_walls(void) {
   struct swarm c = {0};
@@ -311,82 +224,6 @@ static void test_water_is_on_the_right_of_every_step(void) {
   geo_lines_destroy(&l);
 }
 
-/* The same tank with its bed in five parts, and as a closed box: the images are the same. */
-static void test_walls_may_be_cut_and_closed(void) {
-  struct swarm c = {0};
-  struct geo_lines walls[3] = {{0}}, l[3] = {{0}};
-  double wide = 60 * dx, high = 50 * dx;
-  tank(&walls[0], wide, high);
-  EXPECT_OK(geo_lines_begin(&walls[1], false));
-  EXPECT_OK(geo_lines_add(&walls[1], 0, high));
-  for (int i = 0; i <= 5; i++) EXPECT_OK(geo_lines_add(&walls[1], wide * i / 5, 0));
-  EXPECT_OK(geo_lines_add(&walls[1], wide, high));
-  EXPECT_OK(geo_lines_begin(&walls[2], true));
-  EXPECT_OK(geo_lines_add(&walls[2], wide, 0));
-  EXPECT_OK(geo_lines_add(&walls[2], wide, high));
-  EXPECT_OK(geo_lines_add(&walls[2], 0, high));
-  EXPECT_OK(geo_lines_add(&walls[2], 0, 0));
-  swarm_block(&c, 0, 0, wide, 7 * dx, dx);
-  swarm_block(&c, 50 * dx, 7 * dx, wide, 12 * dx, dx);
-  swarm_jitter(&c, 0.1 * dx);
-  for (int k = 0; k < 3; k++) extract(&c, NULL, dx, &walls[k], &l[k]);
-  EXPECT(l[0].pieces == 1 && !l[0].closed[0]);
-  for (int k = 1; k < 3; k++) {
-    EXPECT(l[k].points == l[0].points && l[k].pieces == l[0].pieces);
-    for (size_t i = 0; i < l[0].points && i < l[k].points; i++) /* rounding of the mirror images */
-      EXPECT_NEAR(hypot(l[k].p[i][0] - l[0].p[i][0], l[k].p[i][1] - l[0].p[i][1]), 0, 1e-9 * dx);
-  }
-  for (int k = 0; k < 3; k++) {
-    geo_lines_destroy(&walls[k]);
-    geo_lines_destroy(&l[k]);
-  }
-  swarm_destroy(&c);
-}
-
-/* Water that leaves over the top of the right wall is cut straight above it. */
-static void test_water_above_the_end_of_a_wall_is_cut_on_its_continuation(void) {
-  struct swarm c = {0};
-  struct geo_lines walls = {0}, l = {0};
-  tank(&walls, 60 * dx, 50 * dx);
-  swarm_block(&c, 50 * dx, 55 * dx, 70 * dx, 65 * dx, dx);
-  extract(&c, NULL, dx, &walls, &l);
-  EXPECT(l.pieces == 1 && !l.closed[0]);
-  EXPECT_NEAR(l.p[0][0], 60 * dx, 1e-12);
-  EXPECT_NEAR(l.p[l.points - 1][0], 60 * dx, 1e-12);
-  EXPECT_NEAR(l.p[0][1], 55 * dx, LATTICE_NOISE); /* the water on the right: from below */
-  EXPECT_NEAR(l.p[l.points - 1][1], 65 * dx, LATTICE_NOISE);
-  swarm_destroy(&c);
-  geo_lines_destroy(&walls);
-  geo_lines_destroy(&l);
-}
-
-/* A bed that rises at 45 degrees: no curve appears where the walls meet, although the lattice does
- * not follow them. */
-static void test_oblique_walls_are_filled(void) {
-  struct swarm c = {0};
-  struct geo_lines walls = {0}, water = {0}, l = {0};
-  const double corner[][2] = {{0, 50}, {0, 0}, {30, 0}, {80, 50}};
-  EXPECT_OK(geo_lines_begin(&walls, false));
-  EXPECT_OK(geo_lines_begin(&water, true));
-  for (int i = 0; i < 4; i++) {
-    EXPECT_OK(geo_lines_add(&walls, corner[i][0] * dx, corner[i][1] * dx));
-    EXPECT_OK(geo_lines_add(&water, corner[i][0] * dx, corner[i][1] * dx));
-  }
-  for (int j = 0; j < 20; j++)
-    for (int i = 0; i < 80; i++)
-      if (geo_lines_contain(&water, (i + 0.25) * dx, (j + 0.5) * dx))
-        swarm_add(&c, (i + 0.25) * dx, (j + 0.5) * dx);
-  extract(&c, NULL, dx, &walls, &l);
-  EXPECT(l.pieces == 1 && !l.closed[0] && l.p[0][0] == 0);
-  const double *end = l.p[l.points - 1];
-  EXPECT_NEAR(end[0] - 30 * dx, end[1], 1e-12);
-  EXPECT_NEAR(end[1], 20 * dx, dx); /* a lattice that stops anywhere within dx of the wall */
-  swarm_destroy(&c);
-  geo_lines_destroy(&walls);
-  geo_lines_destroy(&water);
-  geo_lines_destroy(&l);
-}
-
 static void test_escaped_particles_change_nothing(void) {
   struct swarm c = {0};
   struct geo_lines walls = {0}, l = {0}, again = {0};
@@ -499,9 +336,6 @@ int main(void) {
   RUN(test_pocket_of_air_is_seen_when_it_is_more_than_a_gap_between_particles);
   RUN(test_thin_tongue_on_the_bed_is_seen_and_ends_on_the_bed);
   RUN(test_water_is_on_the_right_of_every_step);
-  RUN(test_walls_may_be_cut_and_closed);
-  RUN(test_oblique_walls_are_filled);
-  RUN(test_water_above_the_end_of_a_wall_is_cut_on_its_continuation);
   RUN(test_escaped_particles_change_nothing);
   RUN(test_strip_is_the_same_as_the_whole_to_the_last_bit);
   RUN(test_any_number_of_threads_finds_the_same_bits);
