@@ -303,6 +303,10 @@ enum status case_parse_settings(const char *name, const char *text, const struct
  * settings [n]: NULL where the text has no such run, or is no case; owned by the caller.
  * ERR_MEMORY, and all of them NULL. */
 enum status case_run_settings(const char *text, size_t n, const char *const *run, char **settings);
+
+/* Which ends of the tank are no walls by the text of a case (`periodic` of struct case_file): none
+ * where it is no case. ERR_MEMORY. */
+enum status case_periodic_ends(const char *text, bool periodic[2]);
 void case_destroy(struct case_file *c);
 
 /* Every section with its keys: what is allowed, the default, what it is (for `plunge list`). */

@@ -168,6 +168,25 @@ bool case_read_section(struct case_draft *d, int node, const char *path, const s
   return case_doc_read(&d->doc, node, path, line, 1, &block);
 }
 
+enum status case_periodic_ends(const char *text, bool periodic[2]) {
+  static const char *const keys[2] = {"sides", "bed"};
+  struct problems problems = {0};
+  struct case_doc doc = {0};
+  periodic[0] = periodic[1] = false;
+  if (case_doc_load(&doc, text, strlen(text), &problems)) {
+    const int tank = case_doc_member(&doc, case_doc_root(&doc), "tank");
+    for (int axis = 0; axis < 2; axis++) {
+      const char *word = case_doc_text(&doc, case_doc_member(&doc, tank, keys[axis]));
+      periodic[axis] = word && !strcmp(word, sides_names[SIDES_PERIODIC]);
+    }
+  }
+  const bool memory = !problems.out_of_memory;
+  case_doc_destroy(&doc);
+  problems_destroy(&problems);
+  CHECK(memory, ERR_MEMORY, "no memory to read a case");
+  return OK;
+}
+
 /* tank, water and time are required: when they are absent the top level has said so, and nothing is
  * asked of what is in them. */
 static enum status read_tank(struct case_draft *d) {

@@ -200,7 +200,7 @@ struct result_file {
   double c0;                     /* speed of sound, m/s; NaN: its solver has none */
   struct geo_lines walls;
 
-  bool surfaces_found; /* from the particles, by result_find_surfaces */
+  bool surfaces_found; /* from the particles, by result_find_all_surfaces */
   size_t n_surfaces;
   double *surface_time;
   struct geo_lines *surface; /* [n_surfaces] */
@@ -275,12 +275,10 @@ enum status result_stream_part(const char *path, const struct result_part *part,
                                enum status (*take)(void *data, size_t k, struct result_water *water),
                                void *data);
 
-/* Finds the surface of a file that has particles and no /surface, by common/cloud, at each output
- * that it has; those of others stay. `walls` (m) are the file's own or those of its tank, of no
- * piece: none. ERR_INPUT: particles that are too scattered. */
-enum status result_find_surfaces(struct result_file *f, const struct geo_lines *walls);
-/* Of n files that are compared. Walls: a file's own, or those of the first that has any; without
- * any, nothing is found. */
+/* Finds the surfaces of those of n files that have particles and no /surface, by common/cloud, at
+ * each output that they have; those of others stay. Walls, and the case that says which of them are
+ * periodic: a file's own, or those of the first that has walls; without any, nothing is found.
+ * ERR_INPUT: particles that are too scattered. */
 enum status result_find_all_surfaces(size_t n, struct result_file *const *files);
 
 /* Whether `path` is a finished result with this fingerprint (never raises). */

@@ -1,14 +1,19 @@
 /* Surfaces of results that have particles alone. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/base/array.h"
+#include "common/case/case.h"
 #include "common/cloud/surface.h"
 #include "common/result/result.h"
+#include "common/tank/room.h"
+#include "common/tank/tank.h"
 
 struct finding {
   struct result_file *f;
-  const struct geo_lines *walls;
+  struct tank tank;
+  struct geo_lines walls; /* owned */
   struct cloud_surface *finder;
   double *x, *y; /* of one output, [room], owned */
   size_t room;
@@ -48,16 +53,29 @@ static enum status find(void *data, size_t k, struct result_water *w) {
     q->room = w->n;
   }
   for (size_t i = 0; i < w->n; i++) {
-    q->x[i] = w->p[i][0];
-    q->y[i] = w->p[i][1];
+    q->x[i] = tank_wrap(&q->tank, 0, w->p[i][0]);
+    q->y[i] = tank_wrap(&q->tank, 1, w->p[i][1]);
   }
-  const struct cloud cloud = {w->n, q->x, q->y, areas_of(q->f, w), q->f->spacing, NULL};
-  enum status status = cloud_surface_extract(q->finder, &cloud, q->walls, &q->f->surface[k]);
+  const struct cloud cloud = {w->n, q->x, q->y, areas_of(q->f, w), q->f->spacing, &q->tank};
+  enum status status = cloud_surface_extract(q->finder, &cloud, &q->walls, &q->f->surface[k]);
   return status == ERR_INPUT ? status_context(status, "%s: ", q->f->path) : status;
 }
 
-enum status result_find_surfaces(struct result_file *f, const struct geo_lines *walls) {
-  struct finding q = {.f = f, .walls = walls};
+/* `of` has the walls of the tank, and the case that may call its sides periodic. */
+static enum status take_tank(const struct result_file *of, struct finding *q) {
+  bool periodic[2];
+  TRY(case_periodic_ends(of->case_text, periodic));
+  const struct geo_box box = geo_lines_box(&of->walls);
+  const double wide = box.max[0] - box.min[0], high = box.max[1] - box.min[1];
+  const bool round = tank_can_be_round(&of->walls, CASE_SAME * fmax(wide, high)) &&
+                     fmin(wide, high) > q->f->spacing;
+  for (int axis = 0; axis < 2; axis++) periodic[axis] = periodic[axis] && periodic[0] && round;
+  q->tank = tank_of(&of->walls, periodic);
+  return tank_outline(&q->tank, &of->walls, &q->walls);
+}
+
+static enum status find_surfaces(struct result_file *f, const struct result_file *of) {
+  struct finding q = {.f = f};
   struct result_wanted wanted[2];
   size_t *output = NULL;
   enum status status = OK;
@@ -72,11 +90,13 @@ enum status result_find_surfaces(struct result_file *f, const struct geo_lines *
   for (size_t k = 0; k < f->n_outputs; k++) f->surface_time[k] = f->output_time[k];
   ATTEMPT(array_create(&output, f->n_outputs, "outputs"));
   for (size_t k = 0; k < f->n_outputs; k++) output[k] = k;
+  ATTEMPT(take_tank(of, &q));
   ATTEMPT(cloud_surface_create(&q.finder));
   status = result_stream(f->path, fields_wanted(f, wanted), wanted, f->n_outputs, output, find, &q);
   f->surfaces_found = status == OK;
 done:
   cloud_surface_destroy(q.finder);
+  geo_lines_destroy(&q.walls);
   free(output);
   free(q.x);
   free(q.y);
@@ -84,9 +104,9 @@ done:
 }
 
 enum status result_find_all_surfaces(size_t n, struct result_file *const *files) {
-  const struct geo_lines *walls = &files[0]->walls;
-  for (size_t i = 0; i < n && !walls->pieces; i++) walls = &files[i]->walls;
-  for (size_t i = 0; i < n && walls->pieces; i++)
-    TRY(result_find_surfaces(files[i], files[i]->walls.pieces ? &files[i]->walls : walls));
+  const struct result_file *of = files[0];
+  for (size_t i = 0; i < n && !of->walls.pieces; i++) of = files[i];
+  for (size_t i = 0; i < n && of->walls.pieces; i++)
+    TRY(find_surfaces(files[i], files[i]->walls.pieces ? files[i] : of));
   return OK;
 }

@@ -77,6 +77,34 @@ E2
 [ $? = 1 ] || fail "particles that differ: $(cat log)"
 ls apart/figures/overlay*.gp >/dev/null 2>&1 || fail "a diff of particles draws no surface: $(ls apart apart/figures)"
 
+# periodic sides, which the case in the file tells of: water goes on beyond them
+cat >round.yaml <<'E2'
+scales: {H: 0.6}
+tank: {walls: [[[0, 2 H], [0, 0], [3 H, 0], [3 H, 2 H]]], sides: periodic}
+water: {regions: [[[0, 0], [1 H, 0], [1 H, H], [0, H]]]}
+time: {end: 0.5 sqrt(H/g), every: 0.5 sqrt(H/g)}
+runs: [{name: round, solver: sph, resolution: 12}]
+E2
+"$program" run round.yaml --out out -q >log 2>&1 || fail "no run: $(cat log)"
+cat >round-settings.yaml <<'E2'
+compare:
+  times: [0.5 sqrt(H/g)]
+  tolerances: [{measure: largest_distance, max: 1e-9}]
+E2
+/usr/bin/python3 - <<'E2'
+import h5py, shutil
+fields = ["surface"] + ["VTKHDF/PointData/" + s for s in ("volume", "mass", "density")]
+for name, drop in ("told", fields), ("untold", fields + ["case"]):
+    shutil.copy("out/round.h5", name + ".h5")
+    with h5py.File(name + ".h5", "a") as f:
+        f.attrs["run"] = name
+        for key in drop: del f[key]
+E2
+"$program" compare out/round.h5 told.h5 -s round-settings.yaml -o report >log 2>&1 || fail "periodic sides: $(cat log)"
+grep -q "1 of 1 checks passed" log || fail "periodic sides: $(cat log)"
+"$program" compare out/round.h5 untold.h5 -s round-settings.yaml -o report >log 2>&1
+grep -q "0 of 1 checks passed" log || fail "nothing tells of periodic sides, and the surface is the same: $(cat log)"
+
 # a film, too: a frame for each output
 "$program" movie left.h5 right.h5 --out film >log 2>&1 || fail "a film of particles: $(cat log)"
 grep -q "the surface of left is found from its particles" log || fail "a film of particles: not told: $(cat log)"

@@ -87,11 +87,31 @@ static void test_aliases_end(void) {
   free(settings);
 }
 
+static void expect_ends(const char *text, bool sides, bool bed) {
+  bool periodic[2] = {!sides, !bed};
+  EXPECT_OK(case_periodic_ends(text, periodic));
+  if (periodic[0] != sides || periodic[1] != bed)
+    TEST_FAIL("periodic %d, %d: %s", periodic[0], periodic[1], text);
+}
+
+/* Whatever else is in it: the case may be of another version, or no case at all. */
+static void test_periodic_ends(void) {
+  expect_ends("tank: {walls: [[[0, 2], [0, 0], [3, 0], [3, 2]]], sides: periodic}\n", true, false);
+  expect_ends("new: 3\ntank: {sides: periodic, bed: periodic, more: []}\nruns: 7\n", true, true);
+  expect_ends("tank: {sides: walls, bed: wall}\n", false, false);
+  expect_ends("sides: periodic\ntank: [sides, periodic]\n", false, false);
+  expect_ends("tank: {sides: [periodic]}\n", false, false);
+  expect_ends("tank: {sides: periodic", false, false);
+  expect_ends("periodic", false, false);
+  expect_ends("", false, false);
+}
+
 int main(void) {
   RUN(test_keys_in_order_without_what_says_how_fine);
   RUN(test_many_runs_of_one_text);
   RUN(test_no_such_run_or_no_case);
   RUN(test_long_settings_differ);
   RUN(test_aliases_end);
+  RUN(test_periodic_ends);
   return TEST_RESULT;
 }
