@@ -49,6 +49,26 @@ static double reduce(struct evaluation *e, const char *name,
 GALLERY_REDUCTIONS(X)
 #undef X
 
+/* ---- functions of numbers ---- */
+
+/* muParser's own max and min pass over what is not a number, and one that does not exist would look
+ * like one that holds. */
+static double greatest(const double *v, int n) {
+  double most = n > 0 ? v[0] : NAN;
+  for (int i = 1; i < n; i++)
+    if (isnan(v[i]) || v[i] > most) most = v[i];
+  return most;
+}
+
+static double smallest(const double *v, int n) {
+  double least = n > 0 ? v[0] : NAN;
+  for (int i = 1; i < n; i++)
+    if (isnan(v[i]) || v[i] < least) least = v[i];
+  return least;
+}
+
+/* ---- both by their names ---- */
+
 #define DEFINE_0 mupDefineStrFunUserData1
 #define DEFINE_1 mupDefineStrFunUserData2
 #define DEFINE_2 mupDefineStrFunUserData3
@@ -58,6 +78,8 @@ static void define_functions(muParserHandle_t parser, struct evaluation *e) {
 #define X(name, n, help) DEFINE_##n(parser, #name, call_##name, e);
   GALLERY_REDUCTIONS(X)
 #undef X
+  mupDefineMultFun(parser, "max", greatest, 1);
+  mupDefineMultFun(parser, "min", smallest, 1);
 }
 
 /* ---- numbers ---- */

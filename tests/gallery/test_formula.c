@@ -135,6 +135,35 @@ static void test_formulas(void) {
   gallery_curve_free(&known);
 }
 
+static void expect_none(const char *formula) {
+  double found = 0;
+  EXPECT_OK(gallery_formula(&scope, formula, &found));
+  if (!isnan(found)) TEST_FAIL("%s = %.15g, expected no number", formula, found);
+}
+
+/* What does not exist is no part of a sum that does, in whatever place it stands. */
+static void test_formulas_of_no_number(void) {
+  known = sampled(line, 0, 2, 21);
+  expect_none("max(1, at(\"line\", 99), 2)");
+  expect_none("max(at(\"line\", 99), 1, 2)");
+  expect_none("min(1, 2, at(\"line\", 99))");
+  expect_none("min(at(\"line\", 99), 1)");
+  expect_none("max(1, min(2, at(\"line\", 99)))");
+  expect_none("sum(1, at(\"line\", 99))");
+  expect_none("avg(1, at(\"line\", 99))");
+  expect_none("abs(at(\"line\", 99)) + three");
+  expect_value("max(1, 3, 2) - min(5, -4, three)", 7);
+  expect_value("max(-three)", -3);
+  expect_value("at(\"line\", 99) < 1", 0);
+  expect_value("at(\"line\", 99) > 1", 0);
+  expect_value("at(\"line\", 99) == at(\"line\", 99)", 0);
+  expect_value("at(\"line\", 99) != 1", 1);
+  expect_value("at(\"line\", 99) && 1", 1);
+  expect_value("at(\"line\", 99) ? 5 : 6", 5);
+  expect_value("rint(2.6) + sign(-3)", 2);
+  gallery_curve_free(&known);
+}
+
 static void expect_refusal(const char *formula, const char *words) {
   double value = 7;
   const enum status status = gallery_formula(&scope, formula, &value);
@@ -153,6 +182,7 @@ static void test_formulas_that_are_wrong(void) {
   expect_refusal("at(line, 1)", "the formula");
   expect_refusal("nothing(3)", "the formula");
   expect_refusal("(1", "the formula");
+  expect_refusal("max()", "the formula");
   gallery_curve_free(&known);
 }
 
@@ -171,6 +201,7 @@ int main(void) {
   RUN(test_growth);
   RUN(test_share_beyond);
   RUN(test_formulas);
+  RUN(test_formulas_of_no_number);
   RUN(test_formulas_that_are_wrong);
   RUN(test_rows);
   return TEST_RESULT;
