@@ -14,6 +14,8 @@ static enum status answer_bound(struct gallery_desk *desk, const struct gallery_
                                 struct gallery_answer *a) {
   if (c->above) TRY(gallery_desk_formula(desk, c->above, &a->low));
   if (c->below) TRY(gallery_desk_formula(desk, c->below, &a->high));
+  CHECK(!c->above || !isnan(a->low), ERR_INPUT, "%s: there is no such bound", c->above);
+  CHECK(!c->below || !isnan(a->high), ERR_INPUT, "%s: there is no such bound", c->below);
   a->holds = (!c->above || a->value > a->low) && (!c->below || a->value < a->high);
   return OK;
 }
@@ -26,6 +28,8 @@ static enum status answer_equal(struct gallery_desk *desk, const struct gallery_
   a->tolerance = c->within ? tolerance : tolerance / 100 * fabs(a->expected);
   a->low = a->expected - a->tolerance;
   a->high = a->expected + a->tolerance;
+  CHECK(!isnan(a->low), ERR_INPUT, "%s: there is no such number, or none for its tolerance",
+        c->equals);
   a->holds = fabs(a->value - a->expected) <= a->tolerance;
   return OK;
 }
@@ -35,7 +39,6 @@ static enum status answer(struct gallery_desk *desk, const struct gallery_check 
   TRY(gallery_desk_formula(desk, c->value, &a->value));
   TRY(c->equals ? answer_equal(desk, c, a) : answer_bound(desk, c, a));
   CHECK(!isnan(a->value), ERR_INPUT, "%s: there is no such number", c->value);
-  CHECK(!isnan(a->low) || !isnan(a->high), ERR_INPUT, "nothing to hold it against");
   return OK;
 }
 

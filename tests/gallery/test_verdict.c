@@ -112,10 +112,35 @@ static void test_what_cannot_be_computed(void) {
   EXPECT(strstr(a[0].failure, "no column 'aa'") != NULL);
 }
 
+/* A bound that does not exist holds nothing, though another one does. */
+static void test_bounds_that_do_not_exist(void) {
+  static const struct {
+    const char *part, *other, *says;
+    int check;
+  } wrong[] = {
+      {"below: 1, above: 0.99", "below: 'at(\"a\", 99)', above: 0.99", "no such bound", 2},
+      {"below: 1, above: 0.99", "below: 1, above: 'at(\"a\", 99)'", "no such bound", 2},
+      {"below: 1, above: 0.99", "below: 'sqrt(-1)'", "no such bound", 2},
+      {"equals: 0.9981983771", "equals: 'at(\"a\", 99)'", "no such number", 0},
+      {"within: 1e-9", "within: 'at(\"a\", 99)'", "tolerance", 0},
+      {"value: one, equals", "value: 'max(one, at(\"a\", 99))', equals", "no such number", 0},
+  };
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    struct gallery_answer a[MOST];
+    bool expected;
+    EXPECT(verdict(with(wrong[i].part, wrong[i].other), false, a, &expected) ==
+           GALLERY_VERDICT_failed);
+    const struct gallery_answer *failed = &a[wrong[i].check];
+    if (expected || failed->holds || !strstr(failed->failure, wrong[i].says))
+      TEST_FAIL("%s: '%s'", wrong[i].other, failed->failure);
+  }
+}
+
 int main(void) {
   RUN(test_all_hold);
   RUN(test_what_fails);
   RUN(test_corrected);
   RUN(test_what_cannot_be_computed);
+  RUN(test_bounds_that_do_not_exist);
   return TEST_RESULT;
 }
