@@ -9,7 +9,7 @@
 #include "common/base/array.h"
 
 #define LETTERS "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-enum { LONGEST = 80, MOST_WORDS = 3 }; /* an id has: "T", "Tab", "2.1" */
+enum { LONGEST = 80, MOST_WORDS = 5 }; /* a range has: "T", "Tab", "2.1..T", "Tab", "2.4" */
 
 /* "P 1", "p_1" and "P1" as "p-1". */
 static void plain(const char *text, char out[LONGEST]) {
@@ -35,16 +35,28 @@ static size_t place_of(const struct gallery_book *book, const char *id) {
   return book->n_entries;
 }
 
+/* "t-2" begins "t-2-1", "t-tab-2" "t-tab-2.1". */
+static bool begins(const char *key, const char *wanted) {
+  const size_t n = strlen(wanted);
+  return n && !strncmp(key, wanted, n) && (key[n] == '-' || key[n] == '.');
+}
+
+/* Tables are of a chapter as figures are: "t-2" has "t-tab-2.1", too. */
+static bool is_table_of(const char *key, const char *wanted) {
+  char without[LONGEST];
+  if (strncmp(key, "t-tab-", 6) != 0) return false;
+  snprintf(without, sizeof without, "t-%s", key + 6);
+  return begins(without, wanted);
+}
+
 /* All whose ids begin with the word, or fit it as a pattern. How many. */
 static size_t mark_fitting(const struct gallery_book *book, const char *word, bool *chosen) {
   char key[LONGEST], wanted[LONGEST];
   size_t found = 0;
   plain(word, wanted);
-  const size_t n = strlen(wanted);
   for (size_t i = 0; i < book->n_entries; i++) {
     plain(book->entries[i].id, key);
-    const bool begins = n && !strncmp(key, wanted, n) && key[n] == '-';
-    if (!begins && fnmatch(wanted, key, 0) != 0) continue;
+    if (!begins(key, wanted) && !is_table_of(key, wanted) && fnmatch(wanted, key, 0) != 0) continue;
     if (chosen) chosen[i] = true;
     found++;
   }
@@ -85,13 +97,22 @@ static enum status complain(const struct gallery_book *book, const char *word) {
   return status;
 }
 
+/* The places of both ends of FROM..TO, n_entries for one that is none. */
+static void find_ends(const struct gallery_book *book, const char *word, const char *dots,
+                      size_t *first, size_t *last) {
+  char from[LONGEST];
+  snprintf(from, sizeof from, "%.*s", (int)(dots - word), word);
+  *first = place_of(book, from);
+  *last = end_of(book, from, dots + 2);
+}
+
 static enum status mark_range(const struct gallery_book *book, const char *word, const char *dots,
                               bool *chosen) {
   char from[LONGEST];
+  size_t first, last;
+  find_ends(book, word, dots, &first, &last);
   snprintf(from, sizeof from, "%.*s", (int)(dots - word), word);
-  const size_t first = place_of(book, from);
   if (first == book->n_entries) return complain(book, from);
-  const size_t last = end_of(book, from, dots + 2);
   if (last == book->n_entries) return complain(book, dots + 2);
   CHECK(first <= last, ERR_USAGE,
         "found '%s'; allowed: a range in the order of the documents, in which %s comes before %s",
@@ -112,17 +133,26 @@ static bool join(size_t n, const char *const *word, char out[LONGEST]) {
   return true;
 }
 
+static bool is_meant(const struct gallery_book *book, const char *text) {
+  const char *dots = strstr(text, "..");
+  size_t first, last;
+  if (!dots) return mark_fitting(book, text, NULL) > 0;
+  find_ends(book, text, dots, &first, &last);
+  return first < book->n_entries && last < book->n_entries;
+}
+
 /* How many of the n words are the parts of one: "T" "Tab" "2.1". */
 static size_t parts(const struct gallery_book *book, size_t n, const char *const *word,
                     char out[LONGEST]) {
-  for (size_t k = n < MOST_WORDS ? n : MOST_WORDS; k > 1; k--) {
-    char first[LONGEST], *dots;
-    if (!join(k, word, out)) continue;
-    snprintf(first, sizeof first, "%s", out);
-    if ((dots = strstr(first, ".."))) *dots = 0;
-    if (mark_fitting(book, first, NULL)) return k;
-  }
+  for (size_t k = n < MOST_WORDS ? n : MOST_WORDS; k > 1; k--)
+    if (join(k, word, out) && is_meant(book, out)) return k;
   return join(1, word, out) ? 1 : 0;
+}
+
+/* What to blame for word i, which means nothing: with a "T" before it when that is but a part. */
+static void blame(size_t i, const char *const *word, char out[LONGEST]) {
+  if (i && strspn(word[i - 1], LETTERS) == strlen(word[i - 1]) && join(2, word + i - 1, out)) return;
+  join(1, word + i, out);
 }
 
 enum status gallery_choose(const struct gallery_book *book, size_t n, const char *const *word,
@@ -132,17 +162,15 @@ enum status gallery_choose(const struct gallery_book *book, size_t n, const char
     char text[LONGEST];
     used = parts(book, n - i, word + i, text);
     if (!used) return complain(book, word[i]);
+    if (used == 1 && !is_meant(book, text)) blame(i, word, text);
     const char *dots = strstr(text, "..");
     const size_t place = place_of(book, text);
     if (dots)
       TRY(mark_range(book, text, dots, chosen));
     else if (place < book->n_entries)
       chosen[place] = true;
-    else if (!mark_fitting(book, text, chosen)) {
-      if (i && join(2, word + i - 1, text) && strspn(word[i - 1], LETTERS) == strlen(word[i - 1]))
-        return complain(book, text); /* "T" "2-99" */
-      return complain(book, word[i]);
-    }
+    else if (!mark_fitting(book, text, chosen))
+      return complain(book, text);
   }
   return OK;
 }

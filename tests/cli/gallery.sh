@@ -9,6 +9,14 @@ pretend_gnuplot
 [ "$(grep -cE '^[PT] .{8} (theory|lattice|run|experiment|sketch|text) ' list)" = "$(wc -l <list)" ] ||
   fail "lines that are no entries: $(cat list)"
 [ -e out ] && fail "--list makes something"
+listed() { # words of a choice
+  "$program" gallery "$@" --list >chosen || fail "$*: $?"
+  cut -c1-10 chosen | sed 's/ *$//' | paste -sd,
+}
+[ "$(listed 'P 1..P 3' 'T 2-1')" = "$(listed 'T 2-1' P 1..3)" ] && [ "$(listed P 1..P 3)" = "P 1,P 2,P 3" ] ||
+  fail "a range beside another: $(listed 'P 1..P 3' 'T 2-1')"
+[ "$(listed T Tab 2)" = "$(listed 'T Tab 2.*')" ] && listed 'T 2' | grep -q 'T 2-1,.*T Tab 2.1' ||
+  fail "tables of chapter 2: $(listed T Tab 2); $(listed 'T 2')"
 id=$(awk 'substr($0, 12, 6) == "theory" {print substr($0, 1, 10); exit}' list | sed 's/ *$//')
 key=${id// /-}
 

@@ -54,6 +54,10 @@ static void test_beginnings_and_patterns(void) {
   EXPECT_STR(CHOSEN("T 4"), "ij");
   EXPECT_STR(CHOSEN("T 4-"), "ij");
   EXPECT_STR(CHOSEN("T Tab"), "gh");
+  EXPECT_STR(CHOSEN("T Tab 2"), "gh");
+  EXPECT_STR(CHOSEN("T", "Tab", "2"), "gh");
+  EXPECT_STR(CHOSEN("T 2"), "degh"); /* with the tables of the chapter */
+  EXPECT_STR(CHOSEN("T 3"), "f");
   EXPECT_STR(CHOSEN("T 4-2*"), "i");
   EXPECT_STR(CHOSEN("*-1"), "adf");
   EXPECT_STR(CHOSEN("T ?-1"), "df");
@@ -68,6 +72,23 @@ static void test_ranges(void) {
   EXPECT_STR(CHOSEN("T 4-20..44"), "ij");
   EXPECT_STR(CHOSEN("P", "1..10"), "abc");
   EXPECT_STR(CHOSEN("P 1..1"), "a");
+  EXPECT_STR(CHOSEN("T Tab 2.1..2.4"), "gh");
+  EXPECT_STR(CHOSEN("T", "Tab", "2.1..T", "Tab", "2.4"), "gh");
+}
+
+/* A range ends where its last id does. */
+static void test_ranges_beside_others(void) {
+  EXPECT_STR(CHOSEN("P 1..P 2", "T 4-20..T 4-44"), "abij");
+  EXPECT_STR(CHOSEN("P 1..P 2", "T 2-1"), "abd");
+  EXPECT_STR(CHOSEN("T 2-1", "P 1..P 2"), "abd");
+  EXPECT_STR(CHOSEN("T", "2-1..2-10", "P", "1"), "ade");
+  EXPECT_STR(CHOSEN("P", "1..2", "T", "4-20..44"), "abij");
+  EXPECT_STR(CHOSEN("P", "1..P", "2", "T", "Tab", "2.1"), "abg");
+  EXPECT_STR(CHOSEN("P 1..2", "T 4", "T Tab 2.1..T Tab 2.4"), "abghij");
+  EXPECT(strstr(CHOSEN("T", "2-1..2-11"), "found '2-11'; ") != NULL);
+  EXPECT(strstr(CHOSEN("T", "2-2..2-10"), "found 'T 2-2'; ") != NULL);
+  EXPECT(strstr(CHOSEN("P 1..P 2", "T 2-1..T 2-11"), "found 'T 2-11'; ") != NULL);
+  EXPECT(strstr(CHOSEN("P 1..P 2", "2-11"), "found '2-11'; ") != NULL);
 }
 
 static void test_words_that_mean_nothing(void) {
@@ -102,6 +123,7 @@ int main(void) {
   RUN(test_ids_as_several_words);
   RUN(test_beginnings_and_patterns);
   RUN(test_ranges);
+  RUN(test_ranges_beside_others);
   RUN(test_words_that_mean_nothing);
   return TEST_RESULT;
 }
