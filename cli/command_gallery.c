@@ -17,6 +17,7 @@
 #include "compare/json_maker.h"
 #include "compare/output.h"
 #include "gallery/choice.h"
+#include "gallery/json.h"
 #include "gallery/page/page.h"
 #include "gallery/verdict.h"
 #include "revision.h"
@@ -120,25 +121,22 @@ static void print_change(const json_t *check) {
 
 static void print_entry(const json_t *json, struct totals *t) {
   const json_t *checks = json_object_get(json, "checks"), *check;
-  size_t i, held = 0, hold = 0, verdict = 0;
+  const struct gallery_tally tally = gallery_json_tally(json);
+  size_t i, verdict = 0;
   char counts[48] = "";
-  json_array_foreach(checks, i, check) {
-    held += !is_true(check, "left_out");
-    hold += is_true(check, "holds");
-  }
   while (verdict + 1 < VERDICTS && strcmp(gallery_verdict_names[verdict], text_of(json, "verdict")))
     verdict++;
-  const bool failed = verdict == GALLERY_VERDICT_failed, left = verdict == GALLERY_VERDICT_left;
-  const bool changed = !failed && !left && !is_true(json, "as_expected");
-  if (held && !failed) snprintf(counts, sizeof counts, "%zu of %zu checks hold", hold, held);
+  const bool failed = verdict == GALLERY_VERDICT_failed;
+  if (tally.checks)
+    snprintf(counts, sizeof counts, "%zu of %zu checks hold", tally.hold, tally.checks);
   printf("%-10s %-32s %-24s %s\n", text_of(json, "id"), gallery_verdict_words[verdict], counts,
          failed ? text_of(json, "failure") : text_of(json, "title"));
-  if (changed) json_array_foreach(checks, i, check) print_change(check);
+  if (tally.changed) json_array_foreach(checks, i, check) print_change(check);
   t->entries++;
   t->verdict[verdict]++;
-  t->checks += failed ? 0 : held;
-  t->hold += failed ? 0 : hold;
-  t->changed += changed;
+  t->checks += tally.checks;
+  t->hold += tally.hold;
+  t->changed += tally.changed;
   t->incomplete += !is_true(json, "finished");
 }
 

@@ -294,11 +294,19 @@ done:
   return status;
 }
 
+/* What an earlier one has left would pass for what was made now. */
+static void forget(const struct gallery_runs *runs, const struct gallery_entry *e) {
+  char folder[PATH_MAX], path[PATH_MAX], name[96];
+  if (path_of(runs->out, e, folder, name) == OK && cmp_path_join(folder, name, path) == OK)
+    unlink(path);
+}
+
 /* In a process of its own. */
 static int make_job(void *data, size_t i) {
   const struct making *m = data;
   const struct gallery_entry *e = &m->runs->book->entries[i];
   struct runs_of of = {.runs = m->runs};
+  forget(m->runs, e);
   enum status status = gallery_entry_runs(e, look_at_run, &of);
   if (status == OK)
     status = of.missing ? leave_unmade(m->runs, e, false, of.missing)
@@ -311,13 +319,6 @@ static int make_job(void *data, size_t i) {
 }
 
 /* ---- all of them ---- */
-
-/* What an earlier one has left would pass for what was made now. */
-static void forget(const struct gallery_runs *runs, const struct gallery_entry *e) {
-  char folder[PATH_MAX], path[PATH_MAX], name[96];
-  if (path_of(runs->out, e, folder, name) == OK && cmp_path_join(folder, name, path) == OK)
-    unlink(path);
-}
 
 /* Folders of figures that killed ones have left. */
 static enum status tidy(const char *out) {
@@ -338,7 +339,6 @@ enum status gallery_entries_make(const struct gallery_runs *runs, const bool *ch
   ATTEMPT(array_create(&job, book->n_entries, "entries"));
   for (size_t i = 0; i < book->n_entries; i++) {
     if (!chosen[i]) continue;
-    forget(runs, &book->entries[i]);
     job[n++] = (struct job){.name = book->entries[i].id,
                             .item = i,
                             .estimate = {.bytes = 3e8, .seconds = 3}}; /* most are gnuplot's */

@@ -85,3 +85,21 @@ enum status gallery_json_entry(const struct gallery_entry *e, const struct galle
   *out = NULL;
   return status_raise(ERR_MEMORY, "no memory for the gallery");
 }
+
+static bool is_true(const json_t *object, const char *key) {
+  return json_is_true(json_object_get(object, key));
+}
+
+struct gallery_tally gallery_json_tally(const json_t *entry) {
+  struct gallery_tally t = {0};
+  const char *verdict = json_string_value(json_object_get(entry, "verdict"));
+  size_t i;
+  json_t *check;
+  if (!verdict || !strcmp(verdict, gallery_verdict_names[GALLERY_VERDICT_failed])) return t;
+  json_array_foreach(json_object_get(entry, "checks"), i, check) {
+    t.checks += !is_true(check, "left_out");
+    t.hold += is_true(check, "holds");
+  }
+  t.changed = t.checks > 0 && !is_true(entry, "as_expected");
+  return t;
+}

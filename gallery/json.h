@@ -8,3 +8,11 @@
  * their answers, runs. What figures add is theirs. ERR_MEMORY. */
 enum status gallery_json_entry(const struct gallery_entry *e, const struct gallery_answer *answer,
                                json_t **out);
+
+/* Of an entry as it was left: how many of its checks were made, how many of them hold, and whether
+ * one came out otherwise than it is known to. Of one that could not be made nothing counts. */
+struct gallery_tally {
+  size_t checks, hold;
+  bool changed;
+};
+struct gallery_tally gallery_json_tally(const json_t *entry);

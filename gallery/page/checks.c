@@ -42,6 +42,8 @@ static void outcome_cell(struct markup *m, const json_t *check) {
   cmp_markup_open(m, "td", "n");
   if (json_is_true(json_object_get(check, "left_out")))
     cmp_markup_element(m, "span", "na", "left out");
+  else if (*gallery_text(check, "failure"))
+    cmp_markup_element(m, "span", "na", "no value");
   else if (holds)
     cmp_markup_element(m, "span", "holds", explained ? "holds, unlike before" : "holds");
   else

@@ -4,6 +4,7 @@
 
 #include "compare/figure.h"
 #include "compare/output.h"
+#include "gallery/json.h"
 #include "gallery/page/content.h"
 
 /* ---- pictures ---- */
@@ -237,7 +238,6 @@ static void origin_write(struct markup *m, const struct page_content *c, const j
 
 enum status gallery_entry_write(struct markup *m, const struct page_content *c, const json_t *e) {
   const char *failure = gallery_text(e, "failure"), *broke_off = gallery_text(e, "broke_off");
-  const json_t *expected = json_object_get(e, "as_expected");
   size_t i;
   json_t *figure;
   cmp_markup_open(m, "h3", NULL);
@@ -250,7 +250,7 @@ enum status gallery_entry_write(struct markup *m, const struct page_content *c, 
   cmp_markup_text(m, gallery_text(e, "where"));
   cmp_markup_text(m, "; ");
   cmp_markup_text(m, gallery_text(e, "kind"));
-  if (expected && !json_is_true(expected)) cmp_markup_element(m, "b", "not", " Something has changed.");
+  if (gallery_json_tally(e).changed) cmp_markup_element(m, "b", "not", " Something has changed.");
   cmp_markup_close(m);
   if (*failure) cmp_markup_element(m, "p", NULL, "It could not be made: %s.", failure);
   if (*broke_off) cmp_markup_element(m, "p", NULL, "A run ended early: %s.", broke_off);

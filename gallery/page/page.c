@@ -7,6 +7,7 @@
 #include "embed/gallery_page_script.h"
 #include "embed/gallery_page_style.h"
 #include "embed/gallery_page_template.h"
+#include "gallery/json.h"
 #include "gallery/page/content.h"
 
 /* ---- verdicts ---- */
@@ -145,15 +146,12 @@ static void tally_write(struct markup *m, const struct page_content *c) {
 static enum status write_lead(struct markup *m, const void *content) {
   const struct page_content *c = content;
   size_t i, checks = 0, hold = 0, changed = 0;
-  json_t *e, *check;
+  json_t *e;
   json_array_foreach(c->entries, i, e) {
-    size_t k;
-    const json_t *expected = json_object_get(e, "as_expected");
-    changed += expected && !json_is_true(expected);
-    json_array_foreach(json_object_get(e, "checks"), k, check) {
-      checks += !json_is_true(json_object_get(check, "left_out"));
-      hold += json_is_true(json_object_get(check, "holds"));
-    }
+    const struct gallery_tally t = gallery_json_tally(e);
+    checks += t.checks;
+    hold += t.hold;
+    changed += t.changed;
   }
   cmp_markup_element(m, "p", "lead",
                      "%zu entries of two documents, made anew by plunge: P, Antuono, Colagrossi & "

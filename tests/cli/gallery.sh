@@ -55,6 +55,25 @@ if grep -q '"name": ' "g/entries/$key.json"; then
   "$program" gallery "$id" --out g >log 2>err || fail "with gnuplot again: $? $(cat log err)"
 fi
 
+# ---- --force, stopped while the first of two is drawn: the other stays as it was ----
+second=$(awk -v id="$id" 'substr($0, 12, 6) == "theory" && substr($0, 1, 10) !~ "^" id " " {print substr($0, 1, 10)}' list |
+  sed -n '1s/ *$//p')
+"$program" gallery "$id" "$second" --out f >log 2>err || fail "$id and $second: $? $(cat log err)"
+mv "$folder/.bin/gnuplot" "$folder/.bin/gnuplot.kept"
+printf '#!/bin/sh\nsleep 5\n' >"$folder/.bin/gnuplot" && chmod +x "$folder/.bin/gnuplot"
+"$program" gallery "$id" "$second" --out f --force --jobs 1 >log 2>err &
+pid=$!
+for _ in $(seq 400); do
+  [ "$(find f/entries -name '*.json' | wc -l)" = 2 ] || break
+  sleep 0.05
+done
+kill -INT $pid
+got=0
+wait $pid || got=$?
+mv "$folder/.bin/gnuplot.kept" "$folder/.bin/gnuplot"
+[ $got = 3 ] && [ "$(find f/entries -name '*.json' | wc -l)" = 1 ] ||
+  fail "--force, stopped: $got, left $(ls f/entries) $(cat err)"
+
 # ---- an entry with runs ----
 run=
 for candidate in 'T 4-19' 'P 4'; do
@@ -80,6 +99,8 @@ if [ "$run" ]; then
   "$program" gallery "$run" --quick --out r --force >log 2>err || got=$?
   [ $got = 3 ] && grep -q "^$run .*could not be made .*run .* has failed" log ||
     fail "results that cannot be written: $got $(cat log err)"
+  grep -q ' 0 of 0 checks hold' r/gallery.html && ! grep -q 'Something has changed' r/gallery.html ||
+    fail "the page counts checks of what could not be made"
   "$program" plan gallery "$run" --for slurm --results r | bash -n || fail "the script is none"
 else
   echo "no entry with short runs: not tried"
