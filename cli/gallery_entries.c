@@ -111,7 +111,7 @@ struct making {
 
 struct runs_of {
   const struct gallery_runs *runs;
-  const char *missing, *broken; /* why the first such one is */
+  const char *missing, *broken, *unsound; /* why the first such one is; done, but nonsense */
 };
 
 static enum status look_at_run(void *data, const char *name) {
@@ -120,6 +120,7 @@ static enum status look_at_run(void *data, const char *name) {
   if (!run || (run->state == GALLERY_RUN_MISSING && !of->missing))
     of->missing = run ? run->why : "a run is not known";
   if (run && run->state == GALLERY_RUN_BROKEN && !of->broken) of->broken = run->why;
+  if (run && run->state == GALLERY_RUN_DONE && *run->why && !of->unsound) of->unsound = run->why;
   return OK;
 }
 
@@ -191,8 +192,8 @@ static bool failure_of(const struct gallery_entry *e, const struct gallery_answe
     if (*answer[i].failure) why = answer[i].failure;
   if (!why && !computed) why = lack;
   if (!why) return false;
-  const char *broken = why != of->missing && of->broken ? of->broken : NULL;
-  snprintf(out, room, "%s%s%s%s", why, broken ? " (" : "", broken ? broken : "", broken ? ")" : "");
+  const char *run = why == of->missing ? NULL : of->broken ? of->broken : of->unsound;
+  snprintf(out, room, "%s%s%s%s", why, run ? " (" : "", run ? run : "", run ? ")" : "");
   return true;
 }
 
@@ -213,8 +214,10 @@ static enum status describe(const struct gallery_runs *runs, const struct galler
   if (failed) {
     set_verdict(&m, json, GALLERY_VERDICT_failed);
     cmp_json_set(&m, json, "failure", cmp_json_text(failure));
-  } else if (of->broken)
-    cmp_json_set(&m, json, "broke_off", cmp_json_text(of->broken));
+  } else {
+    if (of->broken) cmp_json_set(&m, json, "broke_off", cmp_json_text(of->broken));
+    if (of->unsound) cmp_json_set(&m, json, "not_believed", cmp_json_text(of->unsound));
+  }
   (void)gallery_entry_runs(e, add_case, &(struct listing){&m, runs, cases});
   cmp_json_set(&m, json, "cases", cases);
   cmp_json_set(&m, json, "figures", figures ? json_incref(figures) : json_array());

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli/command.h"
 #include "cli/jobs.h"
@@ -11,6 +12,7 @@
 #include "cli/running.h"
 #include "common/base/array.h"
 #include "common/base/text.h"
+#include "common/result/health.h"
 #include "compare/output.h"
 #include "gallery/shelf.h"
 
@@ -107,16 +109,23 @@ static enum status find_case(struct gallery_runs *runs, const char *name, size_t
 
 /* ---- what there is ---- */
 
-/* A run that failed by itself has said so in its file; one that was stopped is not over. */
+/* A run that failed by itself has said so in its file; one that was stopped is not over. One that
+ * came to its end may be nonsense all the same. */
 static void look(const struct gallery_runs_case *c, struct gallery_run *run) {
   char path[PATH_MAX];
   struct result_file *file = NULL;
   run->state = GALLERY_RUN_MISSING;
+  if (run->r) *run->why = 0;
   if (!run->r || running_path(c->folder, run->r, path) != OK) return;
-  if (result_is_current(path, run->fingerprint))
+  if (result_is_current(path, run->fingerprint)) {
+    struct health h = {0};
     run->state = GALLERY_RUN_DONE;
-  else if (result_read(path, &file) == OK && !strcmp(file->fingerprint, run->fingerprint) &&
-           *file->ended && !strcmp(file->health, "failed")) {
+    if (result_read(path, &file) == OK) health_of_file(file, &h);
+    if (h.verdict == HEALTH_FAILED)
+      snprintf(run->why, sizeof run->why, "run %s is finished, but not to be believed: %.280s",
+               run->name, h.reasons);
+  } else if (result_read(path, &file) == OK && !strcmp(file->fingerprint, run->fingerprint) &&
+             *file->ended && !strcmp(file->health, "failed")) {
     run->state = GALLERY_RUN_BROKEN;
     snprintf(run->why, sizeof run->why, "run %s broke off: %s", run->name, file->ended);
   }
@@ -193,12 +202,16 @@ struct solver_estimate gallery_runs_estimate(const struct gallery_runs *runs, si
 struct work {
   struct gallery_runs *runs;
   struct progress *progress;
+  bool again;
 };
 
+/* What an earlier one has left would pass for what this one could not make. */
 static int run_job(void *data, size_t k) {
   const struct work *w = data;
   const struct gallery_run *run = &w->runs->run[k];
   const struct gallery_runs_case *c = &w->runs->cases[run->of];
+  char path[PATH_MAX];
+  if (w->again && running_path(c->folder, run->r, path) == OK) unlink(path);
   return running_job(&(struct running){c->c, c->folder, w->progress}, run->r, run->name);
 }
 
@@ -216,8 +229,9 @@ static bool has_room(struct gallery_run *run, const struct solver_estimate *e) {
 static enum status list_jobs(struct gallery_runs *runs, bool again, size_t *n, struct job *job) {
   for (size_t k = 0; k < runs->n; k++) {
     struct gallery_run *run = &runs->run[k];
-    const bool missing = run->state == GALLERY_RUN_MISSING;
-    if (!run->r || !run->wanted || !(missing || again)) continue;
+    if (!run->r || !run->wanted) continue;
+    if (again) run->state = GALLERY_RUN_MISSING;
+    if (run->state != GALLERY_RUN_MISSING) continue;
     job[*n] =
         (struct job){.name = run->name, .item = k, .estimate = gallery_runs_estimate(runs, k)};
     if (!has_room(run, &job[*n].estimate)) continue;
@@ -230,7 +244,7 @@ static enum status list_jobs(struct gallery_runs *runs, bool again, size_t *n, s
 enum status gallery_runs_make(struct gallery_runs *runs, bool again, int jobs,
                               struct progress *progress) {
   struct job *job = NULL;
-  struct work work = {runs, progress};
+  struct work work = {runs, progress, again};
   int exit_code = EXIT_FINE; /* of the last that failed: each one's file says more */
   size_t n = 0;
   enum status status;

@@ -37,7 +37,7 @@ struct gallery_run {
   char fingerprint[33];
   bool wanted; /* by an entry that is to be made */
   enum gallery_run_state state;
-  char why[400]; /* it broke off, or could not be made */
+  char why[400]; /* it broke off, or could not be made, or is done and not to be believed; or "" */
 };
 
 struct gallery_runs {

@@ -237,7 +237,8 @@ static void origin_write(struct markup *m, const struct page_content *c, const j
 }
 
 enum status gallery_entry_write(struct markup *m, const struct page_content *c, const json_t *e) {
-  const char *failure = gallery_text(e, "failure"), *broke_off = gallery_text(e, "broke_off");
+  const char *failure = gallery_text(e, "failure"), *broke_off = gallery_text(e, "broke_off"),
+             *unsound = gallery_text(e, "not_believed");
   size_t i;
   json_t *figure;
   cmp_markup_open(m, "h3", NULL);
@@ -254,6 +255,7 @@ enum status gallery_entry_write(struct markup *m, const struct page_content *c, 
   cmp_markup_close(m);
   if (*failure) cmp_markup_element(m, "p", NULL, "It could not be made: %s.", failure);
   if (*broke_off) cmp_markup_element(m, "p", NULL, "A run ended early: %s.", broke_off);
+  if (*unsound) cmp_markup_element(m, "p", NULL, "A run has failed by its own measures: %s.", unsound);
   json_array_foreach(json_object_get(e, "figures"), i, figure) figure_write(m, c, e, figure);
   cmp_markup_element(m, "p", NULL, "%s", gallery_text(e, "setup"));
   gallery_checks_write(m, e);

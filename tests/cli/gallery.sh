@@ -93,7 +93,30 @@ if [ "$run" ]; then
   rm -r r/runs
   "$program" gallery "$run" --quick --out r >log 2>err || fail "$run without results: $? $(cat log err)"
   [ -e r/runs ] && fail "a finished entry runs again"
+  "$program" gallery "$run" --quick --out r --force >log 2>err || fail "$run again: $? $(cat log err)"
+  grep -q '"not_believed"' "r/entries/${run// /-}.json" && fail "a sound run is not believed"
+  if /usr/bin/python3 -c 'import h5py' 2>/dev/null; then # a run that came to its end, and whose energy has risen
+    /usr/bin/python3 - r/runs/*/*.h5 <<'END' || fail "no energy raised"
+import h5py, sys
+for path in sys.argv[1:]:
+    with h5py.File(path, "r+") as f: f["series/energy/kinetic"][-1] += 1000 * abs(f["series/energy/potential"][0])
+END
+    rm "r/entries/${run// /-}.json"
+    "$program" gallery "$run" --quick --out r >log 2>err
+    says='run [^ ]* is finished, but not to be believed: .*energy rises by'
+    grep -q "\"not_believed\": \"$says" "r/entries/${run// /-}.json" && grep -q "by its own measures: $says" r/gallery.html ||
+      fail "a run not to be believed: $(cat log err)"
+  fi
+  if command -v flock >/dev/null; then # it fails before its file is replaced: that of before is not its result
+    result=$(find r/runs -name '*.h5' ! -name '.*' | head -1) got=0
+    exec 9>"${result%/*}/.${result##*/}.lock" && flock 9
+    "$program" gallery "$run" --quick --out r --force >log 2>err || got=$?
+    exec 9>&-
+    [ $got = 3 ] && grep -q "^$run .*could not be made .*run .* has failed" log && [ ! -e "$result" ] ||
+      fail "--force that fails: $got $(cat log err)"
+  fi
   "$program" plan gallery "$run" --quick --for tsv --results r | sed -n 's/^run\t\([^\t]*\).*/\1/p' >runs
+  rm -r r/runs
   while read -r name; do mkdir -p "r/runs/$name.h5/in the way"; done <runs
   got=0
   "$program" gallery "$run" --quick --out r --force >log 2>err || got=$?
