@@ -1,6 +1,7 @@
 #include "tests/test.h"
 
 #include <fenv.h>
+#include <string.h>
 
 #include "sph/pair/kernel.h"
 
@@ -127,6 +128,49 @@ static void test_kernel_does_not_overflow_far_away(void) {
 }
 #endif
 
+/* w and dw/dx of the tensor's spline, x = (x_a - x_b)/h. */
+static double spline_at(double x) {
+  return fabs(x) < 2 ? kernel_spline(vec_of((real)fabs(x)))[0] / 6 : 0;
+}
+
+static double spline_slope_at(double x) {
+  return fabs(x) < 2 ? -copysign(kernel_spline_fall(vec_of((real)fabs(x)))[0] / 2, x) : 0;
+}
+
+/* Interpolation of f = sin(x + 0.3) and its slope at x on a line of particles that u = cos(1.7 x)
+ * has carried for the time t, with their first volumes and with m over the summed density. */
+static void interpolate(double x, double h, double t, double sum[4]) {
+  double at[9], X = x;
+  for (int i = 0; i < 8; i++) X = x - cos(1.7 * X) * t;
+  for (int j = 0; j < 9; j++) at[j] = X + (j - 4) * h + cos(1.7 * (X + (j - 4) * h)) * t;
+  memset(sum, 0, 4 * sizeof *sum);
+  for (int j = 2; j < 7; j++) {
+    double density = 0, r = (x - at[j]) / h, f = sin(at[j] + 0.3);
+    for (int k = 0; k < 9; k++) density += spline_at((at[j] - at[k]) / h);
+    sum[0] += f * spline_at(r);
+    sum[1] += f * spline_at(r) / density;
+    sum[2] += f * spline_slope_at(r) / h;
+    sum[3] += f * spline_slope_at(r) / h / density;
+  }
+}
+
+/* Corrected equations (2.151) to (2.154) of the thesis: their terms in h^2 t. */
+static void test_sums_over_a_line_that_flow_has_carried(void) {
+  const double x = 0.4, h = 0.05, t = 2e-8, s = sin(x + 0.3), c = cos(x + 0.3);
+  const double f[] = {s, c, -s, -c, s}, C = cos(1.7 * x), S = sin(1.7 * x);
+  const double u[] = {C, -1.7 * S, -pow(1.7, 2) * C, pow(1.7, 3) * S, pow(1.7, 4) * C};
+  const double first[] = {-f[0] * u[1], 0, -f[0] * u[2] - f[1] * u[1], 0};
+  const double term[] = {-(f[1] * u[2] / 3 + f[2] * u[1] / 6 + f[0] * u[3] / 6), f[0] * u[3] / 6,
+                         -(f[0] * u[4] / 12 + f[1] * u[3] / 6 - f[3] * u[1] / 6),
+                         f[0] * u[4] / 4 + f[1] * u[3] / 2 + f[2] * u[2] / 2 + f[3] * u[1] / 3};
+  double before[4], after[4];
+  if (sizeof(real) != sizeof(double)) return; /* a difference of 1e-8 */
+  interpolate(x, h, 0, before);
+  interpolate(x, h, t, after);
+  for (int i = 0; i < 4; i++)
+    EXPECT_NEAR(((after[i] - before[i]) / t - first[i]) / (h * h) / term[i], 1, 0.005);
+}
+
 int main(void) {
 #ifdef PLUNGE_TRAP_FLOATS
   RUN(test_kernel_does_not_overflow_far_away);
@@ -136,5 +180,6 @@ int main(void) {
   RUN(test_kernel_slope_is_along_the_pair);
   RUN(test_kernel_vanishes_at_the_edge_of_its_support);
   RUN(test_exponential_is_as_accurate_as_its_numbers);
+  RUN(test_sums_over_a_line_that_flow_has_carried);
   return TEST_RESULT;
 }
