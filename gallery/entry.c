@@ -132,20 +132,25 @@ static const struct param curve_rows[] = {
     TEXT(struct curve_head, from, 64, NULL, "where it comes from: plunge list"),
 };
 
+/* Says of the key of a mapping that its value is none of these names. */
+static void complain_of_word(struct gallery_reader *r, int node, const char *path, const char *key,
+                             size_t n, const char *const *names) {
+  char full[CASE_PATH + 8], found[64];
+  const int at = case_doc_member(&r->doc, node, key);
+  const struct case_offer offer = case_offer("one of ", n, names, case_doc_text(&r->doc, at));
+  snprintf(full, sizeof full, "%s.%s", path, key);
+  case_doc_found(&r->doc, at, found);
+  gallery_complain(r, at ? at : node, full, found, offer.allowed, offer.todo);
+}
+
 static const struct gallery_source *source_of(struct gallery_reader *r, int node,
                                               const char *path) {
-  const char *names[256];
-  char full[CASE_PATH + 8], found[64];
-  size_t n = 0;
-  const int from = case_doc_member(&r->doc, node, "from");
-  const char *text = case_doc_text(&r->doc, from);
+  const char *names[256], *text = case_doc_text(&r->doc, case_doc_member(&r->doc, node, "from"));
   const struct gallery_source *source = text ? gallery_source_find(text) : NULL;
+  size_t n = 0;
   if (source) return source;
   for (size_t k = 0; gallery_sources[k] && n < 256; k++) names[n++] = gallery_sources[k]->name;
-  const struct case_offer offer = case_offer("one of ", n, names, text);
-  snprintf(full, sizeof full, "%s.from", path);
-  case_doc_found(&r->doc, from, found);
-  gallery_complain(r, from ? from : node, full, found, offer.allowed, offer.todo);
+  complain_of_word(r, node, path, "from", n, names);
   return NULL;
 }
 
@@ -236,18 +241,12 @@ static enum status read_checks(struct gallery_reader *r, int node, const char *p
 
 static const struct gallery_drawer *drawer_of(struct gallery_reader *r, int node,
                                               const char *path) {
-  const char *names[64];
-  char full[CASE_PATH + 8], found[64];
-  size_t n = 0;
-  const int kind = case_doc_member(&r->doc, node, "kind");
-  const char *text = case_doc_text(&r->doc, kind);
+  const char *names[64], *text = case_doc_text(&r->doc, case_doc_member(&r->doc, node, "kind"));
   const struct gallery_drawer *drawer = text ? gallery_drawer_find(text) : NULL;
+  size_t n = 0;
   if (drawer) return drawer;
   for (size_t k = 0; gallery_drawers[k] && n < 64; k++) names[n++] = gallery_drawers[k]->name;
-  const struct case_offer offer = case_offer("one of ", n, names, text);
-  snprintf(full, sizeof full, "%s.kind", path);
-  case_doc_found(&r->doc, kind, found);
-  gallery_complain(r, kind ? kind : node, full, found, offer.allowed, offer.todo);
+  complain_of_word(r, node, path, "kind", n, names);
   return NULL;
 }
 
@@ -317,12 +316,8 @@ enum status gallery_entry_read(struct gallery_reader *r, int node, const char *p
   return read_figures(r, lists.figures, path, e);
 }
 
-static void release(const struct param *rows, size_t n, void *from) {
-  params_release(rows, n, from);
-}
-
 void gallery_entry_free(struct gallery_entry *e) {
-  release(entry_rows, ROWS(entry_rows), e);
+  params_release(entry_rows, ROWS(entry_rows), e);
   free(e->key);
   free(e->text);
   free(e->file);
@@ -330,12 +325,12 @@ void gallery_entry_free(struct gallery_entry *e) {
   for (size_t i = 0; i < e->n_curves; i++) {
     const struct gallery_curve_spec *c = &e->curves[i];
     free(c->name);
-    if (c->source) release(c->source->params, c->source->n_params, c->params);
+    if (c->source) params_release(c->source->params, c->source->n_params, c->params);
     free(c->params);
   }
   for (size_t i = 0; i < e->n_numbers; i++)
-    release(number_rows, ROWS(number_rows), &e->numbers[i]);
-  for (size_t i = 0; i < e->n_checks; i++) release(check_rows, ROWS(check_rows), &e->checks[i]);
+    params_release(number_rows, ROWS(number_rows), &e->numbers[i]);
+  for (size_t i = 0; i < e->n_checks; i++) params_release(check_rows, ROWS(check_rows), &e->checks[i]);
   for (size_t i = 0; i < e->n_figures; i++) {
     free(e->figures[i].caption);
     if (e->figures[i].drawer) e->figures[i].drawer->destroy(e->figures[i].spec);

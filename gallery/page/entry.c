@@ -14,6 +14,16 @@ static bool is_there(const struct page_content *c, const char *file) {
   return cmp_path_join(c->dir, file, path) == OK && access(path, R_OK) == 0;
 }
 
+/* A link to a file, or words in `tag` where it is not there. */
+static void reference_write(struct markup *m, const struct page_content *c, const char *file,
+                            const char *words, const char *tag) {
+  const bool there = is_there(c, file);
+  cmp_markup_open(m, there ? "a" : tag, NULL);
+  if (there) cmp_markup_attribute(m, "href", file);
+  cmp_markup_text(m, words);
+  cmp_markup_close(m);
+}
+
 static void path_of(const json_t *file, const char *suffix, char out[160]) {
   snprintf(out, 160, "figures/%.96s%s", gallery_text(file, "name"), suffix);
 }
@@ -185,14 +195,7 @@ static void runs_write(struct markup *m, const struct page_content *c, const jso
     const char *name = json_string_value(run);
     snprintf(path, sizeof path, "runs/%.200s.h5", name);
     if (i) cmp_markup_text(m, ", ");
-    if (is_there(c, path)) {
-      cmp_markup_open(m, "a", NULL);
-      cmp_markup_attribute(m, "href", path);
-      cmp_markup_text(m, name);
-      cmp_markup_close(m);
-    } else {
-      cmp_markup_element(m, "span", NULL, "%s", name);
-    }
+    reference_write(m, c, path, name, "span");
   }
   cmp_markup_text(m, ".");
   cmp_markup_close(m);
@@ -208,14 +211,7 @@ static void cases_write(struct markup *m, const struct page_content *c, const js
     cmp_markup_text(m, "Case ");
     cmp_markup_text(m, gallery_text(of, "name"));
     cmp_markup_text(m, ": ");
-    if (is_there(c, file)) {
-      cmp_markup_open(m, "a", NULL);
-      cmp_markup_attribute(m, "href", file);
-      cmp_markup_text(m, file);
-      cmp_markup_close(m);
-    } else {
-      cmp_markup_element(m, "code", NULL, "%s", file);
-    }
+    reference_write(m, c, file, file, "code");
     json_array_foreach(json_object_get(of, "set"), k, set) {
       cmp_markup_text(m, k ? ", " : " with ");
       cmp_markup_element(m, "code", NULL, "%s", json_string_value(set));
