@@ -71,7 +71,7 @@ static enum status put_data(const char *cases) {
 /* ---- cases ---- */
 
 static enum status fill_case(struct gallery_runs *runs, const struct gallery_case *of,
-                             struct gallery_runs_case *c) {
+                             struct problems *problems, struct gallery_runs_case *c) {
   char cases[PATH_MAX], results[PATH_MAX];
   const struct gallery_shelf_file *file = gallery_shelf_find_case(of->file);
   int exit_code;
@@ -88,10 +88,14 @@ static enum status fill_case(struct gallery_runs *runs, const struct gallery_cas
   for (size_t i = 0; i < of->n_set; i++) c->set[c->n_set++] = of->set[i];
   for (size_t i = 0; runs->quick && i < of->n_quick; i++) c->set[c->n_set++] = of->quick[i];
   c->c = command_load_case(c->path, c->n_set, c->set, &exit_code);
+  if (!c->c)
+    problems_add(problems, 0, "%s:%d: cases.%s: found %s with overrides that it does not take; "
+                 "allowed: what the messages above say", of->from, of->line, of->name, of->file);
   return OK;
 }
 
-static enum status find_case(struct gallery_runs *runs, const char *name, size_t n, size_t *place) {
+static enum status find_case(struct gallery_runs *runs, const char *name, size_t n,
+                             struct problems *problems, size_t *place) {
   for (*place = 0; *place < runs->n_cases; ++*place) {
     const char *known = runs->cases[*place].of->name;
     if (strlen(known) == n && !strncmp(known, name, n)) return OK;
@@ -102,7 +106,7 @@ static enum status find_case(struct gallery_runs *runs, const char *name, size_t
     TRY(array_resize(&runs->cases, runs->n_cases + 1, "cases"));
     runs->cases[*place] = (struct gallery_runs_case){0};
     runs->n_cases++;
-    return fill_case(runs, of, &runs->cases[*place]);
+    return fill_case(runs, of, problems, &runs->cases[*place]);
   }
   return status_raise(ERR_INPUT, "run %s: the gallery has no case of that name", name);
 }
@@ -115,8 +119,8 @@ static void look(const struct gallery_runs_case *c, struct gallery_run *run) {
   char path[PATH_MAX];
   struct result_file *file = NULL;
   run->state = GALLERY_RUN_MISSING;
-  if (run->r) *run->why = 0;
-  if (!run->r || running_path(c->folder, run->r, path) != OK) return;
+  *run->why = 0;
+  if (running_path(c->folder, run->r, path) != OK) return;
   if (result_is_current(path, run->fingerprint)) {
     struct health h = {0};
     run->state = GALLERY_RUN_DONE;
@@ -132,21 +136,45 @@ static void look(const struct gallery_runs_case *c, struct gallery_run *run) {
   result_file_destroy(file);
 }
 
-static enum status add_run(void *data, const char *name) {
-  struct gallery_runs *runs = data;
-  const char *slash = strchr(name, '/');
+struct gathering {
+  struct gallery_runs *runs;
+  const struct gallery_entry *entry;
+  struct problems *problems;
+};
+
+static const struct case_run *run_of(const struct case_file *c, const char *name) {
+  for (size_t i = 0; i < c->n_runs; i++)
+    if (!strcmp(c->runs[i].name, name)) return &c->runs[i];
+  return NULL;
+}
+
+/* That a case has no such run, once for each curve or figure that needs it. */
+static void complain(const struct gathering *g, const struct gallery_need *need,
+                     const struct case_file *c, const char *name) {
+  const char *names[c->n_runs + 1];
+  for (size_t i = 0; i < c->n_runs; i++) names[i] = c->runs[i].name;
+  const char *near = param_nearest(name, c->n_runs, names);
+  problems_add(g->problems, 0, "%s:%d: %s: found run '%.160s'; allowed: a run of %s%s%s%s",
+               g->entry->file, need->line, need->path, need->run, c->path,
+               near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+}
+
+static enum status add_run(void *data, const struct gallery_need *need) {
+  const struct gathering *g = data;
+  struct gallery_runs *runs = g->runs;
+  const char *name = need->run, *slash = strchr(name, '/');
   struct gallery_run run = {0};
   if (gallery_runs_find(runs, name)) return OK;
   CHECK(slash, ERR_INPUT, "run %s: write CASE/RUN", name);
-  TRY(find_case(runs, name, (size_t)(slash - name), &run.of));
+  TRY(find_case(runs, name, (size_t)(slash - name), g->problems, &run.of));
   const struct gallery_runs_case *c = &runs->cases[run.of];
-  for (size_t i = 0; c->c && i < c->c->n_runs; i++)
-    if (!strcmp(c->c->runs[i].name, slash + 1)) run.r = &c->c->runs[i];
-  if (run.r)
-    case_fingerprint(c->c, run.r, run.fingerprint);
-  else
-    snprintf(run.why, sizeof run.why,
-             c->c ? "run %s: its case has no run of that name" : "run %s: its case is wrong", name);
+  if (!c->c) return OK;
+  run.r = run_of(c->c, slash + 1);
+  if (!run.r) {
+    complain(g, need, c->c, slash + 1);
+    return OK;
+  }
+  case_fingerprint(c->c, run.r, run.fingerprint);
   TRY(array_resize(&runs->run, runs->n + 1, "runs"));
   run.name = strdup(name);
   CHECK(run.name, ERR_MEMORY, "no memory for run %s", name);
@@ -157,9 +185,18 @@ static enum status add_run(void *data, const char *name) {
 
 enum status gallery_runs_gather(const struct gallery_book *book, const bool *chosen,
                                 const char *out, bool quick, struct gallery_runs *runs) {
+  struct problems problems = {0};
+  enum status status = OK;
   *runs = (struct gallery_runs){.book = book, .out = out, .quick = quick};
-  for (size_t i = 0; i < book->n_entries; i++)
-    if (chosen[i]) TRY(gallery_entry_runs(&book->entries[i], add_run, runs));
+  for (size_t i = 0; i < book->n_entries && status == OK; i++)
+    if (chosen[i])
+      status = gallery_entry_needs(&book->entries[i], add_run,
+                                   &(struct gathering){runs, &book->entries[i], &problems});
+  command_list_problems(&problems);
+  const size_t n = problems.n + problems.unlisted;
+  problems_destroy(&problems);
+  TRY(status);
+  CHECK(!n, ERR_INPUT, "the gallery's entries have %zu problem%s", n, n == 1 ? "" : "s");
   return OK;
 }
 
@@ -229,7 +266,7 @@ static bool has_room(struct gallery_run *run, const struct solver_estimate *e) {
 static enum status list_jobs(struct gallery_runs *runs, bool again, size_t *n, struct job *job) {
   for (size_t k = 0; k < runs->n; k++) {
     struct gallery_run *run = &runs->run[k];
-    if (!run->r || !run->wanted) continue;
+    if (!run->wanted) continue;
     if (again) run->state = GALLERY_RUN_MISSING;
     if (run->state != GALLERY_RUN_MISSING) continue;
     job[*n] =

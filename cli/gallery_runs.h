@@ -21,7 +21,7 @@ struct gallery_runs_case {
   char path[PATH_MAX], folder[PATH_MAX]; /* of its file, of its results */
   size_t n_set;
   const char **set;    /* overrides in force, [n_set]; the texts are the book's */
-  struct case_file *c; /* NULL: it cannot be read */
+  struct case_file *c;
 };
 
 enum gallery_run_state {
@@ -33,7 +33,7 @@ enum gallery_run_state {
 struct gallery_run {
   char *name;               /* "CASE/RUN" */
   size_t of;                /* of the cases */
-  const struct case_run *r; /* NULL: there is none */
+  const struct case_run *r;
   char fingerprint[33];
   bool wanted; /* by an entry that is to be made */
   enum gallery_run_state state;
@@ -50,8 +50,8 @@ struct gallery_runs {
 };
 
 /* Gathers the runs of the entries marked in `chosen` [book->n_entries], each once. Writes the files
- * of their cases into OUT/cases, reads them (problems go to stderr), and looks what is there in
- * OUT/runs. */
+ * of their cases into OUT/cases, reads them, and looks what is there in OUT/runs. ERR_INPUT when one
+ * cannot be read or lacks a run that is named, which goes to stderr. */
 enum status gallery_runs_gather(const struct gallery_book *book, const bool *chosen,
                                 const char *out, bool quick, struct gallery_runs *runs);
 void gallery_runs_free(struct gallery_runs *runs);

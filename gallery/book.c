@@ -10,33 +10,6 @@
 
 /* ---- reading ---- */
 
-void gallery_complain(struct gallery_reader *r, int node, const char *path, const char *found,
-                      const char *allowed, const char *todo) {
-  case_doc_problem(&r->doc, case_doc_line(&r->doc, node), path, found, allowed, todo);
-}
-
-void gallery_texts_free(size_t n, char **texts) {
-  for (size_t i = 0; texts && i < n; i++) free(texts[i]);
-  free(texts);
-}
-
-enum status gallery_read_texts(struct gallery_reader *r, int node, const char *path,
-                               const char *what, size_t *n, char ***texts) {
-  const struct param row = {.key = what, .type = PARAM_TEXT, .max = 4000, .help = what};
-  *n = 0;
-  *texts = NULL;
-  if (!node || !case_doc_expect_list(&r->doc, node, path, 0, GALLERY_MOST_ITEMS, what)) return OK;
-  const size_t size = case_doc_size(&r->doc, node);
-  TRY(array_create(texts, size, what));
-  *n = size;
-  for (size_t i = 0; i < size; i++) {
-    char item[CASE_PATH];
-    snprintf(item, sizeof item, "%s[%zu]", path, i);
-    case_doc_value(&r->doc, case_doc_item(&r->doc, node, i), item, &row, &(*texts)[i]);
-  }
-  return OK;
-}
-
 struct case_form {
   int set, quick;
 };
@@ -79,6 +52,9 @@ static enum status read_case(struct gallery_reader *r, int node, const char *pat
   struct case_form form = {0};
   const struct case_block blocks[] = {{case_rows, ROWS(case_rows), c, NULL},
                                       {case_lists, ROWS(case_lists), &form, NULL}};
+  c->line = case_doc_line(&r->doc, node);
+  c->from = strdup(r->file->name);
+  CHECK(c->from, ERR_MEMORY, "no memory for a case");
   if (!case_doc_read(&r->doc, node, path, 0, 2, blocks)) return OK;
   if (!case_name_fits(c->name)) {
     char found[64];
@@ -146,7 +122,8 @@ static enum status read_file(struct gallery_book *book, const struct gallery_fil
        .value = NULL,
        .help = "a list of entries"}};
   enum status status = OK;
-  if (case_doc_load(&r.doc, file->text, file->size, problems)) {
+  if (case_doc_load_other(&r.doc, file->text, file->size, "a mapping with entries, and cases",
+                          problems)) {
     const struct case_block block = {rows, ROWS(rows), &top, NULL};
     r.doc.scales = (struct param_scales){1, 1};
     if (case_doc_read(&r.doc, case_doc_root(&r.doc), "", 1, 1, &block)) {
@@ -166,33 +143,21 @@ struct naming {
   struct problems *problems;
 };
 
-static enum status check_run(void *data, const char *run) {
+static enum status check_run(void *data, const struct gallery_need *need) {
   const struct naming *n = data;
-  const char *slash = strchr(run, '/');
-  char name[CASE_LONGEST_NAME + 1], text[1200];
-  snprintf(name, sizeof name, "%.*s", slash ? (int)(slash - run) : 0, run);
+  const char *slash = strchr(need->run, '/');
+  char name[CASE_LONGEST_NAME + 1];
+  snprintf(name, sizeof name, "%.*s", slash ? (int)(slash - need->run) : 0, need->run);
   if (slash && slash[1] && !strchr(slash + 1, '/') && gallery_book_case(n->book, name)) return OK;
-  snprintf(text, sizeof text,
-           "%s:%d: %s: found run '%.900s'; allowed: CASE/RUN with a case of `cases`",
-           n->entry->file, n->entry->line, n->entry->id, run);
-  for (size_t i = 0; i < n->problems->n; i++)
-    if (!strcmp(n->problems->text[i], text)) return OK; /* several curves need it */
-  problems_add(n->problems, 0, "%s", text);
+  problems_add(n->problems, 0, "%s:%d: %s: found run '%.900s'; allowed: CASE/RUN with a case of `cases`",
+               n->entry->file, need->line, need->path, need->run);
   return OK;
-}
-
-static int place_of(const char *id) { /* P, then T by chapter and number, figures before tables */
-  int chapter = 0, number = 0;
-  if (sscanf(id, "P %d", &number) == 1) return number;
-  if (sscanf(id, "T Tab %d.%d", &chapter, &number) == 2) return chapter * 10000 + 5000 + number;
-  if (sscanf(id, "T %d-%d", &chapter, &number) == 2) return chapter * 10000 + number;
-  return 1 << 30;
 }
 
 static int by_place(const void *a, const void *b) {
   const struct gallery_entry *p = a, *q = b;
-  const int s = place_of(p->id), t = place_of(q->id);
-  return s != t ? (s > t) - (s < t) : strcmp(p->id, q->id);
+  const int s = gallery_id_place(p->id), t = gallery_id_place(q->id);
+  return (s > t) - (s < t);
 }
 
 static enum status append(struct problems *to, const struct problems *from) {
@@ -217,7 +182,7 @@ static enum status read_all(struct gallery_book *book, size_t n, const struct ga
   qsort(book->entries, book->n_entries, sizeof *book->entries, by_place);
   for (size_t i = 0; i < book->n_entries; i++) {
     struct naming naming = {book, &book->entries[i], problems};
-    TRY(gallery_entry_runs(naming.entry, check_run, &naming));
+    TRY(gallery_entry_needs(naming.entry, check_run, &naming));
   }
   return OK;
 }
@@ -246,6 +211,7 @@ void gallery_book_destroy(struct gallery_book *book) {
     struct gallery_case *c = &book->cases[i];
     free(c->name);
     free(c->file);
+    free(c->from);
     gallery_texts_free(c->n_set, c->set);
     gallery_texts_free(c->n_quick, c->quick);
   }

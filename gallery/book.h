@@ -91,6 +91,8 @@ struct gallery_case {
   char *name, *file;
   size_t n_set, n_quick;
   char **set, **quick; /* PATH=VALUE; those of --quick come behind the others */
+  char *from;          /* the file of entries that has it */
+  int line;
 };
 
 struct gallery_book {
@@ -114,6 +116,20 @@ void gallery_book_destroy(struct gallery_book *book);
 const struct gallery_entry *gallery_book_find(const struct gallery_book *book, const char *id);
 const struct gallery_case *gallery_book_case(const struct gallery_book *book, const char *name);
 
-/* Calls `take` for every run "CASE/RUN" that an entry needs, once or more; its failure ends it. */
+/* Where an id, "P 1", "T 2-13", "T Tab 2.1", stands in the order of the documents: P, then T by
+ * chapters, figures before tables. 0: it is none. */
+int gallery_id_place(const char *id);
+
+/* A run "CASE/RUN" that an entry needs, and where its file says so. */
+struct gallery_need {
+  const char *run;
+  int line;
+  char path[160]; /* of the key, or of the figure */
+};
+/* Calls `take` for every one, once or more; its failure ends it. */
+enum status gallery_entry_needs(const struct gallery_entry *e,
+                                enum status (*take)(void *data, const struct gallery_need *need),
+                                void *data);
+/* The same with their names alone. */
 enum status gallery_entry_runs(const struct gallery_entry *e,
                                enum status (*take)(void *data, const char *run), void *data);

@@ -112,8 +112,8 @@ static enum status mark_range(const struct gallery_book *book, const char *word,
   size_t first, last;
   find_ends(book, word, dots, &first, &last);
   snprintf(from, sizeof from, "%.*s", (int)(dots - word), word);
-  if (first == book->n_entries) return complain(book, from);
-  if (last == book->n_entries) return complain(book, dots + 2);
+  if (first == book->n_entries) return complain(book, *from ? from : word);
+  if (last == book->n_entries) return complain(book, dots[2] ? dots + 2 : word);
   CHECK(first <= last, ERR_USAGE,
         "found '%s'; allowed: a range in the order of the documents, in which %s comes before %s",
         word, book->entries[last].id, book->entries[first].id);

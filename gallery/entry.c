@@ -1,4 +1,3 @@
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -76,53 +75,32 @@ static const struct param check_rows[] = {
      .help = "whether it is held in --quick"},
 };
 
-/* ---- names ---- */
+/* ---- ids ---- */
 
-/* A name that formulas can use. */
-static bool is_identifier(const char *name) {
-  const size_t n = strlen(name);
-  if (!n || n > 64 || !(isalpha((unsigned char)*name) || *name == '_')) return false;
-  for (size_t i = 1; i < n; i++)
-    if (!isalnum((unsigned char)name[i]) && name[i] != '_') return false;
-  return true;
-}
-
-static void check_name(struct gallery_reader *r, int node, const char *path, const char *name) {
-  char found[80];
-  if (!name || is_identifier(name)) return;
-  snprintf(found, sizeof found, "the name '%.60s'", name);
-  gallery_complain(r, node, path, found, "a letter, then letters, digits and '_'", "");
+int gallery_id_place(const char *id) {
+  char again[48] = "";
+  int chapter = 0, number = 0, place = 0;
+  if (sscanf(id, "P %4d", &number) == 1) {
+    snprintf(again, sizeof again, "P %d", number);
+    place = number;
+  } else if (sscanf(id, "T Tab %2d.%4d", &chapter, &number) == 2) {
+    snprintf(again, sizeof again, "T Tab %d.%d", chapter, number);
+    place = chapter * 100000 + 50000 + number;
+  } else if (sscanf(id, "T %2d-%4d", &chapter, &number) == 2) {
+    snprintf(again, sizeof again, "T %d-%d", chapter, number);
+    place = chapter * 100000 + number;
+  }
+  return chapter >= 0 && number > 0 && !strcmp(id, again) ? place : 0;
 }
 
 static char *key_of(const char *id) {
   char *key = strdup(id);
   for (char *p = key; p && *p; p++)
-    if (*p == ' ' || *p == '/') *p = '-';
+    if (*p == ' ') *p = '-';
   return key;
 }
 
 /* ---- the lists ---- */
-
-struct items { /* of a list that is being read */
-  int node;
-  char path[CASE_PATH + 40];
-  size_t n;
-};
-
-static struct items list_of(struct gallery_reader *r, int node, const char *path, const char *key) {
-  struct items items = {.node = node};
-  snprintf(items.path, sizeof items.path, "%s.%s", path, key);
-  if (node && case_doc_expect_list(&r->doc, node, items.path, 0, GALLERY_MOST_ITEMS, key))
-    items.n = case_doc_size(&r->doc, node);
-  return items;
-}
-
-static int item_of(struct gallery_reader *r, const struct items *items, size_t i,
-                   char path[CASE_PATH]) {
-  const int node = case_doc_item(&r->doc, items->node, i);
-  case_doc_item_path(&r->doc, items->path, node, i, path);
-  return node;
-}
 
 struct curve_head {
   char *name, *from;
@@ -132,17 +110,6 @@ static const struct param curve_rows[] = {
     TEXT(struct curve_head, from, 64, NULL, "where it comes from: plunge list"),
 };
 
-/* Says of the key of a mapping that its value is none of these names. */
-static void complain_of_word(struct gallery_reader *r, int node, const char *path, const char *key,
-                             size_t n, const char *const *names) {
-  char full[CASE_PATH + 8], found[64];
-  const int at = case_doc_member(&r->doc, node, key);
-  const struct case_offer offer = case_offer("one of ", n, names, case_doc_text(&r->doc, at));
-  snprintf(full, sizeof full, "%s.%s", path, key);
-  case_doc_found(&r->doc, at, found);
-  gallery_complain(r, at ? at : node, full, found, offer.allowed, offer.todo);
-}
-
 static const struct gallery_source *source_of(struct gallery_reader *r, int node,
                                               const char *path) {
   const char *names[256], *text = case_doc_text(&r->doc, case_doc_member(&r->doc, node, "from"));
@@ -150,60 +117,112 @@ static const struct gallery_source *source_of(struct gallery_reader *r, int node
   size_t n = 0;
   if (source) return source;
   for (size_t k = 0; gallery_sources[k] && n < 256; k++) names[n++] = gallery_sources[k]->name;
-  complain_of_word(r, node, path, "from", n, names);
+  gallery_complain_of_word(r, node, path, "from", n, names);
   return NULL;
+}
+
+/* The keys of a mapping are of its source, or of its kind: which that is must be known first. */
+static bool is_mapping(struct gallery_reader *r, int node, const char *path, const char *what) {
+  char found[64];
+  if (case_doc_is_mapping(&r->doc, node)) return true;
+  case_doc_found(&r->doc, node, found);
+  gallery_complain(r, node, path, found, what, "");
+  return false;
 }
 
 static enum status read_curve(struct gallery_reader *r, int node, const char *path,
                               struct gallery_curve_spec *c) {
   struct curve_head head = {0};
-  c->source = source_of(r, node, path);
   c->line = case_doc_line(&r->doc, node);
-  if (!c->source) return OK;
+  if (!is_mapping(r, node, path, "a mapping with name, from and the keys of its source")) return OK;
+  c->source = source_of(r, node, path);
+  if (!c->source) { /* its other keys mean nothing, but formulas may name it */
+    const int name = case_doc_member(&r->doc, node, "name");
+    if (name) case_doc_value(&r->doc, name, path, &curve_rows[0], &head);
+    c->name = head.name;
+    return OK;
+  }
   c->params = calloc(1, c->source->params_size);
   CHECK(c->params, ERR_MEMORY, "no memory for a curve");
   const struct case_block blocks[] = {
       {curve_rows, ROWS(curve_rows), &head, NULL},
       {c->source->params, c->source->n_params, c->params, NULL}};
   case_doc_read(&r->doc, node, path, 0, 2, blocks);
-  check_name(r, node, path, head.name);
   free(head.from);
   c->name = head.name;
   return OK;
 }
 
-static enum status read_curves(struct gallery_reader *r, int node, const char *path,
+static enum status read_curves(struct gallery_reader *r, const struct gallery_list *list,
                                struct gallery_entry *e) {
-  const struct items items = list_of(r, node, path, "curves");
-  TRY(array_create(&e->curves, items.n, "curves"));
-  e->n_curves = items.n;
-  for (size_t i = 0; i < items.n; i++) {
+  TRY(array_create(&e->curves, list->n, "curves"));
+  e->n_curves = list->n;
+  for (size_t i = 0; i < list->n; i++) {
     char full[CASE_PATH];
-    const int item = item_of(r, &items, i, full);
+    const int item = gallery_list_item(r, list, i, full);
     TRY(read_curve(r, item, full, &e->curves[i]));
-    for (size_t k = 0; k < i && e->curves[i].name; k++)
-      if (e->curves[k].name && !strcmp(e->curves[k].name, e->curves[i].name))
-        gallery_complain(r, item, full, "a name that another curve has", "each name once", "");
+    gallery_check_name(r, item, full, e->curves[i].name, i, 0);
   }
   return OK;
 }
 
-static enum status read_numbers(struct gallery_reader *r, int node, const char *path,
+static enum status read_numbers(struct gallery_reader *r, const struct gallery_list *list,
                                 struct gallery_entry *e) {
-  const struct items items = list_of(r, node, path, "numbers");
-  TRY(array_create(&e->numbers, items.n, "numbers"));
-  e->n_numbers = items.n;
-  for (size_t i = 0; i < items.n; i++) {
+  TRY(array_create(&e->numbers, list->n, "numbers"));
+  e->n_numbers = list->n;
+  for (size_t i = 0; i < list->n; i++) {
     char full[CASE_PATH];
-    const int item = item_of(r, &items, i, full);
+    const int item = gallery_list_item(r, list, i, full);
     const struct case_block block = {number_rows, ROWS(number_rows), &e->numbers[i], NULL};
     case_doc_read(&r->doc, item, full, 0, 1, &block);
-    check_name(r, item, full, e->numbers[i].name);
-    for (size_t k = 0; k < i && e->numbers[i].name; k++)
-      if (e->numbers[k].name && !strcmp(e->numbers[k].name, e->numbers[i].name))
-        gallery_complain(r, item, full, "a name that another number has", "each name once", "");
+    gallery_check_name(r, item, full, e->numbers[i].name, e->n_curves, i);
   }
   return OK;
+}
+
+/* ---- what curves, numbers and checks name, once all of them are known ---- */
+
+/* Of a key whose text is a formula. */
+static void check_formula_of(struct gallery_reader *r, int node, const char *path, const char *key,
+                             const char *formula) {
+  char full[CASE_PATH + 16];
+  const int at = case_doc_member(&r->doc, node, key);
+  snprintf(full, sizeof full, "%s.%s", path, key);
+  gallery_check_formula(r, at ? at : node, full, formula, false);
+}
+
+static void check_curves(struct gallery_reader *r, const struct gallery_list *list) {
+  for (size_t i = 0; i < list->n; i++) {
+    const struct gallery_curve_spec *c = &r->entry->curves[i];
+    char path[CASE_PATH], full[CASE_PATH + 32];
+    const int item = gallery_list_item(r, list, i, path);
+    for (size_t k = 0; c->source && k < c->source->n_params; k++) {
+      const struct param *p = &c->source->params[k];
+      if (p->type != PARAM_TEXT || strcmp(p->key, "curve") != 0) continue;
+      snprintf(full, sizeof full, "%s.%s", path, p->key);
+      gallery_check_curve(r, case_doc_member(&r->doc, item, p->key), full,
+                          *(char **)((char *)c->params + p->offset));
+    }
+    if (c->source && c->source->check) c->source->check(r, item, path, c->params);
+  }
+}
+
+static void check_numbers(struct gallery_reader *r, const struct gallery_list *list) {
+  for (size_t i = 0; i < list->n; i++) {
+    char path[CASE_PATH];
+    const int item = gallery_list_item(r, list, i, path);
+    check_formula_of(r, item, path, "is", r->entry->numbers[i].is);
+  }
+}
+
+static void check_formulas(struct gallery_reader *r, int node, const char *path,
+                           const struct gallery_check *c) {
+  check_formula_of(r, node, path, "value", c->value);
+  check_formula_of(r, node, path, "equals", c->equals);
+  check_formula_of(r, node, path, "within", c->within);
+  check_formula_of(r, node, path, "percent", c->percent);
+  check_formula_of(r, node, path, "below", c->below);
+  check_formula_of(r, node, path, "above", c->above);
 }
 
 static void check_bounds(struct gallery_reader *r, int node, const char *path,
@@ -223,16 +242,17 @@ static void check_bounds(struct gallery_reader *r, int node, const char *path,
 
 static enum status read_checks(struct gallery_reader *r, int node, const char *path,
                                struct gallery_entry *e) {
-  const struct items items = list_of(r, node, path, "checks");
-  TRY(array_create(&e->checks, items.n, "checks"));
-  e->n_checks = items.n;
-  for (size_t i = 0; i < items.n; i++) {
+  const struct gallery_list list = gallery_list_of(r, node, path, "checks", 0);
+  TRY(array_create(&e->checks, list.n, "checks"));
+  e->n_checks = list.n;
+  for (size_t i = 0; i < list.n; i++) {
     struct gallery_check *c = &e->checks[i];
     char full[CASE_PATH];
-    const int item = item_of(r, &items, i, full);
+    const int item = gallery_list_item(r, &list, i, full);
     const struct case_block block = {check_rows, ROWS(check_rows), c, NULL};
     c->line = case_doc_line(&r->doc, item);
     if (case_doc_read(&r->doc, item, full, 0, 1, &block)) check_bounds(r, item, full, c);
+    check_formulas(r, item, full, c);
   }
   return OK;
 }
@@ -246,22 +266,23 @@ static const struct gallery_drawer *drawer_of(struct gallery_reader *r, int node
   size_t n = 0;
   if (drawer) return drawer;
   for (size_t k = 0; gallery_drawers[k] && n < 64; k++) names[n++] = gallery_drawers[k]->name;
-  complain_of_word(r, node, path, "kind", n, names);
+  gallery_complain_of_word(r, node, path, "kind", n, names);
   return NULL;
 }
 
 static enum status read_figures(struct gallery_reader *r, int node, const char *path,
                                 struct gallery_entry *e) {
-  const struct items items = list_of(r, node, path, "figures");
+  const struct gallery_list list = gallery_list_of(r, node, path, "figures", 0);
   const struct param caption = {.key = "caption", .type = PARAM_TEXT, .max = 500, .help = ""};
-  TRY(array_create(&e->figures, items.n, "figures"));
-  e->n_figures = items.n;
-  for (size_t i = 0; i < items.n; i++) {
+  TRY(array_create(&e->figures, list.n, "figures"));
+  e->n_figures = list.n;
+  for (size_t i = 0; i < list.n; i++) {
     struct gallery_figure *f = &e->figures[i];
     char full[CASE_PATH], key[CASE_PATH + 16];
-    const int item = item_of(r, &items, i, full);
+    const int item = gallery_list_item(r, &list, i, full);
     const int text = case_doc_member(&r->doc, item, "caption");
     f->line = case_doc_line(&r->doc, item);
+    if (!is_mapping(r, item, full, "a mapping with kind, caption and the keys of its kind")) continue;
     f->drawer = drawer_of(r, item, full);
     if (!f->drawer) continue;
     snprintf(key, sizeof key, "%s.caption", full);
@@ -290,6 +311,14 @@ static char *text_of(struct gallery_reader *r, int node) {
   return strndup(from, (size_t)(to - from));
 }
 
+static void check_id(struct gallery_reader *r, int node, const char *path) {
+  char full[CASE_PATH + 8], found[64];
+  const int at = case_doc_member(&r->doc, node, "id");
+  snprintf(full, sizeof full, "%s.id", path);
+  case_doc_found(&r->doc, at, found);
+  gallery_complain(r, at, full, found, "an id as in P 1, T 2-13, T Tab 2.1", "");
+}
+
 enum status gallery_entry_read(struct gallery_reader *r, int node, const char *path,
                                struct gallery_entry *e) {
   struct lists lists = {0};
@@ -304,14 +333,17 @@ enum status gallery_entry_read(struct gallery_reader *r, int node, const char *p
   if (e->id) {
     e->key = key_of(e->id);
     CHECK(e->key, ERR_MEMORY, "no memory for an entry");
-    if (!case_name_fits(e->key))
-      gallery_complain(r, node, path, "an id that no file can be named after",
-                       "as in P 1, T 2-13, T Tab 2.1", "");
+    if (!gallery_id_place(e->id)) check_id(r, node, path);
   }
+  r->entry = e;
   snprintf(full, sizeof full, "%s.remarks", path);
   TRY(gallery_read_texts(r, lists.remarks, full, "remarks", &e->n_remarks, &e->remarks));
-  TRY(read_curves(r, lists.curves, path, e));
-  TRY(read_numbers(r, lists.numbers, path, e));
+  const struct gallery_list curves = gallery_list_of(r, lists.curves, path, "curves", 0);
+  const struct gallery_list numbers = gallery_list_of(r, lists.numbers, path, "numbers", 0);
+  TRY(read_curves(r, &curves, e));
+  TRY(read_numbers(r, &numbers, e));
+  check_curves(r, &curves);
+  check_numbers(r, &numbers);
   TRY(read_checks(r, lists.checks, path, e));
   return read_figures(r, lists.figures, path, e);
 }
@@ -341,20 +373,55 @@ void gallery_entry_free(struct gallery_entry *e) {
   free(e->figures);
 }
 
-enum status gallery_entry_runs(const struct gallery_entry *e,
-                               enum status (*take)(void *data, const char *run), void *data) {
+/* ---- its runs ---- */
+
+struct taking {
+  enum status (*take)(void *data, const struct gallery_need *need);
+  void *data;
+  struct gallery_need need;
+};
+
+static enum status take_one(void *data, const char *run) {
+  struct taking *t = data;
+  t->need.run = run;
+  return t->take(t->data, &t->need);
+}
+
+enum status gallery_entry_needs(const struct gallery_entry *e,
+                                enum status (*take)(void *data, const struct gallery_need *need),
+                                void *data) {
+  struct taking t = {.take = take, .data = data};
   for (size_t i = 0; i < e->n_curves; i++) {
     const struct gallery_curve_spec *c = &e->curves[i];
+    t.need.line = c->line;
     for (size_t k = 0; c->source && k < c->source->n_params; k++) {
       const struct param *p = &c->source->params[k];
       if (p->type != PARAM_TEXT || (strcmp(p->key, "run") && strcmp(p->key, "against"))) continue;
       const char *run = *(char **)((char *)c->params + p->offset);
-      if (run && *run) TRY(take(data, run));
+      snprintf(t.need.path, sizeof t.need.path, "%s.curves.%s.%s", e->id, c->name, p->key);
+      if (run && *run) TRY(take_one(&t, run));
     }
   }
   for (size_t i = 0; i < e->n_figures; i++) {
     const struct gallery_figure *f = &e->figures[i];
-    if (f->drawer && f->drawer->runs) TRY(f->drawer->runs(f->spec, take, data));
+    t.need.line = f->line;
+    snprintf(t.need.path, sizeof t.need.path, "%s.figures[%zu]", e->id, i);
+    if (f->drawer && f->drawer->runs) TRY(f->drawer->runs(f->spec, take_one, &t));
   }
   return OK;
+}
+
+struct naming {
+  enum status (*take)(void *data, const char *run);
+  void *data;
+};
+
+static enum status take_name(void *data, const struct gallery_need *need) {
+  const struct naming *n = data;
+  return n->take(n->data, need->run);
+}
+
+enum status gallery_entry_runs(const struct gallery_entry *e,
+                               enum status (*take)(void *data, const char *run), void *data) {
+  return gallery_entry_needs(e, take_name, &(struct naming){take, data});
 }

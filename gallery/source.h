@@ -6,6 +6,7 @@
 #include "common/base/status.h"
 
 struct gallery_desk;
+struct gallery_reader;
 
 struct gallery_curve { /* y over x; NaN breaks it */
   size_t n, room;
@@ -21,6 +22,9 @@ struct gallery_source {
    * entry. */
   const struct param *params;
   size_t n_params, params_size;
+  /* Complains, while the entry is read, of parameters that name what is not there: they are keys of
+   * the mapping `node`, called `path`, and NULL where they were wrong. NULL: it names nothing. */
+  void (*check)(struct gallery_reader *r, int node, const char *path, const void *params);
   /* Adds the points. ERR_INPUT when what it needs is not there. */
   enum status (*evaluate)(struct gallery_desk *desk, const void *params,
                           struct gallery_curve *curve);

@@ -217,20 +217,36 @@ static enum status curves_evaluate(struct theory_result *r) {
   return OK;
 }
 
+/* Curves with their parameters, and no rows yet. */
+static enum status curves_prepare(const struct theory_topic *topic, size_t n,
+                                  const struct theory_setting *setting, struct theory_result *r) {
+  *r = (struct theory_result){.topic = topic};
+  TRY(keys_check(topic, n, setting));
+  TRY(curves_count(topic, n, setting, &r->n));
+  TRY(array_create(&r->curve, r->n, "curves of theory"));
+  for (size_t i = 0; i < r->n; i++) {
+    TRY(curve_create(topic, &r->curve[i]));
+    TRY(curve_set(&r->curve[i], i, n, setting));
+  }
+  return OK;
+}
+
+enum status theory_check(const struct theory_topic *topic, size_t n,
+                         const struct theory_setting *setting, size_t *curves) {
+  struct theory_result r;
+  const enum status status = curves_prepare(topic, n, setting, &r);
+  *curves = r.n;
+  theory_result_destroy(&r);
+  return status;
+}
+
 enum status theory_evaluate(const struct theory_topic *topic, size_t n,
                             const struct theory_setting *setting, struct theory_result *r) {
-  enum status status;
-  *r = (struct theory_result){.topic = topic};
-  ATTEMPT(keys_check(topic, n, setting));
-  ATTEMPT(curves_count(topic, n, setting, &r->n));
-  ATTEMPT(array_create(&r->curve, r->n, "curves of theory"));
-  for (size_t i = 0; i < r->n; i++) {
-    ATTEMPT(curve_create(topic, &r->curve[i]));
-    ATTEMPT(curve_set(&r->curve[i], i, n, setting));
+  enum status status = curves_prepare(topic, n, setting, r);
+  if (status == OK) {
+    curves_name(r);
+    status = curves_evaluate(r);
   }
-  curves_name(r);
-  ATTEMPT(curves_evaluate(r));
-done:
   if (status != OK) theory_result_destroy(r);
   return status;
 }

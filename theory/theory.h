@@ -112,6 +112,9 @@ struct theory_result {
 /* ERR_USAGE with one message when a setting is not allowed: its key, what was found, what is. */
 enum status theory_evaluate(const struct theory_topic *topic, size_t n,
                             const struct theory_setting *setting, struct theory_result *result);
+/* Whether the settings are allowed, and how many curves they make; nothing is evaluated. */
+enum status theory_check(const struct theory_topic *topic, size_t n,
+                         const struct theory_setting *setting, size_t *curves);
 void theory_result_destroy(struct theory_result *result);
 
 /* Whether all curves have parameter p alike. */

@@ -72,18 +72,16 @@ static bool count_event(struct census *c, const yaml_event_t *event) {
 static void judge_census(const struct census *c, int line, struct problems *problems) {
   if (c->documents > 1)
     problems_add(problems, line,
-                 "found a second YAML document; allowed: one case a file; remove "
-                 "the line '---' and what follows");
+                 "found a second YAML document; allowed: one a file; remove the line '---' and "
+                 "what follows");
   else if (c->depth > MOST_DEPTH)
     problems_add(problems, line,
-                 "found lists and mappings more than %d deep; allowed: the keys of "
-                 "a case; close the brackets",
-                 MOST_DEPTH);
+                 "found lists and mappings more than %d deep; allowed: %d; close the brackets",
+                 MOST_DEPTH, MOST_DEPTH);
   else if (c->anchors > MOST_ANCHORS)
     problems_add(problems, line,
-                 "found more than %d anchors (&name); allowed: the keys of a case; "
-                 "write the values out",
-                 MOST_ANCHORS);
+                 "found more than %d anchors (&name); allowed: %d; write the values out",
+                 MOST_ANCHORS, MOST_ANCHORS);
 }
 
 /* Reads through the text once without keeping anything: syntax errors, a second document, and what

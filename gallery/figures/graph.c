@@ -81,10 +81,13 @@ static void ends_check(struct gallery_reader *r, int node, const char *path, con
 static enum status panel_read(struct gallery_reader *r, int node, const char *path,
                               struct graph_panel *p) {
   const struct case_block block = {panel_rows, ROWS(panel_rows), p, NULL};
+  char key[CASE_PATH + 16];
   p->ends[0] = p->ends[1] = NAN;
   if (!case_doc_read(&r->doc, node, path, 0, 1, &block)) return OK;
   ends_check(r, node, path, p->ends, p->log);
-  const struct gallery_list list = gallery_list_of(r, p->lines, path, "lines");
+  snprintf(key, sizeof key, "%s.level", path);
+  gallery_check_formula(r, case_doc_member(&r->doc, node, "level"), key, p->level, false);
+  const struct gallery_list list = gallery_list_of(r, p->lines, path, "lines", 1);
   TRY(array_create(&p->line, list.n, "lines"));
   p->n = list.n;
   for (size_t i = 0; i < list.n; i++) {
@@ -92,6 +95,8 @@ static enum status panel_read(struct gallery_reader *r, int node, const char *pa
     const int item = gallery_list_item(r, &list, i, full);
     const struct case_block line = {line_rows, ROWS(line_rows), &p->line[i], NULL};
     case_doc_read(&r->doc, item, full, 0, 1, &line);
+    snprintf(key, sizeof key, "%s.curve", full);
+    gallery_check_curve(r, case_doc_member(&r->doc, item, "curve"), key, p->line[i].curve);
   }
   return OK;
 }
@@ -111,7 +116,7 @@ static void destroy(void *spec) {
 }
 
 static enum status panels_read(struct gallery_reader *r, const char *path, struct graph_spec *s) {
-  const struct gallery_list list = gallery_list_of(r, s->panels, path, "panels");
+  const struct gallery_list list = gallery_list_of(r, s->panels, path, "panels", 1);
   TRY(array_create(&s->panel, list.n, "panels"));
   s->n = list.n;
   for (size_t k = 0; k < list.n; k++) {

@@ -118,7 +118,7 @@ static const struct param number = {.key = "number", .type = PARAM_REAL, .help =
 
 static enum status times_read(struct gallery_reader *r, const char *path,
                               struct snapshots_spec *s) {
-  const struct gallery_list list = gallery_list_of(r, s->times, path, "times");
+  const struct gallery_list list = gallery_list_of(r, s->times, path, "times", 1);
   TRY(array_create(&s->time, list.n, "times"));
   s->n_times = list.n;
   for (size_t k = 0; k < list.n; k++) {

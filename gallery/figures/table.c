@@ -58,8 +58,9 @@ static bool format_read(const char *text, struct format *f) {
   at += f->sign;
   f->digits = 6;
   if (*at == '.') {
-    f->digits = (int)strtol(at + 1, (char **)&end, 10);
-    if (end == at + 1 || !isdigit((unsigned char)at[1]) || f->digits > 17) return false;
+    const long digits = strtol(at + 1, (char **)&end, 10);
+    if (end == at + 1 || !isdigit((unsigned char)at[1]) || digits > 17) return false;
+    f->digits = (int)digits;
     at = end;
   }
   if (!*at || !strchr("efg", *at)) return false;
@@ -90,6 +91,7 @@ static enum status formula_read(struct gallery_reader *r, int node, const char *
   }
   c->formula = trimmed(text, bar ? (size_t)(bar - text) : strlen(text));
   CHECK(c->formula, ERR_MEMORY, "no memory for a table");
+  gallery_check_formula(r, node, path, c->formula, false);
   return OK;
 }
 
@@ -116,7 +118,7 @@ static enum status lists_read(struct gallery_reader *r, const char *path, struct
   snprintf(full, sizeof full, "%s.head", path);
   TRY(gallery_read_texts(r, s->head, full, "headings", &s->n_head, &s->heading));
   if (!s->n_head) gallery_complain(r, s->head, full, "no heading", "a list of headings", "");
-  const struct gallery_list list = gallery_list_of(r, s->rows, path, "rows");
+  const struct gallery_list list = gallery_list_of(r, s->rows, path, "rows", 1);
   TRY(array_create(&s->row, list.n, "a table"));
   s->n = list.n;
   for (size_t i = 0; i < list.n; i++) {

@@ -19,25 +19,14 @@ static void destroy(void *spec) {
   free(spec);
 }
 
-static void topic_check(struct gallery_reader *r, int node, const char *path,
-                        const struct theory_spec *s) {
-  const char *names[64];
-  char full[CASE_PATH + 8], found[80];
-  size_t n = 0;
-  if (theory_topic_find(s->topic)) return;
-  for (; theory_topics[n] && n < 64; n++) names[n] = theory_topics[n]->name;
-  const struct case_offer offer = case_offer("one of ", n, names, s->topic);
-  snprintf(full, sizeof full, "%s.topic", path);
-  snprintf(found, sizeof found, "'%.64s'", s->topic);
-  gallery_complain(r, node, full, found, offer.allowed, offer.todo);
-}
-
 static enum status read(struct gallery_reader *r, int node, const char *path, void **spec) {
   struct theory_spec *s = calloc(1, sizeof *s);
   const size_t faults = r->doc.faults;
+  size_t curves;
   *spec = NULL;
   CHECK(s, ERR_MEMORY, "no memory for a figure");
-  if (gallery_figure_read(r, node, path, rows, ROWS(rows), s)) topic_check(r, node, path, s);
+  if (gallery_figure_read(r, node, path, rows, ROWS(rows), s))
+    (void)gallery_theory_check(r, node, path, s->topic, s->set, &curves);
   if (r->doc.faults == faults)
     *spec = s;
   else

@@ -6,6 +6,7 @@
 
 #include "common/base/array.h"
 #include "gallery/desk.h"
+#include "gallery/reader.h"
 #include "gallery/reduce.h"
 #include "gallery/source.h"
 
@@ -26,6 +27,17 @@ static const struct param params[] = {
     SOURCE_REAL(formula_source, to, -1e9, 1e9, "1", "the last"),
     SOURCE_INT(formula_source, points, 1, 100000, "401", "and how many"),
 };
+
+static void check(struct gallery_reader *r, int node, const char *path, const void *params_of) {
+  const struct formula_source *s = params_of;
+  char full[CASE_PATH + 8];
+  snprintf(full, sizeof full, "%s.on", path);
+  gallery_check_curve(r, case_doc_member(&r->doc, node, "on"), full, s->on);
+  snprintf(full, sizeof full, "%s.y", path);
+  gallery_check_formula(r, case_doc_member(&r->doc, node, "y"), full, s->y, true);
+  snprintf(full, sizeof full, "%s.at", path);
+  gallery_check_formula(r, case_doc_member(&r->doc, node, "at"), full, s->at, true);
+}
 
 struct columns { /* x, and curves that the formula names, at every abscissa */
   size_t n, n_names;
@@ -118,5 +130,6 @@ const struct gallery_source gallery_source_formula = {
     .help = "an expression in x and in other curves, interpolated where their abscissas differ",
     SOURCE_TABLE,
     .params_size = sizeof(struct formula_source),
+    .check = check,
     .evaluate = evaluate,
 };

@@ -13,9 +13,9 @@
 #include "gallery/source.h"
 
 struct surface_source {
-  char *run, *against, *event;
+  char *run, *against;
   double at, start, to, left, right, bottom, top, depth;
-  int take, side;
+  int take, side, event;
 };
 
 #define SURFACE_SIDES                                                                              \
@@ -297,35 +297,31 @@ static enum status jet(struct gallery_desk *desk, const void *with, struct galle
   return status;
 }
 
+#define X(name, help) #name,
+static const char *const event_names[] = {CASE_EVENTS(X) NULL};
+#undef X
 static const char *const part_names[] = {"time", "x", "y", NULL};
 
 static const struct param event_params[] = {
     SOURCE_RUN(surface_source),
-    SOURCE_TEXT(surface_source, event, NULL,
-                "wall_impact, of the front that runs farthest; overturning; touchdown; or another "
-                "that the file names"),
+    SOURCE_CHOICE(surface_source, event, event_names, NULL,
+                  "what happens then; wall_impact: of the front that runs farthest"),
     SOURCE_CHOICE(surface_source, take, part_names, "time", "its time, or its place"),
     SURFACE_WINDOW,
     SURFACE_DEPTH,
 };
 
 static struct cmp_instant instant_of(const struct cmp_data *d, const struct cmp_scales *s,
-                                     const char *event) {
-  if (!strcmp(event, "wall_impact")) return d->impact;
-  if (!strcmp(event, "overturning")) return d->overturning;
-  if (!strcmp(event, "touchdown")) return d->touchdown;
+                                     int event) {
+  if (event == CASE_EVENT_OF_wall_impact) return d->impact;
+  if (event == CASE_EVENT_OF_overturning) return d->overturning;
+  if (event == CASE_EVENT_OF_touchdown) return d->touchdown;
   const struct result_file *f = d->file;
   for (size_t k = 0; k < f->n_events; k++)
-    if (!strcmp(f->events[k].name, event))
+    if (!strcmp(f->events[k].name, event_names[event]))
       return (struct cmp_instant){.time = cmp_number(f->events[k].time / s->T),
                                   .at = {f->events[k].x / s->H, f->events[k].y / s->H}};
   return (struct cmp_instant){.time = cmp_unknown("it has not happened")};
-}
-
-static bool is_known(const char *event) {
-  for (size_t k = 0; k < CASE_N_EVENTS; k++)
-    if (!strcmp(case_event_names[k], event)) return true;
-  return false;
 }
 
 /* One that has not happened has no point. */
@@ -335,10 +331,6 @@ static enum status event(struct gallery_desk *desk, const void *with, struct gal
   struct cmp_data d = {0};
   struct cmp_scales scales = {0};
   double depth = NAN;
-  CHECK(is_known(s->event), ERR_INPUT,
-        "there is no event '%s'; allowed: wall_impact, overturning, touchdown, self_contact, "
-        "overflow, run_up",
-        s->event);
   TRY(data_of(desk, s, &window, &depth, &scales, &d));
   cmp_data_face(&d, &scales, cmp_data_side(&d, depth));
   const struct cmp_instant i = instant_of(&d, &scales, s->event);

@@ -98,7 +98,7 @@ static void test_words_that_mean_nothing(void) {
   } wrong[] = {
       {"P 3", "P 3", "P 1"},        {"Q 1", "Q 1", "P 1"},        {"", "", NULL},
       {"T 4-4", "T 4-4", "T 4-44"}, {"nothing", "nothing", NULL}, {"X*", "X*", NULL},
-      {"P 1..P 4", "P 4", "P 1"},   {"..P 4", "", NULL},          {"P 1..", "", NULL},
+      {"P 1..P 4", "P 4", "P 1"},   {"..P 4", "..P 4", NULL},     {"P 1..", "P 1..", "P 1"},
   };
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     char text[300];
