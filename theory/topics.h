@@ -19,6 +19,7 @@
   X(growth)                                                                                        \
   X(oscillation)                                                                                   \
   X(hydrostatic)                                                                                   \
+  X(spectrum)                                                                                      \
   X(smoothing)                                                                                     \
   X(rates)                                                                                         \
   X(waves)                                                                                         \

@@ -137,6 +137,40 @@ static void test_smoothing_as_printed(void) {
   theory_result_destroy(&r);
 }
 
+/* Figures 2-25 to 2-32: largest growth in columns 50 high, beta = 40, as an independent program has
+ * it, in three or more digits; that of fits, whose weights there fall with the distance, by 0.5 %.
+ */
+static void test_spectra_of_columns_at_rest(void) {
+  static const struct {
+    const char *momentum, *continuity, *derivative, *surface, *walls, *points;
+    double most, within;
+  } known[] = {
+      {"neighbour", "absolute", "kernel", "natural", "mirror-exponential", "6", 0, 0.01},
+      {"mass", "mass", "kernel", "natural", "mirror-exponential", "6", 0, 0.01},
+      {"mass", "absolute", "kernel", "natural", "mirror-exponential", "2", 8.796, 5e-4},
+      {"neighbour", "mass", "kernel", "natural", "mirror-exponential", "2", 7.08, 5e-3},
+      {"mass", "mass", "kernel", "level", "mirror-exponential", "2", 2.10, 5e-3},
+      {"mass", "absolute", "kernel", "level", "mirror-exponential", "2", 7.86, 5e-3},
+      {"neighbour", "absolute", "kernel", "fitted", "mirror-exponential", "26", 1.34, 5e-3},
+      {"mass", "absolute", "kernel", "fitted", "mirror-exponential", "26", 2.45, 5e-3},
+      {"minus", "divergence", "mls", "fitted", "mirror-exponential", "26", 3.94, 0.02},
+      {"minus", "divergence", "mls", "level", "mirror-reference", "2", 4.78, 5e-3},
+  };
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+    struct theory_result r =
+        THEORY("spectrum", "momentum", known[i].momentum, "continuity", known[i].continuity,
+               "derivative", known[i].derivative, "free_surface", known[i].surface, "walls",
+               known[i].walls, "points", known[i].points);
+    EXPECT_NEAR(value_of(&r, 0, "growth_most"), known[i].most, known[i].within);
+    if (strcmp(known[i].derivative, "mls") != 0) EXPECT(value_of(&r, 0, "growth_uniform") < 0.01);
+    theory_result_destroy(&r);
+  }
+  /* the largest that a tank of 50 columns has with du/dt, which is 0 by symmetry at k dx = pi */
+  struct theory_result r = THEORY("spectrum", "continuity", "absolute");
+  EXPECT_NEAR(cell_of(&r, 0, 24, "growth"), 7.796, 5e-4);
+  theory_result_destroy(&r);
+}
+
 static void test_smoothing_corrected(void) {
   struct theory_result r = THEORY("smoothing", "layer", "equations", "courant", "1, 0.8, 0.5, 0.1");
   for (size_t c = 0; c < 4; c++) {
@@ -171,6 +205,7 @@ int main(void) {
   RUN(test_figure_2_33);
   RUN(test_slips_of_the_printed_matrix);
   RUN(test_smoothing_as_printed);
+  RUN(test_spectra_of_columns_at_rest);
   RUN(test_smoothing_corrected);
   return TEST_RESULT;
 }

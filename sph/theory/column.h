@@ -1,0 +1,26 @@
+/* Disturbances of water at rest between a bed and a free surface, in columns of particles that are
+ * all alike: the rates of its fields, linearised, are blocks between a column and its neighbours,
+ * and a wave e^(i k x) of wavenumber k sees their sum with e^(-i k m dx), whose eigenvalues are how
+ * such waves grow and oscillate.
+ *
+ * The blocks are differences of the solver's own rates (sph_rates), so of any forms, derivative,
+ * walls and free surface. Where the columns do not rest by themselves the coefficients are those of
+ * t = 0, frozen: what grows in the water while it moves is something else. */
+#pragma once
+#include "sph/sph.h"
+
+struct sph_column;
+
+/* Of the state at t = 0, which is left as it was. ERR_INPUT: the columns are not alike, or fewer
+ * than see each other and one more. */
+enum status sph_column_create(struct sph *s, struct sph_column **out);
+void sph_column_destroy(struct sph_column *c); /* NULL is fine */
+
+size_t sph_column_rows(const struct sph_column *c);
+double sph_column_unrest(const struct sph_column *c); /* largest |acceleration|, m s^-2 */
+
+/* The eigenvalues of waves of k dx = `turn` a column, 1/s: re[n] + i im[n], n = 5 rows of them.
+ * `v` [rows], or NULL: the magnitude of the vertical velocity of the one that grows most, from the
+ * bed up. ERR_SOLVER. */
+enum status sph_column_spectrum(const struct sph_column *c, double turn, double *re, double *im,
+                                double *v);
