@@ -10,6 +10,7 @@
 
 enum { TITLE_LINE = 56 }; /* bytes of a title that one column has room for */
 enum { ALONE = 380, ONE_OF_TWO = 260, ONE_OF_MANY = 210 }; /* px, heights of a panel */
+enum { LOWEST = 60, HIGHEST = 1200 };                          /* of one to scale */
 
 struct graph {
   const struct cmp_graph *g;
@@ -117,21 +118,33 @@ static size_t longest_tick(const struct cmp_frame *frame, double step) {
   return longest;
 }
 
-static void range_write(const struct graph *d, size_t panel) {
-  const struct cmp_graph_column *c = first_of(d->g, panel);
-  struct range r = range_of(d->g, panel, c->log);
-  FILE *s = d->panels.fig->script;
+/* Of the values that a panel shows, whose first column is c. */
+static struct range shown_of(const struct cmp_graph *g, const struct cmp_graph_column *c) {
+  struct range r = range_of(g, (size_t)c->panel, c->log);
   if (!(r.low <= r.high)) r = (struct range){1, 10};
   if (c->span > 0 && r.low < r.high / c->span) r.low = r.high / c->span;
   if (c->top > 0 && r.low < c->top) r.high = fmin(r.high, c->top);
   ends_take(c, &r.low, &r.high);
+  return r;
+}
+
+/* Of an axis that is not logarithmic. */
+static struct cmp_frame frame_of(const struct cmp_graph_column *c, const struct range *r) {
+  const double margin = fmax(0.06 * (r->high - r->low), 1e-9 * fmax(fabs(r->high), DBL_MIN));
+  struct cmp_frame frame = {r->low - margin, r->high + margin};
+  ends_take(c, &frame.low, &frame.high);
+  return frame;
+}
+
+static void range_write(const struct graph *d, size_t panel) {
+  const struct cmp_graph_column *c = first_of(d->g, panel);
+  const struct range r = shown_of(d->g, c);
+  FILE *s = d->panels.fig->script;
   if (c->log && r.low > 0 && r.high > 20 * r.low) { /* else it would have a tick or two */
     log_range_write(d, c, &r);
     return;
   }
-  double margin = fmax(0.06 * (r.high - r.low), 1e-9 * fmax(fabs(r.high), DBL_MIN));
-  struct cmp_frame frame = {r.low - margin, r.high + margin};
-  ends_take(c, &frame.low, &frame.high);
+  const struct cmp_frame frame = frame_of(c, &r);
   const double step = cmp_tick_step(&frame);
   fprintf(s,
           "ticks = %s\nunset logscale y\nset yrange [%.9g:%.9g]\nset ytics %.9g font ticks\n"
@@ -148,8 +161,8 @@ static bool has_points(const struct cmp_graph *g) {
   return false;
 }
 
-static void axis_write(const struct graph *d) {
-  const struct cmp_graph *g = d->g;
+/* Of the axis that the panels share; low above high: there is nothing. */
+static struct range axis_of(const struct cmp_graph *g) {
   const bool log = g->column[0].log;
   struct range r = {INFINITY, -INFINITY};
   for (size_t c = 0; c < g->n_curves; c++)
@@ -159,12 +172,17 @@ static void axis_write(const struct graph *d) {
       r.low = fmin(r.low, x);
       r.high = fmax(r.high, x);
     }
-  FILE *s = d->panels.fig->script;
-  if (log) fputs("set logscale x\n", s);
-  double margin = has_points(g) && !log ? 0.03 * (r.high - r.low) : 0;
+  const double margin = has_points(g) && !log ? 0.03 * (r.high - r.low) : 0;
   if (!log && r.low > 0 && r.low < 0.02 * r.high) r.low = 0;
   r = (struct range){r.low - margin, r.high + margin};
   ends_take(&g->column[0], &r.low, &r.high);
+  return r;
+}
+
+static void axis_write(const struct graph *d) {
+  const struct range r = axis_of(d->g);
+  FILE *s = d->panels.fig->script;
+  if (d->g->column[0].log) fputs("set logscale x\n", s);
   if (r.low < r.high) fprintf(s, "set xrange [%.9g:%.9g]\n", r.low, r.high);
 }
 
@@ -340,16 +358,30 @@ static enum status table_write(const struct cmp_graph *g, struct cmp_figures *f,
   return cmp_figure_data_end(fig, table);
 }
 
+/* px of a panel, which has x and y to one scale. */
+static int equal_height(const struct cmp_graph *g) {
+  const struct cmp_graph_column *c = first_of(g, 0);
+  const struct range x = axis_of(g), shown = shown_of(g, c);
+  const struct cmp_frame y = frame_of(c, &shown);
+  const double height = cmp_panels_width(g->narrow) * (y.high - y.low) / (x.high - x.low);
+  return (int)lround(fmin(fmax(height, LOWEST), HIGHEST)); /* NaN: there is nothing to draw */
+}
+
 enum status cmp_graph_write(const struct cmp_graph *g, struct cmp_figures *f) {
   struct graph d = {.g = g, .panels = {.n = panels_in(g)}};
   size_t n = d.panels.n;
   int height[2];
   d.panels.key = key_of(g);
-  cmp_panels_heights(n, n == 1 ? ALONE : n == 2 ? ONE_OF_TWO : ONE_OF_MANY, &d.panels.key, height);
+  cmp_panels_heights(n,
+                     g->equal ? equal_height(g)
+                     : n == 1 ? ALONE
+                     : n == 2 ? ONE_OF_TWO
+                              : ONE_OF_MANY,
+                     &d.panels.key, height);
   const int width = g->narrow ? CMP_PANELS_NARROW : CMP_PANELS_WIDTH;
   TRY(cmp_figure_begin(f, g->section, g->raster, width, height[g->narrow], &d.panels.fig, "%s",
                        g->name));
-  if (!g->narrow) d.panels.fig->column_height = height[1];
+  if (!g->narrow && !g->equal) d.panels.fig->column_height = height[1];
   if (g->caption) snprintf(d.panels.fig->caption, sizeof d.panels.fig->caption, "%s", g->caption);
   TRY(table_write(g, f, d.panels.fig));
   cmp_figure_formats(d.panels.fig);

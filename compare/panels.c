@@ -9,13 +9,15 @@ enum { LEFT = 104, LEFT_OF_COLUMN = 88, RIGHT = 20, TOP = 40, GAP = 18 };
 enum { KEY_LONGEST = 36 };
 #define LABEL_X 18.0 /* px: the middle of the label of the y axis */
 
+double cmp_panels_width(bool narrow) {
+  return narrow ? CMP_PANELS_NARROW - LEFT_OF_COLUMN - RIGHT : CMP_PANELS_WIDTH - LEFT - RIGHT;
+}
+
 struct cmp_key cmp_key_of(size_t n, size_t longest) {
   /* gnuplot lets a key be as wide as the plot that draws it */
-  static const int width[] = {CMP_PANELS_WIDTH - LEFT - RIGHT,
-                              CMP_PANELS_NARROW - LEFT_OF_COLUMN - RIGHT};
   struct cmp_key key;
   for (int k = 0; k < 2; k++) {
-    const int columns = width[k] / (84 + 9 * (int)longest); /* a sample and text of 14 px */
+    const int columns = (int)cmp_panels_width(k) / (84 + 9 * (int)longest); /* a sample and text of 14 px */
     key.columns[k] = columns > 1 ? columns : 1;
     key.height[k] = 70 + 19 * (((int)n + key.columns[k] - 1) / key.columns[k]);
   }

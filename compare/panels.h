@@ -22,6 +22,7 @@ void cmp_key_place(const struct cmp_figure *fig, const struct cmp_key *key);
 
 /* px of the figure: [0] as usual, [1] in one column. */
 void cmp_panels_heights(size_t n, int panel_height, const struct cmp_key *key, int height[2]);
+double cmp_panels_width(bool narrow); /* px between the sides of one */
 double cmp_panel_height(const struct cmp_panels *p); /* px of one */
 
 /* Margins of panel k from the top; the last has the tick labels of the axis `x_label` and the key.

@@ -25,7 +25,7 @@ struct graph_panel {
 
 struct graph_spec {
   char *x;
-  bool log, wide;
+  bool log, wide, equal;
   double ends[2]; /* from and to */
   int panels;     /* the node of their list */
   size_t n;
@@ -53,6 +53,7 @@ static const struct param graph_rows[] = {
     END(struct graph_spec, "from", 0, "where it begins"),
     END(struct graph_spec, "to", 1, "where it ends"),
     FLAG(struct graph_spec, wide, "true", "two columns of a journal, else one"),
+    FLAG(struct graph_spec, equal, "false", "x and y to one scale, in one panel"),
     NODE(struct graph_spec, panels, NULL, "a list of panels"),
 };
 static const struct param panel_rows[] = {
@@ -124,6 +125,9 @@ static enum status panels_read(struct gallery_reader *r, const char *path, struc
     const int item = gallery_list_item(r, &list, k, full);
     TRY(panel_read(r, item, full, &s->panel[k]));
   }
+  if (s->equal && (list.n > 1 || s->log || (list.n && s->panel[0].log)))
+    gallery_complain(r, s->panels, path, "equal scales of several panels, or of logarithms",
+                     "equal of one panel that has none", "");
   return OK;
 }
 
@@ -290,6 +294,7 @@ static enum status draw(struct gallery_desk *desk, const struct gallery_entry *e
     ATTEMPT(column_set(desk, &s->panel[k], (int)k, &words[1 + k], &column[1 + k]));
   ATTEMPT(cmp_graph_write(&(struct cmp_graph){.name = name,
                                               .narrow = !s->wide,
+                                              .equal = s->equal,
                                               .n_columns = c.columns,
                                               .n_curves = c.n,
                                               .column = column,

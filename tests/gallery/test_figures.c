@@ -66,6 +66,11 @@ static void test_wrong_figures(void) {
       {"{kind: graph, x: a, colour: red, panels: [{y: b, lines: [{curve: a, name: a}]}]}",
        "colour"},
       {"{kind: theory, topic: dispersal}", "found 'dispersal'"},
+      {"{kind: graph, x: a, equal: true, panels: [{y: b, lines: [{curve: a, name: a}]}, {y: b, "
+       "lines: [{curve: a, name: a}]}]}",
+       "equal scales of several panels"},
+      {"{kind: graph, x: a, equal: true, panels: [{y: b, log: true, lines: [{curve: a, name: a}]}]}",
+       "or of logarithms"},
       {"{kind: theory}", "topic: found nothing"},
       {"{kind: theory, topic: damping, set: zeta}", ".set: found 'zeta'; allowed: KEY=VALUE"},
       {"{kind: table, head: [a], rows: [['=1 | %.4294967297f']]}", "a format as in"},
@@ -198,6 +203,28 @@ static void test_graph(void) {
   json_decref(made);
 }
 
+/* 4 of x and 2 of y: the panel, 342 px wide in one column, is half as high. */
+static void test_equal_scales(void) {
+  json_t *made = make("      - {kind: graph, x: x, wide: false, equal: true, from: 0, to: 4, panels: "
+                      "[{y: y, bottom: 0, top: 2, lines: [{curve: a, name: first}]}]}\n");
+  double top, bottom, height;
+  char *script = NULL, *at;
+  size_t n;
+  char path[PATH_MAX];
+  expect_drawn(made);
+  EXPECT_OK(cmp_path_join(folder, "figures/P-1.gp", path));
+  EXPECT_OK(cmp_file_read(path, &script, &n));
+  EXPECT((at = strstr(script, "set tmargin at screen narrow ? ")) &&
+         sscanf(at, "set tmargin at screen narrow ? %lf", &top) == 1);
+  EXPECT((at = strstr(script, "set bmargin at screen narrow ? ")) &&
+         sscanf(at, "set bmargin at screen narrow ? %lf", &bottom) == 1);
+  EXPECT((at = strstr(script, "high = column ? ")) &&
+         sscanf(at, "high = column ? %*f : %lf", &height) == 1);
+  EXPECT_NEAR((top - bottom) * height, 342 / 2.0, 0.02);
+  free(script);
+  json_decref(made);
+}
+
 static void test_theory(void) {
   json_t *made = make("      - {kind: theory, topic: damping, set: 'zeta=1,1.005 points=11'}\n");
   EXPECT(says("P-1.csv", "curve,name,"));
@@ -313,6 +340,7 @@ int main(void) {
   if (!mkdtemp(folder)) return 1;
   RUN(test_wrong_figures);
   RUN(test_graph);
+  RUN(test_equal_scales);
   RUN(test_theory);
   RUN(test_table);
   RUN(test_snapshots);
