@@ -25,11 +25,15 @@ struct theory_matrix theory_column_printed(double courant, double kh, enum theor
         1 - b / 2 + b * b / 24 - a * b / 3}}};
 }
 
-struct theory_matrix theory_column_step(double courant, double kh, double theta, double slope) {
+struct theory_matrix theory_column_rates(double courant, double kh, double theta, double slope) {
   double m = courant * courant, s1 = sin(kh), s2 = pow(sin(kh / 2), 2);
-  struct theory_matrix z = {
+  return (struct theory_matrix){
       3,
       {{0, 1, 0}, {m * (-8 * theta * s2 + 2 * I * slope * s1), 0, -I * m * s1}, {0, -I * s1, 0}}};
+}
+
+struct theory_matrix theory_column_step(double courant, double kh, double theta, double slope) {
+  struct theory_matrix z = theory_column_rates(courant, kh, theta, slope);
   return theory_step(&sph_rk4, &z, 0);
 }
 

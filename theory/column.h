@@ -17,7 +17,8 @@ struct theory_matrix theory_column_printed(double courant, double kh, enum theor
 /* y' = u,  u' = -(c/h)^2 [(8 theta s2 - 2 i theta' h s1) y + i s1 r],  r' = -i (s1/h) u. With
  * theta = 1 and theta' = 0 that is (2.270)-(2.272) as printed, whose factor -8 c^2 s2/h^2 belongs
  * to a pressure c^2 rho_f that was not subtracted; with P = c^2 (rho - rho_f), theta = 2 delta |y|
- * and theta' = -2 delta. `slope` is theta' h. */
+ * and theta' = -2 delta. `slope` is theta' h. The rates are dt times these. */
+struct theory_matrix theory_column_rates(double courant, double kh, double theta, double slope);
 struct theory_matrix theory_column_step(double courant, double kh, double theta, double slope);
 
 /* The column whose particles have the masses that rest needs, m = rho h, and gamma = 1: 2 x 2, of

@@ -6,8 +6,9 @@
  * or of a decaying mode, has the eigenvalues
  *     lambda = [1 + X/2 +- sqrt(1 + X - 2 zeta + zeta^2)]/zeta,
  * here those of the solver's step, beside this closed form and the scheme itself, carried out for
- * `steps` steps. Waves are stable up to s^2 = 2 sqrt(2 zeta (zeta - 1)), s^2 =
- * -X; without damping (zeta = 1) never. Decaying modes grow with any. */
+ * `steps` steps. Waves are stable up to s^2 = 2 sqrt(2 zeta (zeta - 1)), s^2 = -X; without damping
+ * (zeta = 1) never; the limit given is found by halving, from what a step of the scheme changes.
+ * Decaying modes grow with any. */
 #include <complex.h>
 #include <math.h>
 
@@ -77,15 +78,40 @@ static double closed(const struct damping *p, double x) {
   return fmax(cabs(1 + x / 2 + root), cabs(1 + x / 2 - root)) / p->zeta;
 }
 
-/* The scheme (3.36)-(3.39), of y and dt v. */
+struct state {
+  double y, v; /* v: dt times it */
+};
+
+/* The scheme (3.36)-(3.39): what a step changes. */
+static struct state change(const struct damping *p, double x, struct state w) {
+  const double y_p = w.y + w.v / 2, v_p = (w.v + x * w.y / 2) / p->zeta;
+  return (struct state){v_p, (x * y_p - 2 * (p->zeta - 1) * w.v) / p->zeta};
+}
+
 static double carried_out(const struct damping *p, double x) {
-  double y = 1, v = 0;
+  struct state w = {1, 0};
   for (int i = 0; i < p->steps; i++) {
-    double y_p = y + v / 2, v_p = (v + x * y / 2) / p->zeta;
-    y += v_p;
-    v = 2 / p->zeta * (v + x * y_p / 2) - v;
+    const struct state more = change(p, x, w);
+    w.y += more.y;
+    w.v += more.v;
   }
-  return x == 0 ? y : hypot(y, v / sqrt(fabs(x)));
+  return x == 0 ? w.y : hypot(w.y, w.v / sqrt(fabs(x)));
+}
+
+static bool grows(const struct damping *p, double s) {
+  const double x = p->mode ? s * s : -s * s;
+  const struct state a = change(p, x, (struct state){1, 0}), b = change(p, x, (struct state){0, 1});
+  const struct theory_matrix d = {2, {{a.y, b.y}, {a.v, b.v}}};
+  return theory_excess(&d) > 0;
+}
+
+static double limit(const struct damping *p) {
+  double low = 0, high = 100;
+  while (high - low > 1e-10) {
+    const double middle = (low + high) / 2;
+    *(grows(p, middle) ? &high : &low) = middle;
+  }
+  return low;
 }
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {
@@ -97,7 +123,7 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
     TRY(theory_radius(&m, &radius));
     TRY(THEORY_ROW(curve, s, radius, closed(p, x), p->steps ? carried_out(p, x) : NAN));
   }
-  curve->value[LIMIT] = p->mode ? 0 : sqrt(2 * sqrt(2 * p->zeta * (p->zeta - 1)));
+  curve->value[LIMIT] = limit(p);
   return OK;
 }
 

@@ -8,7 +8,8 @@
  * Each finds f = sin(1.3 x + 0.4) cos(0.9 y - 0.2) or f_x at 256 places; the rows have the rms of
  * its errors against h = dx, the same disturbances at each, and `order` is the slope of its
  * logarithm over the three finest. Moments of particles on a line are singular: `line` is the least
- * eigenvalue of the fit's matrix there over its largest. Lengths in units of f. */
+ * eigenvalue of the fit's matrix there over its largest; and `nearly` what the fit finds of what is
+ * there when they are 1e-6 dx beside it, to either side in turn. Lengths in units of f. */
 #include <math.h>
 
 #include "theory/theory.h"
@@ -42,10 +43,11 @@ static const struct theory_column columns[] = {
      .log = true,
      .points = true},
 };
-enum { ORDER, LINE };
+enum { ORDER, LINE, NEARLY };
 static const struct theory_value values[] = {
     [ORDER] = {"order", "1", "of the error in dx, over the three finest spacings"},
     [LINE] = {"line", "1", "least over largest eigenvalue of the fit's matrix on a line"},
+    [NEARLY] = {"nearly", "1", "by the fit 1e-6 dx beside that line, over what is there"},
 };
 
 static double f_of(double x, double y) {
@@ -136,6 +138,20 @@ static double singular(const struct derivatives *p) {
   return (half - spread) / (half + spread);
 }
 
+/* What the fit finds of what is there from neighbours beside that line: where they do not span the
+ * plane, the curvature of f, over their distance from the line, passes for a slope across it. */
+static double found_beside_a_line(const struct derivatives *p) {
+  static const double dx = 1. / 64, X = 0.3, Y = 0.2, beside = 1e-6;
+  struct moments s = {0};
+  const double own = p->method == MUELLER ? f_of(X, Y) : 0;
+  for (int i = -4; i <= 4; i++) {
+    const double away = i % 2 ? beside : -beside, x = i - 0.5 * away, y = 0.5 * i + away;
+    take(&s, weight(p, x, y), x, y, f_of(X + x * dx, Y + y * dx) - own);
+  }
+  const double found = solve(p, &s);
+  return p->method == MLS_VALUE ? found / f_of(X, Y) : found / dx / f_x_of(X, Y);
+}
+
 static enum status evaluate(const void *with, struct theory_curve *curve) {
   const struct derivatives *p = with;
   double error[3] = {NAN, NAN, NAN};
@@ -148,6 +164,7 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   }
   curve->value[ORDER] = log2(error[0] / error[2]) / 2;
   curve->value[LINE] = singular(p);
+  curve->value[NEARLY] = found_beside_a_line(p);
   return OK;
 }
 

@@ -51,6 +51,12 @@ static const struct theory_column columns[] = {
      .help = "the same",
      .panel = 1,
      .undrawn = true},
+    {.key = "advanced_still",
+     .unit = "c/h",
+     .label = "least, advanced",
+     .help = "magnitude of its least eigenvalue, of waves and decaying modes",
+     .panel = 1,
+     .undrawn = true},
 };
 
 enum { LINE = 64 };
@@ -96,15 +102,18 @@ static double line_off(double ratio) {
   return most;
 }
 
-/* The largest real and imaginary parts, in c/h. */
-static enum status rates(double complex f, bool advanced, double *growth, double *frequency) {
+/* The largest real and imaginary parts and the least magnitude, in c/h. */
+static enum status rates(double complex f, bool advanced, double *growth, double *frequency,
+                         double *least) {
   struct theory_matrix direct = {2, {{0, 1}, {f * f, 0}}};
   struct theory_matrix three = {3, {{0, 1, 0}, {0, 0, -f}, {0, -f, 0}}};
   double complex lambda[THEORY_LARGEST];
   const struct theory_matrix *m = advanced ? &three : &direct;
   TRY(theory_eigenvalues(m, lambda));
   *growth = *frequency = 0;
+  *least = INFINITY;
   for (int i = 0; i < m->n; i++) {
+    *least = fmin(*least, cabs(lambda[i]));
     *growth = fmax(*growth, creal(lambda[i]));
     *frequency = fmax(*frequency, cimag(lambda[i]));
   }
@@ -114,15 +123,15 @@ static enum status rates(double complex f, bool advanced, double *growth, double
 static enum status evaluate(const void *with, struct theory_curve *curve) {
   const struct formulations *p = with;
   for (int i = 0; i < p->points; i++) {
-    double k = theory_between(0, p->to, i, p->points), unused, frequency[2], growth[2];
+    double k = theory_between(0, p->to, i, p->points), unused, frequency[2], growth[2], still[2];
     double complex wave = theory_spline_slope_symbol(I * k, p->ratio);
     double complex decaying = theory_spline_slope_symbol(k, p->ratio);
     for (int advanced = 0; advanced < 2; advanced++) {
-      TRY(rates(wave, advanced, &unused, &frequency[advanced]));
-      TRY(rates(decaying, advanced, &growth[advanced], &unused));
+      TRY(rates(wave, advanced, &unused, &frequency[advanced], &still[0]));
+      TRY(rates(decaying, advanced, &growth[advanced], &unused, &still[1]));
     }
     TRY(THEORY_ROW(curve, k, cimag(wave), creal(decaying), frequency[0], frequency[1], growth[0],
-                   growth[1]));
+                   growth[1], fmax(still[0], still[1])));
   }
   curve->value[WAVES_OFF] = ring_off(p->ratio);
   curve->value[DECAYING_OFF] = line_off(p->ratio);

@@ -30,6 +30,20 @@ enum status theory_radius(const struct theory_matrix *m, double *radius) {
   return OK;
 }
 
+double theory_excess(const struct theory_matrix *d) {
+  const double complex half = (d->a[0][0] + d->a[1][1]) / 2;
+  const double complex product = d->a[0][0] * d->a[1][1] - d->a[0][1] * d->a[1][0];
+  double complex root = csqrt(half * half - product);
+  if (creal(root * conj(half)) < 0) root = -root; /* nothing cancels */
+  const double complex far = half + root, near = far == 0 ? 0 : product / far;
+  const double complex less[] = {far, near}; /* lambda - 1 */
+  double most = -INFINITY;
+  for (int i = 0; i < 2; i++)
+    most = fmax(most, 2 * creal(less[i]) + creal(less[i]) * creal(less[i]) +
+                          cimag(less[i]) * cimag(less[i]));
+  return most;
+}
+
 struct theory_matrix theory_step(const struct sph_integrator *method, const struct theory_matrix *z,
                                  double damping) {
   static const int at[] = {SPH_LINEAR_X, SPH_LINEAR_U, SPH_LINEAR_RHO};

@@ -17,6 +17,10 @@ enum status theory_eigenvalues(const struct theory_matrix *m, double complex *la
 /* The largest magnitude of them. */
 enum status theory_radius(const struct theory_matrix *m, double *radius);
 
+/* The largest |lambda|^2 - 1 of the matrix 1 + d, 2 x 2, to rounding of d's entries: growth that is
+ * too slow to be seen beside 1. */
+double theory_excess(const struct theory_matrix *d);
+
 /* What a step of the particle solver's integrator does to w, where dw/dt = Z w in a unit of time
  * and w is position, velocity and density, or the first two. `damping` is Gamma, of methods that
  * damp. */

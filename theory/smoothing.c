@@ -61,6 +61,24 @@ static const struct theory_column columns[] = {
      .level = "0",
      .panel = 1,
      .help = "growth in a step"},
+    {.key = "sound",
+     .unit = "1",
+     .label = "|λ| − 1, sound",
+     .help = "the same of the eigenvalue farthest from 1, which may decay",
+     .panel = 1,
+     .undrawn = true},
+    {.key = "frequency",
+     .unit = "c/h",
+     .label = "frequency",
+     .help = "largest eigenvalue of the equations, not of a step; none of a printed matrix",
+     .panel = 1,
+     .undrawn = true},
+    {.key = "still",
+     .unit = "c/h",
+     .label = "least eigenvalue",
+     .help = "magnitude of the least one, likewise",
+     .panel = 1,
+     .undrawn = true},
 };
 enum { LEAST, LEAST_AT, PERIOD, PERIOD_AT, WORST, WORST_AT };
 static const struct theory_value values[] = {
@@ -72,16 +90,22 @@ static const struct theory_value values[] = {
     [WORST_AT] = {"kh_most", "1", "k h of that"},
 };
 
+/* theta and theta' h of the equations. */
+struct rest {
+  double theta, slope;
+};
+
+static struct rest rest_of(const struct smoothing *p) {
+  const double delta = 1 / (2 * p->beta); /* H */
+  if (p->layer == EQUATIONS) return (struct rest){1, 0};
+  return (struct rest){2 * delta * p->depth, -2 * delta * p->spacing};
+}
+
 static struct theory_matrix step_of(const struct smoothing *p, double kh) {
-  double delta = 1 / (2 * p->beta); /* H */
-  switch (p->layer) {
-  case PRINTED:
+  const struct rest rest = rest_of(p);
+  if (p->layer == PRINTED)
     return theory_column_printed(p->courant, kh, (enum theory_reading)p->reading);
-  case EQUATIONS:
-    return theory_column_step(p->courant, kh, 1, 0);
-  default:
-    return theory_column_step(p->courant, kh, 2 * delta * p->depth, -2 * delta * p->spacing);
-  }
+  return theory_column_step(p->courant, kh, rest.theta, rest.slope);
 }
 
 /* The extreme so far; NaN at first. */
@@ -93,15 +117,38 @@ static void note(double *extreme, double *at, double value, double kh, double si
 
 /* What there is at one wavenumber; NaN: none. */
 struct at {
-  double growth, printed, period;
+  double growth, printed, period, sound, frequency, still;
 };
+
+static enum status measure_equations(const struct smoothing *p, double kh, struct at *at) {
+  const struct rest rest = rest_of(p);
+  const struct theory_matrix z = theory_column_rates(p->courant, kh, rest.theta, rest.slope);
+  double complex rate[THEORY_LARGEST];
+  TRY(theory_eigenvalues(&z, rate));
+  at->frequency = 0;
+  at->still = INFINITY;
+  for (int i = 0; i < z.n; i++) {
+    at->frequency = fmax(at->frequency, cabs(rate[i]) / p->courant);
+    at->still = fmin(at->still, cabs(rate[i]) / p->courant);
+  }
+  return OK;
+}
 
 static enum status measure(const struct smoothing *p, double kh, struct at *at) {
   const double rounding = 1e-12;
-  double radius;
-  struct theory_matrix m = step_of(p, kh);
-  TRY(theory_radius(&m, &radius));
-  *at = (struct at){radius - 1, NAN, NAN};
+  double radius = 0, far = -1;
+  double complex lambda[THEORY_LARGEST];
+  const struct theory_matrix m = step_of(p, kh);
+  TRY(theory_eigenvalues(&m, lambda));
+  *at = (struct at){NAN, NAN, NAN, NAN, NAN, NAN};
+  for (int i = 0; i < m.n; i++) {
+    radius = fmax(radius, cabs(lambda[i]));
+    if (cabs(lambda[i] - 1) <= far) continue;
+    far = cabs(lambda[i] - 1);
+    at->sound = cabs(lambda[i]) - 1;
+  }
+  at->growth = radius - 1;
+  if (p->layer != PRINTED) TRY(measure_equations(p, kh, at));
   if (radius <= 1 + rounding) return OK;
   at->period = -log((2 + cos(kh)) / 3) / log(radius);
   if (kh < 2.4) /* beyond: towards its pole at sqrt(6), then negative */
@@ -116,7 +163,7 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   for (int i = 1; i <= p->points; i++) {
     double kh = M_PI * i / p->points;
     TRY(measure(p, kh, &at));
-    TRY(THEORY_ROW(curve, kh, at.printed, at.period, at.growth));
+    TRY(THEORY_ROW(curve, kh, at.printed, at.period, at.growth, at.sound, at.frequency, at.still));
     note(&v[LEAST], &v[LEAST_AT], at.printed, kh, -1);
     if (kh > p->from) note(&v[PERIOD], &v[PERIOD_AT], at.period, kh, -1);
     note(&v[WORST], &v[WORST_AT], at.growth, kh, 1);

@@ -22,6 +22,7 @@
   X(spectrum)                                                                                      \
   X(smoothing)                                                                                     \
   X(rates)                                                                                         \
+  X(hsph)                                                                                          \
   X(waves)                                                                                         \
   X(roots)                                                                                         \
   X(acoustic)                                                                                      \

@@ -42,20 +42,27 @@ static const struct theory_value values[] = {
     [LIMIT] = {"courant_most", "1", "Courant number up to which no wave grows"},
 };
 
-static enum status growth(const struct viscosity *p, double courant, double kh, double *excess) {
+/* Of y and dt v. */
+static struct theory_matrix rates_of(const struct viscosity *p, double courant, double kh) {
   double s = courant * sin(kh);
   double complex one_side = -p->alpha * courant * (1 - cexp(I * kh)) / 2;
   double complex g = p->pairs ? one_side : -2 * p->alpha * courant * pow(sin(kh / 2), 2);
-  struct theory_matrix z = {2, {{0, 1}, {-s * s, g}}};
+  return (struct theory_matrix){2, {{0, 1}, {-s * s, g}}};
+}
+
+static enum status growth(const struct viscosity *p, double courant, double kh, double *excess) {
+  struct theory_matrix z = rates_of(p, courant, kh);
   struct theory_matrix m = theory_step(&sph_damped_pc, &z, 0); /* which is the midpoint's */
   TRY(theory_radius(&m, excess));
   *excess -= 1;
   return OK;
 }
 
-/* Over all waves; those of k h = 0 neither move nor grow, those of pi move by viscosity only. */
+/* The waves that are looked at; those of k h = 0 neither move nor grow, those of pi move by
+ * viscosity only. */
+enum { WAVES = 720 };
+
 static enum status worst(const struct viscosity *p, double courant, double *most, double *at) {
-  enum { WAVES = 720 };
   *most = -INFINITY;
   for (int i = 1; i <= WAVES; i++) {
     double kh = M_PI * i / WAVES, excess;
@@ -67,16 +74,27 @@ static enum status worst(const struct viscosity *p, double courant, double *most
   return OK;
 }
 
-/* Short waves of a stable step decay; the longest are neutral but for rounding. */
-static enum status limit(const struct viscosity *p, double *courant) {
-  double low = 0, high = 4, most, at;
-  while (high - low > 1e-10) {
-    double middle = (low + high) / 2;
-    TRY(worst(p, middle, &most, &at));
-    *(most <= 1e-14 ? &low : &high) = middle;
+/* From what a midpoint step changes, Z + Z^2/2: without viscosity growth is mu_c^4/8, which is not
+ * seen beside 1. */
+static bool any_grows(const struct viscosity *p, double courant) {
+  for (int i = 1; i <= WAVES; i++) {
+    const struct theory_matrix z = rates_of(p, courant, M_PI * i / WAVES);
+    struct theory_matrix d = z;
+    for (int row = 0; row < 2; row++)
+      for (int column = 0; column < 2; column++)
+        d.a[row][column] += (z.a[row][0] * z.a[0][column] + z.a[row][1] * z.a[1][column]) / 2;
+    if (theory_excess(&d) > 0) return true;
   }
-  *courant = p->alpha > 0 ? low : 0;
-  return OK;
+  return false;
+}
+
+static double limit(const struct viscosity *p) {
+  double low = 0, high = 4;
+  while (high - low > 1e-10) {
+    const double middle = (low + high) / 2;
+    *(any_grows(p, middle) ? &high : &low) = middle;
+  }
+  return low;
 }
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {
@@ -87,7 +105,8 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
     TRY(THEORY_ROW(curve, kh, excess));
   }
   TRY(worst(p, p->courant, &curve->value[WORST], &curve->value[WORST_AT]));
-  return limit(p, &curve->value[LIMIT]);
+  curve->value[LIMIT] = limit(p);
+  return OK;
 }
 
 const struct theory_topic theory_viscosity = {

@@ -28,7 +28,7 @@ static void test_a_wave_is_followed_at_second_order(void) {
     expect_as_on_the_lattice(&e[i], &lattice);
   }
   for (int q = 0; q < QUANTITIES; q++) EXPECT(e[0].row[0][q] < limit[q]);
-  for (int q = QU; q <= QP; q++) {
+  for (int q = SPH_ROWS_U; q <= SPH_ROWS_P; q++) {
     const double ratio = e[0].row[0][q] / e[1].row[0][q];
     EXPECT(2.5 < ratio && ratio < 5);
   }
@@ -59,17 +59,60 @@ static void test_the_budget_closes(void) {
 
 /* The rate at which a corrugation of the first row grows over so many projections. */
 static double corrugation_grows(int n, int waves, bool first_row) {
-  struct lattice l = {.n = n, .h = 1. / n, .k = 2 * M_PI * waves, .g = 1, .c2 = 10};
+  struct sph_rows l = sph_rows_create(n, 2 * M_PI * waves, 1, 10, 1.5, true);
   const double dt = l.h / sqrt(l.c2);
   const int cycles = 40;
   double before = 0;
   l.w.y[0] = 1;
   for (int cycle = 0; cycle < 2 * cycles; cycle++) {
     if (cycle == cycles) before = cabs(l.w.y[0]);
-    for (int step = 0; step < 15; step++) lattice_step(&l, dt);
-    lattice_project(&l, false, first_row);
+    for (int step = 0; step < 15; step++) sph_rows_step(&l, dt);
+    sph_rows_project(&l, false, first_row);
   }
   return log(cabs(l.w.y[0]) / before) / (cycles * 15 * dt);
+}
+
+/* Of waves of any length on rows that nothing is done to, by eigenvalues; and for the fastest a
+ * march beside them: 1e-4 a step of Runge-Kutta. */
+static double fastest(int n, double radius, bool keep, int *waves) {
+  double most = -INFINITY, growth;
+  for (int j = 1; j <= n / 2; j++) {
+    const struct sph_rows l = sph_rows_create(n, 2 * M_PI * j, 1, 10, radius, keep);
+    EXPECT_OK(sph_rows_growth(&l, &growth));
+    if (growth > most) *waves = j;
+    most = fmax(most, growth);
+  }
+  return most;
+}
+
+static double marched(int n, int waves) {
+  struct sph_rows l = sph_rows_create(n, 2 * M_PI * waves, 1, 10, 1.5, true);
+  const double dt = l.h / sqrt(l.c2);
+  const int steps = (int)(20 / dt);
+  double before = 0;
+  l.w.y[0] = 1;
+  for (int i = 0; i < 2 * steps; i++) {
+    if (i == steps) before = cabs(l.w.y[0]);
+    sph_rows_step(&l, dt);
+  }
+  return log(cabs(l.w.y[0]) / before) / (steps * dt);
+}
+
+static void test_waves_grow_unless_they_are_projected(void) {
+  int waves;
+  const double growth = fastest(16, 1.5, true, &waves);
+  printf("     h = 1/16: %.3f, %d waves; marched %.3f\n", growth, waves, marched(16, waves));
+  EXPECT_NEAR(growth, 2.1, 0.05);
+  EXPECT(waves == 7);
+  EXPECT_NEAR(marched(16, waves), growth, 0.01 * growth);
+  const double finer = fastest(32, 1.5, true, &waves);
+  printf("     h = 1/32: %.3f, %d waves\n", finer, waves);
+  EXPECT_NEAR(finer, 3.1, 0.05);
+  EXPECT(waves == 13);
+  const double wide[] = {fastest(16, 3, false, &waves), fastest(32, 3, false, &waves)};
+  printf("     support of 3h, nothing kept: %.3f, %.3f\n", wide[0], wide[1]);
+  EXPECT_NEAR(wide[0], 1.2, 0.05);
+  EXPECT_NEAR(wide[1], 2.5, 0.05);
 }
 
 /* Of the first row's heights. */
@@ -110,6 +153,7 @@ int main(void) {
   RUN(test_a_wave_is_followed_at_second_order);
   RUN(test_a_wave_lives_for_twenty_periods);
   RUN(test_the_budget_closes);
+  RUN(test_waves_grow_unless_they_are_projected);
   RUN(test_only_the_first_rows_projection_keeps_it_smooth);
   return TEST_RESULT;
 }

@@ -173,7 +173,16 @@ static void test_spectra_of_columns_at_rest(void) {
 
 static void test_smoothing_corrected(void) {
   struct theory_result r = THEORY("smoothing", "layer", "equations", "courant", "1, 0.8, 0.5, 0.1");
+  static const double courant[] = {1, 0.8, 0.5, 0.1};
   for (size_t c = 0; c < 4; c++) {
+    for (size_t i = 0; i < r.curve[c].n; i++) { /* 0, +- i sqrt(8 s2 + s1^2) c/h */
+      const double kh = cell_of(&r, c, i, "kh");
+      const double sound = sqrt(8 * pow(sin(kh / 2), 2) + pow(sin(kh), 2)), z = courant[c] * sound;
+      EXPECT_NEAR(cell_of(&r, c, i, "frequency"), sound, 1e-12);
+      EXPECT_NEAR(cell_of(&r, c, i, "still"), 0, 1e-12);
+      EXPECT_NEAR(cell_of(&r, c, i, "sound"), sqrt(1 - pow(z, 6) / 72 + pow(z, 8) / 576) - 1,
+                  1e-12);
+    }
     EXPECT(value_of(&r, c, "growth_most") < 1e-12);
     EXPECT(isnan(value_of(&r, c, "printed_least")) && isnan(value_of(&r, c, "period_least")));
   }

@@ -81,7 +81,7 @@ static void test_initial_damping(void) {
         THEORY("damping", "to", decaying_at[k], "points", "2", "mode", "decaying");
     for (size_t c = 0; c < 3; c++) {
       EXPECT_NEAR(cell_of(&r, c, 1, "lambda"), lambda[c][k], 5e-7);
-      EXPECT_NEAR(value_of(&r, c, "courant_most"), limit[c], 1e-6);
+      EXPECT_NEAR(value_of(&r, c, "courant_most"), limit[c], 1e-6); /* found by halving */
       EXPECT_NEAR(cell_of(&d, c, 1, "lambda"), decaying[c][k], 5e-6);
     }
     theory_result_destroy(&r);
@@ -148,27 +148,40 @@ static void test_viscosity_stabilises_the_midpoint_step(void) {
   theory_result_destroy(&r);
 }
 
-/* T's (3.35) and its neighbours; an interpolation of cosines on a ring of 64 particles. */
+/* T's (3.35) and its neighbours: closed forms of what particles do. XSPH and the tensile correction
+ * are factors of rates, of which there are none at k = 0 and kh = pi; that of the correction is
+ * under tension, which takes 1e-12/F^2 of it, F = sin kh. */
 static void test_treatments(void) {
   struct theory_result r = THEORY("treatments", "strength", "0.1", "points", "33");
   for (size_t i = 0; i < 33; i++) {
     double k = cell_of(&r, 0, i, "kh"), s = pow(sin(k / 2), 2), sh = pow(sinh(k / 2), 2);
-    EXPECT_NEAR(cell_of(&r, 0, i, "oscillating"), sqrt(1 - 0.1 * 2 / 3 * s), 1e-14);
-    EXPECT_NEAR(cell_of(&r, 0, i, "decaying"), sqrt(1 + 0.1 * 2 / 3 * sh), 1e-14);
-    EXPECT_NEAR(cell_of(&r, 1, i, "oscillating"), 0.9486832980505138, 1e-15);
+    if (i > 0 && i < 32) {
+      EXPECT_NEAR(cell_of(&r, 0, i, "oscillating"), sqrt(1 - 0.1 * 2 / 3 * s), 1e-12);
+      EXPECT_NEAR(cell_of(&r, 0, i, "decaying"), sqrt(1 + 0.1 * 2 / 3 * sh), 1e-12);
+      EXPECT_NEAR(cell_of(&r, 1, i, "oscillating"), 0.9486832980505138, 1e-9);
+    }
     EXPECT_NEAR(cell_of(&r, 2, i, "oscillating"), 1 - 2. / 3 * s, 1e-14);
     EXPECT_NEAR(cell_of(&r, 2, i, "decaying"), 1 + 2. / 3 * sh, 1e-14);
     EXPECT_NEAR(cell_of(&r, 3, i, "oscillating"), (1 + 2 * cos(k)) / 3, 1e-14);
     EXPECT_NEAR(cell_of(&r, 3, i, "decaying"), 1 + 4. / 3 * sh, 1e-14);
   }
   for (size_t c = 0; c < 4; c++) { /* the coefficient of f'', from the symbol at a long wave */
-    double k = cell_of(&r, c, 1, "kh"),
-           lost = cell_of(&r, c, 0, "oscillating") - cell_of(&r, c, 1, "oscillating");
+    const double k = cell_of(&r, c, 1, "kh");
+    const double at_0 = c == 1 ? 0.9486832980505138 : 1;
+    const double lost = at_0 - cell_of(&r, c, 1, "oscillating");
     EXPECT_NEAR(lost / (k * k), value_of(&r, c, "second"), 1e-3);
   }
   theory_result_destroy(&r);
-  r = THEORY("treatments", "treatment", "xsph", "strength", "1.5", "points", "2");
-  EXPECT_NEAR(cell_of(&r, 0, 1, "oscillating"), 0, 1e-7); /* neutral up to 3/2 */
+  r = THEORY("treatments", "treatment", "xsph", "strength", "1.5, 1.51", "points", "200");
+  EXPECT_NEAR(value_of(&r, 0, "growth_most"), 0, 1e-7); /* neutral up to 3/2 */
+  EXPECT(value_of(&r, 1, "growth_most") > 1e-3);
+  theory_result_destroy(&r);
+  r = THEORY("treatments", "treatment", "xsph", "strength", "0.5, 3", "density", "advanced");
+  for (size_t c = 0; c < r.n; c++)
+    for (size_t i = 1; i < 399; i++) {
+      EXPECT_NEAR(cell_of(&r, c, i, "oscillating"), 1, 1e-12);
+      EXPECT_NEAR(cell_of(&r, c, i, "decaying"), 1, 1e-12);
+    }
   theory_result_destroy(&r);
 }
 
@@ -188,6 +201,7 @@ static void test_formulations(void) {
     EXPECT_NEAR(cell_of(&r, 0, j, "advanced"), fabs(sin(kh)), 1e-12);
     EXPECT_NEAR(cell_of(&r, 0, j, "direct_growth") / fmax(1, sinh(kh)),
                 cell_of(&r, 0, j, "advanced_growth") / fmax(1, sinh(kh)), 1e-7);
+    EXPECT_NEAR(cell_of(&r, 0, j, "advanced_still"), 0, 1e-12 * cosh(kh));
     EXPECT_NEAR(cell_of(&r, 0, j, "advanced_growth"), sinh(kh), 1e-12 * cosh(kh));
   }
   EXPECT(value_of(&r, 0, "ring_off") < 1e-12);

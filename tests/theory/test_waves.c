@@ -281,6 +281,34 @@ static void test_slow_sound_is_refused(void) {
   EXPECT(strstr(status_message(), "below which two modes decay"));
 }
 
+/* Errors of the first two rows at h = 1/16, 1/32, 1/64 in u, v, p_d, a_x, a_y, of another program,
+ * to its digits and where projections fall; the frequency of u of the first row; and growth at 1/16
+ * and 1/32. */
+static void test_hsph(void) {
+  static const char *const key[] = {"u", "v", "p", "a_x", "a_y"};
+  static const double error[3][2][5] = {
+      {{.23, .17, .18, .29, .51}, {.14, .15, .29, .23, .38}},
+      {{.066, .042, .043, .11, .16}, {.034, .037, .052, .047, .12}},
+      {{.018, .011, .011, .051, .053}, {.010, .011, .012, .011, .036}}};
+  static const double frequency[] = {0.977, 0.9944, 0.9985}, growth[] = {2.1, 3.1};
+  static const double waves[] = {7, 13};
+  struct theory_result r = THEORY("hsph", "rows", "16, 32, 64", "radius", "1.5");
+  for (size_t c = 0; c < 3; c++) {
+    for (size_t row = 0; row < 2; row++)
+      for (size_t q = 0; q < 5; q++)
+        EXPECT_NEAR(cell_of(&r, c, row, key[q]) / error[c][row][q], 1, 0.06);
+    EXPECT_NEAR(value_of(&r, c, "fitted"), frequency[c], 3e-4);
+    if (c == 2) continue;
+    EXPECT_NEAR(value_of(&r, c, "growth"), growth[c], 0.05);
+    EXPECT(value_of(&r, c, "waves") == waves[c]);
+  }
+  theory_result_destroy(&r);
+  r = THEORY("hsph", "surface", "natural", "every", "0, 15"); /* neither support carries a wave */
+  EXPECT(r.n == 4);
+  for (size_t c = 0; c < r.n; c++) EXPECT(cell_of(&r, c, 0, "u") > 1);
+  theory_result_destroy(&r);
+}
+
 int main(void) {
   RUN(test_roots_of_shallow_water);
   RUN(test_roots_of_deep_water);
@@ -290,6 +318,7 @@ int main(void) {
   RUN(test_table_2_1_and_its_limits);
   RUN(test_acoustic_modes_follow_the_lattice);
   RUN(test_waves);
+  RUN(test_hsph);
   RUN(test_orthogonality);
   RUN(test_projection);
   RUN(test_what_is_printed_is_no_projection);
