@@ -17,7 +17,10 @@ static size_t next_in(const struct gallery_curve *c, const double *a, size_t i) 
   return i;
 }
 
-#define EACH(i, c, a) size_t i = next_in(c, a, 0); i < (c)->n; i = next_in(c, a, i + 1)
+#define EACH(i, c, a)                                                                              \
+  size_t i = next_in(c, a, 0);                                                                     \
+  i < (c)->n;                                                                                      \
+  i = next_in(c, a, i + 1)
 
 static const double everywhere[2] = {-INFINITY, INFINITY};
 
@@ -33,8 +36,7 @@ double gallery_reduce_at(const struct gallery_curve *c, const double *a) {
     if (fabs(c->x[i] - a[0]) <= 1e-12 * fmax(1, fabs(a[0]))) return c->y[i];
   for (size_t i = 1; i < c->n; i++)
     if (c->x[i - 1] < a[0] && a[0] < c->x[i])
-      return c->y[i - 1] +
-             (c->y[i] - c->y[i - 1]) * (a[0] - c->x[i - 1]) / (c->x[i] - c->x[i - 1]);
+      return c->y[i - 1] + (c->y[i] - c->y[i - 1]) * (a[0] - c->x[i - 1]) / (c->x[i] - c->x[i - 1]);
   return NAN;
 }
 
@@ -281,21 +283,38 @@ static struct wave fit(const struct gallery_curve *c, double w, const double *ra
   return f;
 }
 
-/* The least residual within a quarter of the guess: the best of many, then by thirds. */
-double gallery_reduce_frequency(const struct gallery_curve *c, const double *a) {
+static double wave_rms(const struct gallery_curve *c, double w, const double *range) {
+  return fit(c, w, range).rms;
+}
+
+/* The same of the a cosh(w x) that fits best. */
+static double cosh_rms(const struct gallery_curve *c, double w, const double *range) {
+  double cc = 0, cy = 0, squares = 0, n = 0;
+  for (EACH(i, c, range)) {
+    cc += pow(cosh(w * c->x[i]), 2);
+    cy += cosh(w * c->x[i]) * c->y[i];
+    n++;
+  }
+  for (EACH(i, c, range)) squares += pow(c->y[i] - cy / cc * cosh(w * c->x[i]), 2);
+  return n < 3 ? NAN : sqrt(squares / n);
+}
+
+/* The w of the least residual within a quarter of the guess: the best of many, then by thirds. */
+static double best_near(const struct gallery_curve *c, const double *a,
+                        double (*rms)(const struct gallery_curve *, double, const double *)) {
   enum { TRIES = 200, STEPS = 60 };
-  double best = NAN, rms = INFINITY;
+  double best = NAN, least = INFINITY;
   const double step = a[0] / 2 / TRIES;
   for (int k = 0; k <= TRIES; k++) {
-    const double w = a[0] * 0.75 + k * step, r = fit(c, w, a + 1).rms;
-    if (!(r < rms)) continue;
-    rms = r;
+    const double w = a[0] * 0.75 + k * step, r = rms(c, w, a + 1);
+    if (!(r < least)) continue;
+    least = r;
     best = w;
   }
   double low = best - step, high = best + step;
   for (int k = 0; k < STEPS; k++) {
     const double p = low + (high - low) / 3, q = high - (high - low) / 3;
-    if (fit(c, p, a + 1).rms < fit(c, q, a + 1).rms)
+    if (rms(c, p, a + 1) < rms(c, q, a + 1))
       high = q;
     else
       low = p;
@@ -303,6 +322,12 @@ double gallery_reduce_frequency(const struct gallery_curve *c, const double *a) 
   return (low + high) / 2;
 }
 
+double gallery_reduce_frequency(const struct gallery_curve *c, const double *a) {
+  return best_near(c, a, wave_rms);
+}
+double gallery_reduce_cosh_rate(const struct gallery_curve *c, const double *a) {
+  return best_near(c, a, cosh_rms);
+}
 double gallery_reduce_amplitude(const struct gallery_curve *c, const double *a) {
   const struct wave f = fit(c, a[0], a + 1);
   return hypot(f.a, f.b);

@@ -27,6 +27,9 @@ static double wave(double x) {
 static double burst(double x) { /* grows from 1e-6 at the rate 4 */
   return 1e-6 * exp(4 * x) * (x > 3 ? -1 : 1);
 }
+static double catenary(double x) { /* grows from rest at the rate 5 */
+  return -0.01 * cosh(5 * x);
+}
 static double hump(double x) {
   return 1 - (x - 1) * (x - 1);
 }
@@ -85,6 +88,15 @@ static void test_growth(void) {
   EXPECT_NEAR(REDUCE(growth, c, 1e-5, 1), 4, 1e-10);
   c.y[50] = 1e-3; /* above the lower bound, but not for good: the points after it are below */
   EXPECT_NEAR(REDUCE(growth, c, 1e-4, 1), 4, 1e-10);
+  gallery_curve_free(&c);
+}
+
+/* The fit is exact; the residual is flat to the root of rounding where it is least. */
+static void test_growth_from_rest(void) {
+  struct gallery_curve c = sampled(catenary, 0, 2, 101);
+  EXPECT_NEAR(REDUCE(cosh_rate, c, 4.5, 0.3, 1.4), 5, 1e-6);
+  EXPECT_NEAR(REDUCE(cosh_rate, c, 6, 0, 2), 5, 1e-6);
+  EXPECT(isnan(REDUCE(cosh_rate, c, 5, 0.3, 0.31))); /* a point is not enough */
   gallery_curve_free(&c);
 }
 
@@ -199,6 +211,7 @@ int main(void) {
   RUN(test_extremes);
   RUN(test_waves);
   RUN(test_growth);
+  RUN(test_growth_from_rest);
   RUN(test_share_beyond);
   RUN(test_formulas);
   RUN(test_formulas_of_no_number);
