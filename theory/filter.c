@@ -1,8 +1,11 @@
-/* A noisy profile, what a modal filter leaves of it, and what it leaves after the part that is
- * uniform in x was removed (T, figures 2-22 and 2-23, bottom): f = psi_-1 + psi_n + f_u with f_u =
- * e^(2 kappa y), of a vertical velocity alone (T says only that its wavenumber is above kappa). The
- * plain filter finds 1 + F0 + leak, or 1 + F0: leak = mu/(kappa + mu) (1 - e^(-(kappa + mu) H))/(1
- * - e^(-2 kappa H)), mu = 2 kappa. Units: g = H = 1. */
+/* A noisy profile, what a modal filter leaves of it, and what it leaves after the mean over x was
+ * taken off (T, figures 2-22 and 2-23, bottom): velocities u = i kappa (psi_-1 + psi_n) e^(i kappa
+ * x) and v = (psi_-1' + psi_n') e^(i kappa x) + f_u' on columns of one wavelength, with f_u = e^(2
+ * kappa y), uniform in x, of the vertical velocity alone (T says only that its wavenumber is above
+ * kappa). The filter takes the column x = 0. The plain one finds 1 + F0 + leak, or 1 + F0: leak =
+ * mu/(kappa + mu) (1 - e^(-(kappa + mu) H))/(1 - e^(-2 kappa H)), mu = 2 kappa. Units: g = H = 1.
+ */
+#include <complex.h>
 #include <math.h>
 
 #include "theory/projection.h"
@@ -10,7 +13,7 @@
 
 struct filter {
   double beta, kappa;
-  int filter, mode, points;
+  int filter, mode, columns, points;
 };
 
 static const struct param params[] = {
@@ -19,6 +22,7 @@ static const struct param params[] = {
                 "horizontal wavenumber times H"),
     THEORY_REAL(filter, beta, PARAM_ABOVE_0, 1e6, "10", "c^2/(g H)"),
     THEORY_INT(filter, mode, 0, 200, "20", "n of the acoustic mode"),
+    THEORY_INT(filter, columns, 2, 10000, "16", "columns of a wavelength, whose mean is taken off"),
     THEORY_POINTS(filter),
 };
 static const struct theory_column columns[] = {
@@ -33,32 +37,45 @@ static const struct theory_column columns[] = {
     {.key = "reduced",
      .unit = "1",
      .label = "filtered without f_u",
-     .help = "after what is uniform in x was removed"},
+     .help = "after the mean over x was taken off"},
     {.key = "wave", .unit = "1", .label = "ψ_{−1}", .help = "what it should find"},
 };
 enum { AMPLITUDE, REDUCED };
 static const struct theory_value values[] = {
     [AMPLITUDE] = {"amplitude", "1", "found in the noisy profile; 1 would be right"},
-    [REDUCED] = {"amplitude_reduced", "1", "found without f_u"},
+    [REDUCED] = {"amplitude_reduced", "1", "found after the mean over x was taken off"},
 };
 
+struct field {
+  const struct filter *p;
+  const struct theory_mode *wave, *sound;
+  bool reduced;
+};
+
+/* v, or the potential of u, u/(i kappa). */
+static double complex velocity(const struct field *f, bool upwards, double x, double y) {
+  double kappa = f->p->kappa;
+  double complex along = cexp(I * kappa * x);
+  if (upwards)
+    return (theory_mode_slope(f->wave, y) + theory_mode_slope(f->sound, y)) * along +
+           2 * kappa * exp(2 * kappa * y);
+  return (theory_mode_psi(f->wave, y) + theory_mode_psi(f->sound, y)) * along;
+}
+
+/* The same of the column x = 0, less the mean of all columns at this depth if it is taken off. */
+static double of_column(const struct field *f, bool upwards, double y) {
+  double complex mean = 0;
+  for (int j = 0; f->reduced && j < f->p->columns; j++)
+    mean += velocity(f, upwards, 2 * M_PI / f->p->kappa * j / f->p->columns, y) / f->p->columns;
+  return creal(velocity(f, upwards, 0, y) - mean);
+}
+
 static double psi(double y, const void *with) {
-  return theory_mode_psi(with, y);
+  return of_column(with, false, y);
 }
 
 static double slope(double y, const void *with) {
-  return theory_mode_slope(with, y);
-}
-
-static double nothing(double y, const void *with) {
-  (void)y;
-  (void)with;
-  return 0;
-}
-
-static double uniform_slope(double y, const void *with) {
-  const struct filter *p = with;
-  return 2 * p->kappa * exp(2 * p->kappa * y);
+  return of_column(with, true, y);
 }
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {
@@ -68,8 +85,10 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   struct theory_mode wave, sound;
   TRY(theory_mode_find(p->beta, p->kappa, -1, profile, &wave));
   TRY(theory_mode_find(p->beta, p->kappa, p->mode, profile, &sound));
-  double reduced = 1 + theory_filter_apply(filter, &wave, psi, slope, &sound);
-  double amplitude = reduced + theory_filter_apply(filter, &wave, nothing, uniform_slope, p);
+  struct field field = {p, &wave, &sound, false};
+  double amplitude = theory_filter_apply(filter, &wave, psi, slope, &field);
+  field.reduced = true;
+  double reduced = theory_filter_apply(filter, &wave, psi, slope, &field);
   for (int i = 0; i < p->points; i++) {
     double y = theory_between(-1, 0, i, p->points), right = theory_mode_psi(&wave, y);
     double noisy = right + theory_mode_psi(&sound, y) + exp(2 * p->kappa * y);
