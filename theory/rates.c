@@ -5,13 +5,21 @@
  *
  *     y' = v,  v' = -(b g + c^2 F) r,  r' = -F v,     F = mu, sinh(mu h)/h, i nu, i sin(nu h)/h
  *
- * with b = 0 on uniform density and 1 on that of rest; of waves on the lattice the system is
- * y'' = (c/h)^2 {-s1^2 - 2 i delta h s1 (2 - cos nu h)} y, which has the masses that rest needs.
+ * with b = 0 on uniform density and 1 on that of rest. Of waves on the lattice at rest it is that
+ * of the sums of (2.15) and (2.201) over the neighbours of a particle at the depth |y|, with the
+ * masses that rest needs, linear in disturbances y e^(i nu y), v e^(i nu y) and r e^(i nu y) of
+ * position, velocity and density over that of rest:
+ *
+ *     v' = - sum m_b [(q_a r_a + q_b r_b) W' + (P_a/rho_a^2 + P_b/rho_b^2) W'' (y_a - y_b)],
+ *     rho_a r' = sum m_b (v_a - v_b) W',                 q = rho d(P/rho^2)/drho, P = c^2 (rho - 1)
+ *
  * `closed` is
  *
  *     e^(mu y)     c mu, c mu sqrt(1 + 2 delta/mu);  c F, sqrt(c^2 F^2 + g F);  ln R(z)/dt
  *     e^(i nu y)   0, sqrt{[-a + sqrt(a^2 + g^2 nu^2)]/2} with a = c^2 nu^2, which is c delta up to
- *                  (delta/nu)^2; the same of the lattice's system; ln |R(z)|/dt
+ *                  (delta/nu)^2; of the lattice the real part of the root of (c/h)^2 {-s1^2 - 8
+ * theta s2^2 - 2 i delta h s1 (2 - cos nu h)}, s1 = sin(nu h), s2 = sin^2(nu h/2), theta = 2 delta
+ * |y|, up to theta^2 and (delta h)^2; ln |R(z)|/dt
  *
  * R = 1 + z + z^2/2 + z^3/6 + z^4/24 and z = dt times the lattice's rate. `printed` is the table's
  * entry, where it has a number: c mu sqrt(1 - 2 delta/mu) for uniform density holds gravity, of
@@ -34,7 +42,7 @@ static const char *const system_helps[] = {"CMA-SPH", "semi-discrete", "fully di
 enum { CONTINUUM, LATTICE, DISCRETE };
 
 struct rates {
-  double beta, spacing, courant, to;
+  double beta, spacing, courant, depth, to;
   int mode, base, system, points;
 };
 
@@ -46,6 +54,8 @@ static const struct param params[] = {
     THEORY_REAL(rates, beta, PARAM_ABOVE_0, 1e6, "20", "c^2/(g H)"),
     THEORY_REAL(rates, spacing, PARAM_ABOVE_0, 1, "0.02", "dx = h over H"),
     THEORY_REAL(rates, courant, PARAM_ABOVE_0, 2.8, "0.5", "c dt/h, of discrete"),
+    THEORY_REAL(rates, depth, 0, 1, "0",
+                "|y|/H of the particle whose neighbours see waves at rest"),
     THEORY_REAL(rates, to, PARAM_ABOVE_0, 3.1, "2", "largest mu h or nu h"),
     THEORY_POINTS(rates),
 };
@@ -81,15 +91,33 @@ static double complex symbol(const struct rates *p, double k) {
   return p->mode == DECAYING ? sinh(k * h) / h : I * sin(k * h) / h;
 }
 
-/* Of y/h, v and r; with times in sqrt(H/g). */
+/* The sums over a particle and its two neighbours; of W at dx = h, h^2 W' is 1/2 above and h^3 W''
+ * is 1. */
+static struct theory_matrix sums_of(const struct rates *p, double k) {
+  double c2 = p->beta, h = p->spacing, at_rest = exp(p->depth / c2);
+  double complex v_y = 0, v_r = 0, r_v = 0;
+  for (int j = -1; j <= 1; j += 2) {
+    double rho = at_rest * exp(-j * h / c2), mass = rho * h, slope = j / (2 * h * h);
+    double complex along = cexp(I * k * h * j);
+    double both = c2 * ((at_rest - 1) / (at_rest * at_rest) + (rho - 1) / (rho * rho));
+    double q_a = c2 * (2 / at_rest - 1) / at_rest, q_b = c2 * (2 / rho - 1) / rho;
+    v_y -= mass * both / (h * h * h) * (1 - along);
+    v_r -= mass * slope * (q_a + q_b * along);
+    r_v += mass * slope * (1 - along) / at_rest;
+  }
+  return (struct theory_matrix){3, {{0, 1, 0}, {v_y, 0, v_r}, {0, r_v, 0}}};
+}
+
+static bool is_sums(const struct rates *p) {
+  return p->mode == OSCILLATING && p->base == REST && p->system != CONTINUUM;
+}
+
+/* Of y, v and r; with times in sqrt(H/g). */
 static struct theory_matrix system_of(const struct rates *p, double k) {
+  if (is_sums(p)) return sums_of(p, k);
   double complex f = symbol(p, k);
-  double c2 = p->beta, h = p->spacing, s = sin(k * h);
-  if (p->mode == OSCILLATING && p->base == REST && p->system != CONTINUUM)
-    return (struct theory_matrix){
-        2, {{0, 1}, {c2 / (h * h) * (-s * s - I * h / c2 * s * (2 - cos(k * h))), 0}}};
   double g = p->base == REST;
-  return (struct theory_matrix){3, {{0, 1, 0}, {0, 0, -(g + c2 * f)}, {0, -f, 0}}};
+  return (struct theory_matrix){3, {{0, 1, 0}, {0, 0, -(g + p->beta * f)}, {0, -f, 0}}};
 }
 
 /* The square of a rate of the system: the growing one is its root. */
@@ -98,8 +126,8 @@ static double complex square_of(const struct rates *p, double k) {
   double c2 = p->beta, h = p->spacing;
   if (p->base == UNIFORM) return c2 * f * f;
   if (p->mode == DECAYING || p->system == CONTINUUM) return c2 * f * f + f;
-  double s = sin(k * h), a = c2 / (h * h) * s * s, b = s * (2 - cos(k * h)) / h;
-  return -a - I * b;
+  double s1 = sin(k * h), s2 = pow(sin(k * h / 2), 2), theta = p->depth / c2;
+  return -c2 / (h * h) * (s1 * s1 + 8 * theta * s2 * s2) - I * s1 * (2 - cos(k * h)) / h;
 }
 
 static double closed(const struct rates *p, double k, double dt) {
@@ -108,6 +136,24 @@ static double closed(const struct rates *p, double k, double dt) {
   if (p->mode == DECAYING) return creal(rate);
   double a = -creal(square); /* without the cancellation of sqrt */
   return p->base == UNIFORM ? 0 : fabs(cimag(square)) / sqrt(2 * (a + cabs(square)));
+}
+
+/* What a step of RK4 makes larger: of its three eigenvalues that nearest one belongs to position
+ * alone, or to a density that a displacement balances. */
+static enum status step_growth(struct theory_matrix z, double dt, double *growth) {
+  double complex lambda[THEORY_LARGEST];
+  for (int i = 0; i < z.n; i++) /* in steps of dt: y, dt v, r */
+    for (int j = 0; j < z.n; j++) z.a[i][j] *= i == 1 ? dt * dt : j == 1 ? 1 : dt;
+  struct theory_matrix m = theory_step(&sph_rk4, &z, 0);
+  TRY(theory_eigenvalues(&m, lambda));
+  int still = 0;
+  double radius = 0;
+  for (int i = 1; i < m.n; i++)
+    if (cabs(lambda[i] - 1) < cabs(lambda[still] - 1)) still = i;
+  for (int i = 0; i < m.n; i++)
+    if (i != still) radius = fmax(radius, cabs(lambda[i]));
+  *growth = log(radius) / dt;
+  return OK;
 }
 
 /* Growth and the largest magnitude of a rate. */
@@ -122,15 +168,7 @@ static enum status eigenvalue(const struct rates *p, double k, double dt, double
     *growth = fmax(*growth, creal(lambda[i]));
     *size = fmax(*size, cabs(lambda[i]));
   }
-  if (p->system != DISCRETE) return OK;
-  double radius;
-  for (int i = 0; i < z.n; i++) /* in steps of dt: y, dt v, r */
-    for (int j = 0; j < z.n; j++) z.a[i][j] *= i == 1 ? dt * dt : j == 1 ? 1 : dt;
-  struct theory_matrix m = theory_step(&sph_rk4, &z, 0);
-  if (m.n == 3) m = theory_block(&m, 1, 2); /* y only adds an eigenvalue 1 */
-  TRY(theory_radius(&m, &radius));
-  *growth = log(radius) / dt;
-  return OK;
+  return p->system == DISCRETE ? step_growth(z, dt, growth) : OK;
 }
 
 static double printed(const struct rates *p, double k) {

@@ -98,6 +98,11 @@ static const struct theory_column columns[] = {
      .label = "Σ V x ∂W/∂y",
      .help = "the larger of |sum V x dW/dy| and |sum V y dW/dx|",
      .undrawn = true},
+    {.key = "slope_x",
+     .unit = "1/dx",
+     .label = "-dx Σ V ∂W/∂x",
+     .help = "-dx sum V dW/dx: 0 by symmetry",
+     .undrawn = true},
     {.key = "symmetric",
      .unit = "g",
      .label = "(2.15)",
@@ -111,7 +116,7 @@ static const struct theory_value values[] = {
 
 /* Of the particle that has `above` rows above it; lengths in h. */
 struct sums {
-  double W, gy, xgx, ygy, xgy, ygx, ye, yqe, yye;
+  double W, gx, gy, xgx, ygy, xgy, ygx, ye, yqe, yye;
 };
 
 static struct sums sum(const struct sph_lattice *l, int above) {
@@ -119,6 +124,7 @@ static struct sums sum(const struct sph_lattice *l, int above) {
   for (const struct sph_neighbour *a = l->near; a < l->near + l->n; a++) {
     if (a->j > above) continue;
     s.W += a->W;
+    s.gx += a->gx;
     s.gy += a->gy;
     s.xgx += a->x * a->gx;
     s.ygy += a->y * a->gy;
@@ -196,7 +202,7 @@ static enum status row_add(const struct surface *p, const struct sph_lattice *l,
   double per = -2 * dx;     /* of 2 sum psi slope V, psi = -y, in rho0 g/(c^2 dx) */
   return THEORY_ROW(curve, row, s.W, -s.gy * dx, v.variable, v.plus, v.minus, per * s.ye,
                     per * s.yqe / 2, per * antuono(l, row), s.xgx, s.ygy,
-                    fmax(fabs(s.xgy), fabs(s.ygx)), v.symmetric);
+                    fmax(fabs(s.xgy), fabs(s.ygx)), -s.gx * dx, v.symmetric);
 }
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {
