@@ -17,10 +17,7 @@ static size_t next_in(const struct gallery_curve *c, const double *a, size_t i) 
   return i;
 }
 
-#define EACH(i, c, a)                                                                              \
-  size_t i = next_in(c, a, 0);                                                                     \
-  i < (c)->n;                                                                                      \
-  i = next_in(c, a, i + 1)
+#define EACH(i, c, a) size_t i = next_in(c, a, 0); i < (c)->n; i = next_in(c, a, i + 1)
 
 static const double everywhere[2] = {-INFINITY, INFINITY};
 
@@ -36,7 +33,8 @@ double gallery_reduce_at(const struct gallery_curve *c, const double *a) {
     if (fabs(c->x[i] - a[0]) <= 1e-12 * fmax(1, fabs(a[0]))) return c->y[i];
   for (size_t i = 1; i < c->n; i++)
     if (c->x[i - 1] < a[0] && a[0] < c->x[i])
-      return c->y[i - 1] + (c->y[i] - c->y[i - 1]) * (a[0] - c->x[i - 1]) / (c->x[i] - c->x[i - 1]);
+      return c->y[i - 1] +
+             (c->y[i] - c->y[i - 1]) * (a[0] - c->x[i - 1]) / (c->x[i] - c->x[i - 1]);
   return NAN;
 }
 

@@ -23,8 +23,7 @@ enum { GALLERY_MOST_ARGUMENTS = 4 };
   X(integral, 2, "integral of y over x, by trapezia")                                              \
   X(crosses, 1, "first x where y passes the level, linear; NaN: never")                            \
   X(slope, 2, "slope of the straight line fitted")                                                 \
-  X(growth, 2,                                                                                     \
-    "slope of ln |y| from where it is above `low` for good to where it is above `high`")           \
+  X(growth, 2, "slope of ln |y| from where it is above `low` for good to where it is above `high`")\
   X(frequency, 3, "angular frequency near a guess of the a cos + b sin + c that fits best")        \
   X(cosh_rate, 3, "w near a guess of the a cosh(w x) that fits best")                              \
   X(amplitude, 3, "of the a cos(w x) + b sin(w x) + c that fits best: sqrt(a^2 + b^2)")            \
@@ -37,7 +36,6 @@ enum { GALLERY_MOST_ARGUMENTS = 4 };
 
 /* Curves have their points by rising x (others: docs of a source). Points whose y is NaN count for
  * nothing. NaN where there is no such number. */
-#define X(name, n, help)                                                                           \
-  double gallery_reduce_##name(const struct gallery_curve *c, const double *a);
+#define X(name, n, help) double gallery_reduce_##name(const struct gallery_curve *c, const double *a);
 GALLERY_REDUCTIONS(X)
 #undef X

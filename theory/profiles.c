@@ -51,8 +51,13 @@ static const struct theory_column columns[] = {
      .level = "0",
      .panel = 2,
      .help = "of the dynamic pressure over density"},
+    {.key = "potential",
+     .unit = "1",
+     .label = "φ",
+     .undrawn = true,
+     .help = "of the velocity potential"},
 };
-enum { WAVENUMBER, OMEGA, ETA, U0, V0, P0, U_MOST, P_MOST };
+enum { WAVENUMBER, OMEGA, ETA, U0, V0, P0, PSI0, SCALE, U_MOST, P_MOST };
 static const struct theory_value values[] = {
     [WAVENUMBER] = {"vertical", "1/H", "vertical wavenumber, nu or mu"},
     [OMEGA] = {"omega", "sqrt(g/H)", "frequency"},
@@ -60,6 +65,8 @@ static const struct theory_value values[] = {
     [U0] = {"u_surface", "1", "u at the surface"},
     [V0] = {"v_surface", "1", "v at the surface"},
     [P0] = {"pressure_surface", "1", "P_d/rho at the surface"},
+    [PSI0] = {"psi_surface", "1", "psi at the surface"},
+    [SCALE] = {"scale", "1", "C of the potential C psi"},
     [U_MOST] = {"u_most", "1", "largest |u| over depth"},
     [P_MOST] = {"pressure_most", "1", "largest |P_d/rho| over depth"},
 };
@@ -109,11 +116,17 @@ static double scale_of(const struct shape *s) {
   }
 }
 
+/* The derivative of psi as it is drawn: that of the table has no e^(delta y). */
+static double steepness(double y, const void *with) {
+  const struct shape *s = with;
+  if (!s->table) return slope(y, s);
+  return s->nu * (cos(s->nu * y) - s->share * sin(s->nu * y));
+}
+
 /* The largest |psi|: at the surface, or at the first antinode below it. */
 static double largest(const struct shape *s) {
   if (s->p->mode < 0) return fabs(psi(s, 0));
-  if (s->table) return hypot(1, s->share);
-  double antinode = root_between(slope, s, -fmin(0.75 * 2 * M_PI / s->nu, 1), -1e-9 / s->nu);
+  double antinode = root_between(steepness, s, -fmin(0.75 * 2 * M_PI / s->nu, 1), -1e-9 / s->nu);
   return fmax(fabs(psi(s, 0)), isnan(antinode) ? 0 : fabs(psi(s, antinode)));
 }
 
@@ -130,7 +143,8 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   double scale = scale_of(&s), *v = curve->value, most = largest(&s);
   for (int i = 0; i < p->points; i++) {
     double y = theory_between(-1, 0, i, p->points), at = psi(&s, y);
-    TRY(THEORY_ROW(curve, y, p->kappa * scale * at, scale * v_of(&s, y), s.omega * scale * at));
+    TRY(THEORY_ROW(curve, y, p->kappa * scale * at, scale * v_of(&s, y), s.omega * scale * at,
+                   scale * at));
   }
   v[WAVENUMBER] = p->mode < 0 && !p->layer ? p->kappa : s.nu;
   v[OMEGA] = s.omega;
@@ -138,6 +152,8 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   v[U0] = p->kappa * scale * psi(&s, 0);
   v[V0] = scale * v_of(&s, 0);
   v[P0] = s.omega * scale * psi(&s, 0);
+  v[PSI0] = psi(&s, 0);
+  v[SCALE] = scale;
   v[U_MOST] = p->kappa * scale * most;
   v[P_MOST] = s.omega * scale * most;
   return OK;
