@@ -19,7 +19,6 @@ struct gallery_grid {
   struct geo_box room;                    /* H: there is water nowhere else */
   double low, high;                       /* of the colours */
   const char *label;                      /* of these, enhanced text */
-  bool wide;                              /* two columns of a journal, else one */
 };
 
 /* Points of pane k are rows "x,y,value" of NAME-points-K.csv, K from 1; walls and surfaces those of

@@ -12,66 +12,7 @@
 #include "gallery/drawer.h"
 #include "gallery/figures/grid.h"
 #include "gallery/figures/keys.h"
-
-/* ---- what points are coloured by ---- */
-
-enum part { SCALAR, LENGTH, ALONG_X, ALONG_Y };
-enum unit { PRESSURE, VELOCITY, ACCELERATION, DENSITY };
-
-/* X(name, field in the file, what of it, its unit, head of its column, label of the colours) */
-#define FIELDS(X)                                                                                  \
-  X(pressure, "pressure", SCALAR, PRESSURE, "pressure [rho g H]", "p / (ρ g H)")                   \
-  X(speed, "velocity", LENGTH, VELOCITY, "speed [sqrt(g H)]", "|u| / √(g H)")                      \
-  X(u, "velocity", ALONG_X, VELOCITY, "u [sqrt(g H)]", "u / √(g H)")                               \
-  X(v, "velocity", ALONG_Y, VELOCITY, "v [sqrt(g H)]", "v / √(g H)")                               \
-  X(a_x, "acceleration", ALONG_X, ACCELERATION, "a_x [g]", "a_x / g")                              \
-  X(a_y, "acceleration", ALONG_Y, ACCELERATION, "a_y [g]", "a_y / g")                              \
-  X(density, "density", SCALAR, DENSITY, "density [rho0]", "ρ / ρ_0")
-
-struct field {
-  const char *stored;
-  enum part part;
-  enum unit unit;
-  const char *head, *label;
-};
-static const struct field fields[] = {
-#define X(name, stored, part, unit, head, label) {stored, part, unit, head, label},
-    FIELDS(X)
-#undef X
-};
-static const char *const field_names[] = {
-#define X(name, ...) #name,
-    FIELDS(X) NULL
-#undef X
-};
-
-static double unit_of(const struct result_file *f, enum unit unit) {
-  switch (unit) {
-  case PRESSURE:
-    return f->density * f->g * f->H;
-  case VELOCITY:
-    return sqrt(f->g * f->H);
-  case ACCELERATION:
-    return f->g;
-  case DENSITY:
-    return f->density;
-  }
-  return 1;
-}
-
-static double value_of(const struct field *field, const double *value, size_t i) {
-  switch (field->part) {
-  case SCALAR:
-    return value[i];
-  case LENGTH:
-    return hypot(value[2 * i], value[2 * i + 1]);
-  case ALONG_X:
-    return value[2 * i];
-  case ALONG_Y:
-    return value[2 * i + 1];
-  }
-  return NAN;
-}
+#include "gallery/sources/water.h"
 
 /* ---- reading ---- */
 
@@ -79,7 +20,8 @@ static const char *const ways[] = {"runs", "times", NULL};
 enum way { ACROSS_RUNS, ACROSS_TIMES };
 
 struct snapshots_spec {
-  int field, across;
+  int field, across; /* field: of those from WATER_FIRST_STORED on */
+  double level;
   bool wide;
   char *surface;
   int runs, names, times, range, window; /* nodes */
@@ -94,8 +36,10 @@ static const struct param rows[] = {
     {.key = "field",
      .type = PARAM_CHOICE,
      .offset = offsetof(struct snapshots_spec, field),
-     .choices = field_names,
+     .choices = gallery_water_field_names + WATER_FIRST_STORED,
      .help = "what particles are coloured by"},
+    SOURCE_REAL(snapshots_spec, level, -1e9, 1e9, "1",
+                "height of the water at rest, for dynamic and excess"),
     NODE(struct snapshots_spec, runs, NULL, "a list of runs, CASE/RUN"),
     NODE(struct snapshots_spec, names, "", "a list of their names in the figure"),
     NODE(struct snapshots_spec, times, NULL, "a list of times, sqrt(H/g)"),
@@ -207,9 +151,13 @@ static enum status runs(const void *spec, enum status (*take)(void *data, const 
 #define OUTSIDE 0.02
 #define EXACT   0.005
 
+/* px of a PNG for each of a screen: 305 in an inch of print, where journals ask for 300. The page
+ * links it: it need not be small. */
+#define FINE 2.4
+
 struct drawing {
   const struct snapshots_spec *spec;
-  const struct field *field;
+  enum water_field field;
   struct cmp_figures *f;
   struct cmp_figure *fig;
   struct gallery_grid grid;
@@ -247,15 +195,15 @@ static void box_include(struct geo_box *box, const double p[2]) {
 
 static enum status points_write(struct drawing *d, size_t pane, const struct result_water *w,
                                 double *value) {
-  const double H = d->file->H, unit = unit_of(d->file, d->field->unit);
+  const double H = d->file->H;
   char suffix[48];
   FILE *out;
   snprintf(suffix, sizeof suffix, "-points-%zu.csv", pane + 1);
   TRY(cmp_figure_data(d->f, d->fig, suffix, &out));
-  fprintf(out, "x [H],y [H],%s\n", d->field->head);
+  fprintf(out, "x [H],y [H],%s\n", gallery_water_fields[d->field].head);
   for (size_t i = 0; i < w->n; i++) {
     const double p[2] = {w->p[i][0] / H, w->p[i][1] / H};
-    value[i] = value_of(d->field, w->value[0], i) / unit;
+    value[i] = gallery_water_value(d->field, d->file, d->spec->level, w, i);
     box_include(&d->seen, p);
     fprintf(out, "%.6g,%.6g,%.5g\n", p[0], p[1], value[i]);
   }
@@ -328,13 +276,16 @@ static enum status outputs_find(struct drawing *d, size_t *output, size_t *time,
 
 static enum status run_take(struct drawing *d, const char *run, const struct result_file *file,
                             size_t r) {
-  const struct result_wanted wanted = {d->field->stored, d->field->part != SCALAR, false};
+  const struct water_field_about *about = &gallery_water_fields[d->field];
+  const struct result_wanted wanted = {about->stored, about->vector, false};
   size_t *output = NULL, *time = NULL, n;
   enum status status;
   d->file = file;
   d->r = r;
-  CHECK(cmp_cloud_has_field(file, d->field->stored), ERR_INPUT,
-        "run %s has no points with %s in its outputs", run, d->field->stored);
+  CHECK(cmp_cloud_has_field(file, about->stored), ERR_INPUT,
+        "run %s has no points with %s in its outputs", run, about->stored);
+  CHECK(d->field != WATER_dynamic || file->c0 > 0, ERR_INPUT,
+        "run %s has no speed of sound, which the field dynamic needs; take excess", run);
   ATTEMPT(array_create(&output, d->spec->n_times, "a figure"));
   ATTEMPT(array_create(&time, d->spec->n_times, "a figure"));
   ATTEMPT(outputs_find(d, output, time, &n));
@@ -404,7 +355,7 @@ static void colours_choose(struct drawing *d) {
   g->high = d->spec->limits[1];
   if (isfinite(g->low)) return;
   double low = d->low, high = d->high;
-  if (d->field->part == ALONG_X || d->field->part == ALONG_Y) {
+  if (gallery_water_fields[d->field].sign) {
     high = fmax(fabs(low), fabs(high));
     low = -high;
   }
@@ -444,7 +395,7 @@ static enum status draw(struct gallery_desk *desk, const struct gallery_entry *e
   const struct snapshots_spec *s = spec;
   struct heads heads = {0};
   struct drawing d = {.spec = s,
-                      .field = &fields[s->field],
+                      .field = (enum water_field)(s->field + WATER_FIRST_STORED),
                       .f = f,
                       .seen = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}},
                       .grid.room = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}},
@@ -457,6 +408,7 @@ static enum status draw(struct gallery_desk *desk, const struct gallery_entry *e
   ATTEMPT(array_create(&d.grid.pane, s->n_runs * s->n_times, "a figure"));
   ATTEMPT(cmp_figure_begin(f, CMP_SECTION_OVERLAY, true, gallery_grid_width(s->wide), 0, &d.fig,
                            "%s", name));
+  d.fig->fine = d.fig->layer = FINE;
   ATTEMPT(cmp_figure_data(f, d.fig, "-surfaces.csv", &d.lines));
   fputs(CMP_PANE_LINES_HEAD, d.lines);
   status = water_read(desk, &d);
@@ -465,8 +417,7 @@ static enum status draw(struct gallery_desk *desk, const struct gallery_entry *e
   if (status != OK) goto done;
   colours_choose(&d);
   d.grid.view = view_of(&d);
-  d.grid.wide = s->wide;
-  d.grid.label = d.field->label;
+  d.grid.label = gallery_water_fields[d.field].label;
   d.grid.columns = across ? s->n_runs : s->n_times;
   d.grid.rows = across ? s->n_times : s->n_runs;
   d.grid.column = across ? heads.run : heads.time;

@@ -6,8 +6,11 @@
 
 #include "common/base/array.h"
 
-#define X(name) #name,
+#define X(name, ...) #name,
 const char *const gallery_water_field_names[] = {WATER_FIELDS(X) NULL};
+#undef X
+#define X(name, ...) {__VA_ARGS__},
+const struct water_field_about gallery_water_fields[] = {WATER_FIELDS(X)};
 #undef X
 const char *const gallery_water_choice_names[] = {"all", "row", "column", NULL};
 
@@ -16,49 +19,15 @@ static const double SAME_ROW = 0.4;
 
 /* ---- what a field is made of ---- */
 
-/* What the file stores of a field; NULL: its place alone. */
-static const char *stored(enum water_field field) {
-  switch (field) {
-  case WATER_x:
-  case WATER_y:
-    return NULL;
-  case WATER_u:
-  case WATER_v:
-  case WATER_speed:
-    return "velocity";
-  case WATER_pressure:
-  case WATER_dynamic:
-  case WATER_excess:
-    return "pressure";
-  case WATER_density:
-    return "density";
-  case WATER_mass:
-    return "mass";
-  case WATER_volume:
-    return "volume";
-  case WATER_a_x:
-  case WATER_a_y:
-  case WATER_acceleration:
-    return "acceleration";
-  }
-  __builtin_unreachable();
-}
-
-static bool is_vector(enum water_field field) {
-  const char *name = stored(field);
-  return name && (!strcmp(name, "velocity") || !strcmp(name, "acceleration"));
-}
-
 static bool needs_places(enum water_field field) {
-  return !stored(field) || field == WATER_dynamic || field == WATER_excess;
+  return field < WATER_FIRST_STORED || field == WATER_dynamic || field == WATER_excess;
 }
 
-/* Of particle i, from what is stored, in H, g, rho. */
-static double value_of(const struct gallery_water *w, const struct result_water *r, size_t i) {
-  const struct result_file *f = w->file;
+double gallery_water_value(enum water_field field, const struct result_file *f, double level,
+                           const struct result_water *r, size_t i) {
   const double *a = r->value[0], H = f->H, g = f->g, p = f->density * g * H;
-  const double up = r->p ? r->p[i][1] / H - w->level : NAN;
-  switch (w->field) {
+  const double up = r->p ? r->p[i][1] / H - level : NAN;
+  switch (field) {
   case WATER_x:
     return r->p[i][0] / H;
   case WATER_y:
@@ -199,7 +168,7 @@ static enum status hand_over(void *data, size_t k, struct result_water *r) {
   struct walk *walk = data;
   const struct gallery_water *w = walk->w;
   TRY(array_grow(&walk->value, &walk->room, r->n, "particles"));
-  for (size_t i = 0; i < r->n; i++) walk->value[i] = value_of(w, r, i);
+  for (size_t i = 0; i < r->n; i++) walk->value[i] = gallery_water_value(w->field, w->file, w->level, r, i);
   for (size_t i = 0; r->p && i < r->n; i++)
     for (int axis = 0; axis < 2; axis++) r->p[i][axis] /= w->file->H;
   const struct water_state state = {w->file->output_time[w->output[k]] / w->T, r->n,
@@ -211,7 +180,8 @@ enum status gallery_water_each(const struct gallery_water *w, bool places,
                                enum status (*take)(void *data, const struct water_state *state),
                                void *data) {
   const struct result_file *f = w->file;
-  const struct result_wanted wanted = {stored(w->field), is_vector(w->field), false};
+  const struct water_field_about *about = &gallery_water_fields[w->field];
+  const struct result_wanted wanted = {about->stored, about->vector, false};
   const struct result_part part = {w->n_chosen, w->chosen, !places && !needs_places(w->field)};
   struct walk walk = {.w = w, .take = take, .data = data};
   size_t known = 0; /* who is taken out does not come back */

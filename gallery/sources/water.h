@@ -5,16 +5,42 @@
 #include "gallery/desk.h"
 #include "gallery/source.h"
 
+/* X(name, what a file stores of it, whether that is a vector, whether it has either sign, head of a
+ * column, label of an axis); of places nothing else is stored. */
 #define WATER_FIELDS(X)                                                                            \
-  X(x)                                                                                             \
-  X(y) X(u) X(v) X(speed) X(pressure) X(dynamic) X(excess) X(density) X(mass) X(volume) X(a_x)     \
-      X(a_y) X(acceleration)
+  X(x, NULL, false, false, "x [H]", "x / H")                                                       \
+  X(y, NULL, false, false, "y [H]", "y / H")                                                       \
+  X(u, "velocity", true, true, "u [sqrt(g H)]", "u / √(g H)")                                      \
+  X(v, "velocity", true, true, "v [sqrt(g H)]", "v / √(g H)")                                      \
+  X(speed, "velocity", true, false, "speed [sqrt(g H)]", "|u| / √(g H)")                           \
+  X(pressure, "pressure", false, false, "pressure [rho g H]", "p / (ρ g H)")                       \
+  X(dynamic, "pressure", false, true, "dynamic [rho g H]", "p_d / (ρ g H)")                        \
+  X(excess, "pressure", false, true, "excess [rho g H]", "p / (ρ g H) + y / H - level")            \
+  X(density, "density", false, false, "density [rho0]", "ρ / ρ_0")                                 \
+  X(mass, "mass", false, false, "mass [rho0 H^2]", "m / (ρ_0 H^2)")                                \
+  X(volume, "volume", false, false, "volume [H^2]", "V / H^2")                                     \
+  X(a_x, "acceleration", true, true, "a_x [g]", "a_x / g")                                         \
+  X(a_y, "acceleration", true, true, "a_y [g]", "a_y / g")                                         \
+  X(acceleration, "acceleration", true, false, "acceleration [g]", "|a| / g")
 enum water_field {
-#define X(name) WATER_##name,
+#define X(name, ...) WATER_##name,
   WATER_FIELDS(X)
 #undef X
+      WATER_FIRST_STORED = WATER_u
 };
 extern const char *const gallery_water_field_names[];
+
+struct water_field_about {
+  const char *stored;
+  bool vector, sign;
+  const char *head, *label;
+};
+extern const struct water_field_about gallery_water_fields[];
+
+/* A field of particle i, in H, g and rho, from what is stored of it (value[0]) and, where that does
+ * not do, from its place. `level`: as the row below. */
+double gallery_water_value(enum water_field field, const struct result_file *f, double level,
+                           const struct result_water *r, size_t i);
 
 /* Which particles, by their places at the first output. */
 #define WATER_CHOICES(X) X(all) X(row) X(column) X(nearest)

@@ -310,7 +310,8 @@ static void test_snapshots(void) {
            "      - {kind: snapshots, field: pressure, runs: [dam/none], times: [0, 2],\n"
            "         across: times, range: [0, 2], window: [[0, 0], [2, 1.5]]}\n"
            "      - {kind: snapshots, field: a_x, runs: [dam/none], times: [0]}\n"
-           "      - {kind: snapshots, field: u, runs: [dam/lost], times: [0]}\n");
+           "      - {kind: snapshots, field: u, runs: [dam/lost], times: [0]}\n"
+           "      - {kind: snapshots, field: excess, runs: [dam/none], times: [2], level: 2}\n");
   EXPECT(says("P-1-points-1.csv", "x [H],y [H],u [sqrt(g H)]\n0.125,0.125,-1\n"));
   EXPECT(says("P-1-points-4.csv", "0.125,0.125,0\n")); /* t = 1.3 of the second run: at 1 */
   EXPECT(says("P-1.gp", "set cbrange [-1:1]"));        /* as far on both sides */
@@ -323,6 +324,8 @@ static void test_snapshots(void) {
   EXPECT(says("P-1b-points-2.csv", "x [H],y [H],pressure [rho g H]\n0.125,0.125,0.875\n"));
   EXPECT(says("P-1b.gp", "set xrange [0:2]\nset yrange [0:1.5]"));
   EXPECT(says("P-1b.gp", "#440154"));
+  EXPECT(says("P-1.gp", "pngcairo size 2160,")); /* 180 mm by 300 an inch are 2126 */
+  EXPECT(says("P-1e-points-1.csv", "x [H],y [H],excess [rho g H]\n0.125,0.125,-1\n"));
   EXPECT(strstr(text_in(made, 2, "failure"), "no points with acceleration"));
   EXPECT(strstr(text_in(made, 3, "failure"), "lost"));
   EXPECT_OK(cmp_path_join(folder, "figures/P-1c.gp", path));
