@@ -7,6 +7,7 @@
 #include "common/base/array.h"
 #include "compare/output.h"
 #include "gallery/formula.h"
+#include "gallery/sources/settings.h"
 
 enum stage { UNTOUCHED, AT_WORK, THERE, FAILED };
 
@@ -14,6 +15,12 @@ struct kept_result {
   char *run;
   struct result_file *file; /* NULL: it failed */
   char failure[600];
+};
+
+struct kept_theory {
+  const char *topic, *set; /* the entry's; set NULL: none */
+  struct theory_result result;
+  char failure[600]; /* "" */
 };
 
 struct kept_curve {
@@ -35,6 +42,8 @@ struct gallery_desk {
   bool quick;
   size_t n_results, results_room;
   struct kept_result *results;
+  size_t n_theories, theories_room;
+  struct kept_theory *theories; /* of the entry */
   struct kept_curve *curves;   /* [entry->n_curves] */
   struct kept_number *numbers; /* [entry->n_numbers] */
 };
@@ -52,8 +61,12 @@ enum status gallery_desk_create(const struct gallery_book *book, const char *fol
 static void clear(struct gallery_desk *d) {
   for (size_t i = 0; d->entry && i < d->entry->n_curves; i++)
     gallery_curve_free(&d->curves[i].curve);
+  for (size_t i = 0; i < d->n_theories; i++) theory_result_destroy(&d->theories[i].result);
+  free(d->theories);
   free(d->curves);
   free(d->numbers);
+  d->theories = NULL;
+  d->n_theories = d->theories_room = 0;
   d->curves = NULL;
   d->numbers = NULL;
   d->entry = NULL;
@@ -116,6 +129,28 @@ enum status gallery_desk_result(struct gallery_desk *d, const char *run,
   }
   CHECK(kept->file, ERR_INPUT, "%s", kept->failure);
   *file = kept->file;
+  return OK;
+}
+
+/* ---- theory ---- */
+
+static bool is_of(const struct kept_theory *t, const char *topic, const char *set) {
+  return !strcmp(t->topic, topic) && !strcmp(t->set ? t->set : "", set ? set : "");
+}
+
+enum status gallery_desk_theory(struct gallery_desk *d, const char *topic, const char *set,
+                                const struct theory_result **result) {
+  size_t i = 0;
+  while (i < d->n_theories && !is_of(&d->theories[i], topic, set)) i++;
+  if (i == d->n_theories) {
+    TRY(array_grow(&d->theories, &d->theories_room, i + 1, "theory"));
+    struct kept_theory *kept = &d->theories[d->n_theories++];
+    *kept = (struct kept_theory){.topic = topic, .set = set};
+    if (gallery_theory(topic, set, &kept->result) != OK)
+      snprintf(kept->failure, sizeof kept->failure, "%s", status_message());
+  }
+  CHECK(!*d->theories[i].failure, ERR_INPUT, "%s", d->theories[i].failure);
+  *result = &d->theories[i].result;
   return OK;
 }
 

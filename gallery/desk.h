@@ -3,6 +3,7 @@
 #include "common/result/result.h"
 #include "gallery/book.h"
 #include "gallery/source.h"
+#include "theory/theory.h"
 
 struct gallery_desk;
 
@@ -21,6 +22,11 @@ bool gallery_desk_is_quick(const struct gallery_desk *desk);
  * how runs break off. ERR_INPUT when it is not there. */
 enum status gallery_desk_result(struct gallery_desk *desk, const char *run,
                                 const struct result_file **file);
+
+/* A topic of theory with settings as in "zeta=1 points=200" (NULL: none), texts of the entry:
+ * evaluated once for it and kept; good until the next is asked for. ERR_INPUT. */
+enum status gallery_desk_theory(struct gallery_desk *desk, const char *topic, const char *set,
+                                const struct theory_result **result);
 
 /* A curve of the entry by its name, evaluated once and kept. ERR_INPUT: there is none, it needs
  * itself, or its source failed. */

@@ -1,6 +1,7 @@
 /* The figure that `plunge theory` draws of a topic. */
 #include <stdlib.h>
 
+#include "gallery/desk.h"
 #include "gallery/drawer.h"
 #include "gallery/figures/keys.h"
 #include "gallery/figures/topic.h"
@@ -37,13 +38,10 @@ static enum status read(struct gallery_reader *r, int node, const char *path, vo
 static enum status draw(struct gallery_desk *desk, const struct gallery_entry *e, const void *spec,
                         const char *name, struct cmp_figures *f) {
   const struct theory_spec *s = spec;
-  struct theory_result result = {0};
-  (void)desk;
+  const struct theory_result *result;
   (void)e;
-  enum status status = gallery_theory(s->topic, s->set, &result);
-  if (status == OK) status = gallery_topic_draw(&result, name, f);
-  theory_result_destroy(&result);
-  return status;
+  TRY(gallery_desk_theory(desk, s->topic, s->set, &result));
+  return gallery_topic_draw(result, name, f);
 }
 
 const struct gallery_drawer gallery_drawer_theory = {

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "gallery/desk.h"
 #include "gallery/sources/settings.h"
-#include "gallery/source.h"
 
 struct theory_source {
   char *topic, *set, *x, *y;
@@ -65,13 +65,10 @@ static enum status take(const struct theory_source *s, const struct theory_resul
 
 static enum status evaluate(struct gallery_desk *desk, const void *with,
                             struct gallery_curve *curve) {
-  (void)desk;
   const struct theory_source *s = with;
-  struct theory_result result = {0};
-  TRY(gallery_theory(s->topic, s->set, &result));
-  const enum status status = take(s, &result, curve);
-  theory_result_destroy(&result);
-  return status;
+  const struct theory_result *result;
+  TRY(gallery_desk_theory(desk, s->topic, s->set, &result));
+  return take(s, result, curve);
 }
 
 const struct gallery_source gallery_source_theory = {
