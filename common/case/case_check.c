@@ -178,16 +178,26 @@ static void check_no_gauges(struct case_draft *d) {
                    "gauges with regions or a wave", "remove them; points hold what is inside");
 }
 
+/* An experiment names a probe, a gauge, or the front. */
+static void check_is_not_front(struct case_draft *d, int item, const char *path,
+                               const char *name) {
+  char full[CASE_PATH + 8];
+  if (!name || strcmp(name, "front") != 0) return;
+  snprintf(full, sizeof full, "%s.name", path);
+  case_doc_problem(&d->doc, case_doc_member_line(&d->doc, item, "name"), full, "'front'",
+                   "another name: experiments call the front of the water so", "rename it");
+}
+
 static void check_instruments(struct case_draft *d) {
   const struct case_file *c = d->c;
   size_t n = 0;
-  const char *names[3 * CASE_MOST_ITEMS + 1] = {"front"}; /* what an experiment may name besides */
+  const char *names[3 * CASE_MOST_ITEMS];
   char path[CASE_PATH];
-  n = 1;
   for (size_t i = 0; i < c->n_probes; i++) {
     int item = case_doc_item(&d->doc, d->at.probes, i);
     case_doc_item_path(&d->doc, "probes", item, i, path);
     check_name(d, item, path, c->probes[i].name, names, n);
+    check_is_not_front(d, item, path, c->probes[i].name);
     names[n++] = c->probes[i].name;
     if (d->good.probes && d->good.tank) case_check_probe(d, &c->probes[i], item, path);
   }
@@ -195,6 +205,7 @@ static void check_instruments(struct case_draft *d) {
     int item = case_doc_item(&d->doc, d->at.gauges, i);
     case_doc_item_path(&d->doc, "gauges", item, i, path);
     check_name(d, item, path, c->gauges[i].name, names, n);
+    check_is_not_front(d, item, path, c->gauges[i].name);
     names[n++] = c->gauges[i].name;
     if (d->good.gauges && d->good.tank) case_check_gauge(d, c->gauges[i].x, item, path);
   }
@@ -202,7 +213,7 @@ static void check_instruments(struct case_draft *d) {
     int item = case_doc_item(&d->doc, d->at.points, i);
     case_doc_item_path(&d->doc, "points", item, i, path);
     check_name(d, item, path, c->points[i].name, names, n);
-    check_point_fields(d, item, path, c->points[i].name, names, 1 + c->n_probes + c->n_gauges);
+    check_point_fields(d, item, path, c->points[i].name, names, c->n_probes + c->n_gauges);
     names[n++] = c->points[i].name;
     if (d->good.points && d->good.tank) check_point(d, i, item, path);
   }

@@ -54,6 +54,16 @@ static void test_a_series_of_a_long_name_is_found(void) {
 #undef LONG
 }
 
+/* Experiments call the front of the water so, and no point is of theirs. */
+static void test_a_point_may_be_called_front(void) {
+  struct case_file *c =
+      parse(TANK WATER TIME RUNS "points: [{name: front, at: [0.5, 0.5]}]\n"
+                                 "compare: {spectra: [{series: front.u}]}\n");
+  if (!c) return;
+  EXPECT_STR(c->points[0].name, "front");
+  case_destroy(c);
+}
+
 /* Of several keys all combinations, the last key's values in a row; of a list its items. */
 static void test_a_sweep_is_several_runs(void) {
   static const char *const names[] = {
@@ -249,6 +259,7 @@ static void test_water_fingerprint_tells_what_can_be_compared(void) {
 int main(void) {
   RUN(test_minimal_case_has_the_documented_defaults);
   RUN(test_a_series_of_a_long_name_is_found);
+  RUN(test_a_point_may_be_called_front);
   RUN(test_a_sweep_is_several_runs);
   RUN(test_units_convert_with_the_scales);
   RUN(test_probes_may_be_averaged);
