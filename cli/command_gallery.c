@@ -129,7 +129,7 @@ static void print_entry(const json_t *json, struct totals *t) {
   const bool failed = verdict == GALLERY_VERDICT_failed;
   if (tally.checks)
     snprintf(counts, sizeof counts, "%zu of %zu checks hold", tally.hold, tally.checks);
-  printf("%-10s %-32s %-24s %s\n", text_of(json, "id"), gallery_verdict_words[verdict], counts,
+  printf("%-10s %-33s %-24s %s\n", text_of(json, "id"), gallery_verdict_words[verdict], counts,
          failed ? text_of(json, "failure") : text_of(json, "title"));
   if (tally.changed) json_array_foreach(checks, i, check) print_change(check);
   t->entries++;
@@ -154,16 +154,16 @@ static void print_totals(const struct totals *t, double seconds, const char *pag
 
 /* ---- what is left ---- */
 
-/* gallery.json: what was chosen, and what is there of others. */
+/* gallery.json: what was chosen, and what is there of others; and who is missing. */
 static enum status gather(const struct gallery_runs *runs, const bool *chosen, json_t *entries,
-                          struct totals *totals) {
+                          json_t *missing, struct totals *totals) {
   for (size_t i = 0; i < runs->book->n_entries; i++) {
     const struct gallery_entry *e = &runs->book->entries[i];
     json_t *json = gallery_entries_read(runs->out, e, runs->quick, NULL);
     CHECK(json || !chosen[i], ERR_IO, "entry %s has left nothing in %s/entries", e->id, runs->out);
-    if (!json) continue;
-    if (chosen[i]) print_entry(json, totals);
-    CHECK(!json_array_append_new(entries, json), ERR_MEMORY, "no memory for the gallery");
+    if (json && chosen[i]) print_entry(json, totals);
+    CHECK(!json_array_append_new(json ? entries : missing, json ? json : json_string(e->id)),
+          ERR_MEMORY, "no memory for the gallery");
   }
   return OK;
 }
@@ -173,13 +173,14 @@ static enum status finish(const struct gallery_runs *runs, const bool *chosen, d
   struct cmp_json_maker m = {true};
   struct totals totals = {0};
   char page[PATH_MAX];
-  json_t *gallery = json_object(), *entries = json_array();
+  json_t *gallery = json_object(), *entries = json_array(), *missing = json_array();
   enum status status;
-  ATTEMPT(gather(runs, chosen, entries, &totals));
+  ATTEMPT(gather(runs, chosen, entries, missing, &totals));
   cmp_json_set(&m, gallery, "plunge", cmp_json_text(PLUNGE_VERSION));
   cmp_json_set(&m, gallery, "revision", cmp_json_text(PLUNGE_REVISION));
   cmp_json_set(&m, gallery, "quick", json_boolean(runs->quick));
   cmp_json_set(&m, gallery, "entries", json_incref(entries));
+  cmp_json_set(&m, gallery, "not_made", json_incref(missing));
   if (!m.ok) ATTEMPT(status_raise(ERR_MEMORY, "no memory for the gallery"));
   ATTEMPT(gallery_entries_write(runs->out, "gallery.json", gallery));
   ATTEMPT(gallery_page_write(runs->out, gallery));
@@ -188,6 +189,7 @@ static enum status finish(const struct gallery_runs *runs, const bool *chosen, d
   *exit_code = totals.incomplete ? EXIT_RUN_FAILED : totals.changed ? EXIT_VERDICT : EXIT_FINE;
 done:
   json_decref(entries);
+  json_decref(missing);
   json_decref(gallery);
   return status;
 }
@@ -232,11 +234,26 @@ static enum status make_chosen(const struct gallery_arguments *a, const struct g
   status = finish(&runs, chosen, began, exit_code);
 done:
   if (status == INTERRUPTED)
-    progress_say(progress, "what is finished stays; the same command makes the rest");
+    progress_say(progress, "what is finished stays; the same command makes the rest and the page");
   gallery_runs_free(&runs);
   free(made);
   free(due);
   return status;
+}
+
+/* What took an hour must not go for want of an option. */
+static enum status check_folder(const struct gallery_arguments *a) {
+  char path[PATH_MAX];
+  json_error_t error;
+  TRY(cmp_path_join(a->out, "gallery.json", path));
+  json_t *json = json_load_file(path, 0, &error);
+  const json_t *quick = json_object_get(json, "quick");
+  const bool other = json_is_boolean(quick) && json_is_true(quick) != a->quick;
+  json_decref(json);
+  CHECK(!other, ERR_USAGE,
+        "--out: found %s, which has a gallery made %s --quick; allowed: a folder of its own for each",
+        a->out, a->quick ? "without" : "with");
+  return OK;
 }
 
 static enum status open_gallery(const struct gallery_arguments *a, const struct gallery_book *book,
@@ -254,6 +271,7 @@ static enum status open_gallery(const struct gallery_arguments *a, const struct 
   progress = progress_create(a->quiet ? PROGRESS_QUIET : PROGRESS_AUTO);
   ATTEMPT(progress ? OK : status_raise(ERR_MEMORY, "no memory"));
   ATTEMPT(command_lock_folder(a->out, COMMAND_ALONE, a->wait, progress, &lock));
+  ATTEMPT(check_folder(a));
   status = make_chosen(a, book, chosen, progress, exit_code);
 done:
   if (lock >= 0) close(lock);

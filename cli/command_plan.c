@@ -246,16 +246,20 @@ static enum status plan_book(const struct plan_arguments *a, const struct galler
   struct gallery_runs runs = {0};
   struct plan_run *run = NULL;
   const char **words = NULL;
-  bool *chosen = NULL;
+  bool *chosen = NULL, left = false;
   enum status status;
   ATTEMPT(array_create(&chosen, book->n_entries, "entries"));
   ATTEMPT(gallery_choose(book, a->n_entries, a->entries, chosen));
   ATTEMPT(make_absolute("--results", a->results ? a->results : usual, folder));
-  for (size_t i = 0; i < book->n_entries; i++) chosen[i] &= !a->quick || book->entries[i].quick;
+  for (size_t i = 0; i < book->n_entries; i++) {
+    left |= chosen[i] && a->quick && !book->entries[i].quick;
+    chosen[i] &= !a->quick || book->entries[i].quick;
+  }
   ATTEMPT(gallery_runs_gather(book, chosen, folder, a->quick, &runs));
   if (!runs.n)
-    ATTEMPT(status_raise(ERR_USAGE, "these entries need no runs; allowed: entries that have some, "
-                                    "as `plunge gallery` makes the others at once"));
+    ATTEMPT(status_raise(ERR_USAGE, "these entries need no runs%s; allowed: entries that have some, "
+                                    "as `plunge gallery` makes the others at once",
+                         left ? ", or are left out by --quick" : ""));
   ATTEMPT(array_create(&run, runs.n, "runs"));
   ATTEMPT(list_runs(&runs, plan, run));
   ATTEMPT(make_entries(a, &plan->n_words, &words));

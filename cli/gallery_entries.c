@@ -1,5 +1,6 @@
 #include "cli/gallery_entries.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,6 +9,7 @@
 
 #include "cli/command.h"
 #include "cli/jobs.h"
+#include "cli/plan.h"
 #include "common/base/array.h"
 #include "compare/figure.h"
 #include "compare/json_maker.h"
@@ -84,6 +86,29 @@ static bool has_text(const json_t *object, const char *key, const char *text) {
   return found && *found && !strcmp(found, text);
 }
 
+static bool stands(const char *folder, const json_t *of, const char *suffix) {
+  char name[160], path[PATH_MAX];
+  snprintf(name, sizeof name, "%.96s%.16s", json_string_value(json_object_get(of, "name")), suffix);
+  return cmp_path_join(folder, name, path) == OK && access(path, R_OK) == 0;
+}
+
+/* Whether what it shows is still there: somebody may have tidied up. */
+static bool figures_stand(const char *out, const json_t *json) {
+  size_t i, k;
+  json_t *figure, *file;
+  char folder[PATH_MAX];
+  if (cmp_path_join(out, "figures", folder) != OK) return false;
+  json_array_foreach(json_object_get(json, "figures"), i, figure) {
+    if (json_object_get(figure, "table") && !stands(folder, figure, ".csv")) return false;
+    json_array_foreach(json_object_get(figure, "files"), k, file) {
+      if (!stands(folder, file, ".gp")) return false;
+      for (size_t f = 0; f < CMP_FORMATS; f++)
+        if (!stands(folder, file, cmp_formats[f].suffix)) return false;
+    }
+  }
+  return true;
+}
+
 json_t *gallery_entries_read(const char *out, const struct gallery_entry *e, bool quick,
                              const struct gallery_runs *runs) {
   char folder[PATH_MAX], path[PATH_MAX], name[96], own[33], of_runs[33];
@@ -95,7 +120,7 @@ json_t *gallery_entries_read(const char *out, const struct gallery_entry *e, boo
   if (same && runs) {
     fingerprint_of_runs(e, runs, of_runs);
     same = has_text(json, "fingerprint_of_runs", of_runs) &&
-           json_is_true(json_object_get(json, "finished"));
+           json_is_true(json_object_get(json, "finished")) && figures_stand(out, json);
   }
   if (same) return json;
   json_decref(json);
@@ -134,9 +159,62 @@ static void answer_none(const struct gallery_entry *e, bool left, const char *wh
   }
 }
 
+/* Whether no later override is of the same path. */
+static bool is_in_force(const struct gallery_runs_case *c, size_t k) {
+  const size_t n = strcspn(c->set[k], "=") + 1;
+  for (size_t i = k + 1; i < c->n_set; i++)
+    if (!strncmp(c->set[i], c->set[k], n)) return false;
+  return true;
+}
+
+struct naming { /* of an entry's runs of one case */
+  const char *name;
+  FILE *stream;
+  size_t n;
+  char known[PATH_MAX]; /* ",A,B," */
+};
+
+static enum status name_run(void *data, const char *run) {
+  struct naming *of = data;
+  const size_t n = strlen(of->name), used = strlen(of->known);
+  char item[CASE_LONGEST_NAME + 3];
+  if (strncmp(run, of->name, n) != 0 || run[n] != '/') return OK;
+  snprintf(item, sizeof item, ",%.*s,", CASE_LONGEST_NAME, run + n + 1);
+  if (strstr(of->known, item)) return OK;
+  fprintf(of->stream, "%s%s", of->n++ ? "," : "", run + n + 1);
+  snprintf(of->known + used, sizeof of->known - used, "%s", item);
+  return OK;
+}
+
+/* What makes an entry's runs of a case by hand, in the gallery's folder. NULL: no memory. */
+static json_t *command_of(const struct gallery_entry *e, const struct gallery_runs_case *c,
+                          const char *file) {
+  char *text = NULL, folder[CASE_LONGEST_NAME + 8];
+  size_t n = 0;
+  FILE *stream = open_memstream(&text, &n);
+  if (!stream) return NULL;
+  fputs("plunge run ", stream);
+  plan_word(stream, file, false);
+  fputs(" --only ", stream);
+  (void)gallery_entry_runs(e, name_run, &(struct naming){.name = c->of->name, .stream = stream});
+  for (size_t k = 0; k < c->n_set; k++) {
+    if (!is_in_force(c, k)) continue;
+    fputs(" --set ", stream);
+    plan_word(stream, c->set[k], false);
+  }
+  snprintf(folder, sizeof folder, "runs/%.*s", CASE_LONGEST_NAME, c->of->name);
+  fputs(" --no-report --out ", stream);
+  plan_word(stream, folder, false);
+  fclose(stream);
+  json_t *json = text ? cmp_json_text(text) : NULL;
+  free(text);
+  return json;
+}
+
 struct listing {
   struct cmp_json_maker *m;
   const struct gallery_runs *runs;
+  const struct gallery_entry *e;
   json_t *cases;
 };
 
@@ -154,7 +232,9 @@ static enum status add_case(void *data, const char *name) {
   snprintf(file, sizeof file, "cases/%s", c->of->file);
   cmp_json_set(l->m, o, "name", cmp_json_text(c->of->name));
   cmp_json_set(l->m, o, "file", cmp_json_text(file));
-  for (size_t k = 0; k < c->n_set; k++) cmp_json_add(l->m, set, cmp_json_text(c->set[k]));
+  for (size_t k = 0; k < c->n_set; k++)
+    if (is_in_force(c, k)) cmp_json_add(l->m, set, cmp_json_text(c->set[k]));
+  cmp_json_set(l->m, o, "command", command_of(l->e, c, file));
   cmp_json_set(l->m, o, "set", set);
   cmp_json_add(l->m, l->cases, o);
   return OK;
@@ -209,7 +289,8 @@ static enum status describe(const struct gallery_runs *runs, const struct galler
   TRY(gallery_json_entry(e, answer, &json));
   fingerprint_of(e, runs->quick, own);
   fingerprint_of_runs(e, runs, of_runs);
-  snprintf(command, sizeof command, "plunge gallery %s%s", e->key, runs->quick ? " --quick" : "");
+  snprintf(command, sizeof command, "plunge gallery %s%s --out .", e->key,
+           runs->quick ? " --quick" : "");
   const bool failed = failure_of(e, answer, of, lack, computed, failure, sizeof failure);
   if (failed) {
     set_verdict(&m, json, GALLERY_VERDICT_failed);
@@ -218,7 +299,7 @@ static enum status describe(const struct gallery_runs *runs, const struct galler
     if (of->broken) cmp_json_set(&m, json, "broke_off", cmp_json_text(of->broken));
     if (of->unsound) cmp_json_set(&m, json, "not_believed", cmp_json_text(of->unsound));
   }
-  (void)gallery_entry_runs(e, add_case, &(struct listing){&m, runs, cases});
+  (void)gallery_entry_runs(e, add_case, &(struct listing){&m, runs, e, cases});
   cmp_json_set(&m, json, "cases", cases);
   cmp_json_set(&m, json, "figures", figures ? json_incref(figures) : json_array());
   cmp_json_set(&m, json, "command", cmp_json_text(command));
@@ -297,27 +378,58 @@ done:
   return status;
 }
 
-/* What an earlier one has left would pass for what was made now. */
-static void forget(const struct gallery_runs *runs, const struct gallery_entry *e) {
-  char folder[PATH_MAX], path[PATH_MAX], name[96];
-  if (path_of(runs->out, e, folder, name) == OK && cmp_path_join(folder, name, path) == OK)
-    unlink(path);
+/* What an earlier one has left would pass for what was made now: it stands aside meanwhile. */
+struct earlier {
+  char path[PATH_MAX], aside[PATH_MAX];
+};
+
+static enum status find_earlier(const struct gallery_runs *runs, const struct gallery_entry *e,
+                                struct earlier *f) {
+  char folder[PATH_MAX], name[96], hidden[112];
+  TRY(path_of(runs->out, e, folder, name));
+  snprintf(hidden, sizeof hidden, ".%s.before", name);
+  TRY(cmp_path_join(folder, name, f->path));
+  return cmp_path_join(folder, hidden, f->aside);
+}
+
+static enum status set_aside(const struct gallery_runs *runs, const struct gallery_entry *e) {
+  struct earlier f;
+  TRY(find_earlier(runs, e, &f));
+  CHECK(rename(f.path, f.aside) == 0 || errno == ENOENT, ERR_IO, "cannot replace %s: %s", f.path,
+        strerror(errno));
+  return OK;
+}
+
+/* Once its process is over: it comes back if that was stopped before it left anything. */
+static void settle(const struct gallery_runs *runs, const struct gallery_entry *e, bool stopped) {
+  struct earlier f;
+  if (find_earlier(runs, e, &f) != OK) return;
+  if (stopped && access(f.path, F_OK) != 0)
+    rename(f.aside, f.path);
+  else
+    unlink(f.aside);
+}
+
+/* Made, or with the reason in what it leaves. INTERRUPTED; others when even that cannot be left. */
+static enum status make_entry(const struct making *m, const struct gallery_entry *e) {
+  struct runs_of of = {.runs = m->runs};
+  enum status status = gallery_entry_runs(e, look_at_run, &of);
+  if (status == OK)
+    status = of.missing ? leave_unmade(m->runs, e, false, of.missing)
+                        : make(m->runs, e, &of, m->progress);
+  if (status == OK || status == INTERRUPTED) return status;
+  char why[1024];
+  snprintf(why, sizeof why, "%s", status_message());
+  return leave_unmade(m->runs, e, false, why);
 }
 
 /* In a process of its own. */
 static int make_job(void *data, size_t i) {
   const struct making *m = data;
   const struct gallery_entry *e = &m->runs->book->entries[i];
-  struct runs_of of = {.runs = m->runs};
-  forget(m->runs, e);
-  enum status status = gallery_entry_runs(e, look_at_run, &of);
-  if (status == OK)
-    status = of.missing ? leave_unmade(m->runs, e, false, of.missing)
-                        : make(m->runs, e, &of, m->progress);
+  enum status status = set_aside(m->runs, e);
+  if (status == OK) status = make_entry(m, e);
   if (status == OK || status == INTERRUPTED) return status_exit_code(status);
-  char why[1024];
-  snprintf(why, sizeof why, "%s", status_message());
-  if (leave_unmade(m->runs, e, false, why) == OK) return EXIT_FINE;
   return command_fail(status_context(status, "entry %s: ", e->id));
 }
 
@@ -350,7 +462,10 @@ enum status gallery_entries_make(const struct gallery_runs *runs, const bool *ch
   ATTEMPT(tidy(runs->out));
   struct job_plan plan = jobs_plan_here(jobs, "entry", "entries");
   jobs_plan(n, job, &plan);
-  ATTEMPT(jobs_run(n, job, &plan, make_job, &making, progress, &exit_code));
+  status = jobs_run(n, job, &plan, make_job, &making, progress, &exit_code);
+  for (size_t i = 0; i < n; i++)
+    settle(runs, &book->entries[job[i].item], status == INTERRUPTED);
+  if (status != OK) goto done;
   for (size_t i = 0; i < n; i++) {
     const struct gallery_entry *e = &book->entries[job[i].item];
     json_t *left = gallery_entries_read(runs->out, e, runs->quick, NULL);

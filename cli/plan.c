@@ -15,8 +15,7 @@ const char *const plan_engines[PLAN_N_ENGINES] = {
 
 /* ---- words ---- */
 
-/* As the shell reads it back; for make, whose own sign is the dollar, with that doubled. */
-static void word(FILE *out, const char *text, bool make) {
+void plan_word(FILE *out, const char *text, bool make) {
   static const char plain[] =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./=:,+@";
   const bool quoted = !*text || text[strspn(text, plain)];
@@ -58,18 +57,18 @@ static void run_command(FILE *out, const struct plan *p, const struct plan_run *
   char only[CASE_LONGEST_NAME + 16], threads[16];
   snprintf(only, sizeof only, "--only=%s", r->only);
   snprintf(threads, sizeof threads, "%d", p->threads);
-  word(out, p->program, make);
+  plan_word(out, p->program, make);
   fputs(" run ", out);
-  word(out, r->case_path, make);
+  plan_word(out, r->case_path, make);
   fputc(' ', out);
-  word(out, only, make);
+  plan_word(out, only, make);
   fputs(" --no-report --quiet --threads ", out);
-  word(out, threads, make);
+  plan_word(out, threads, make);
   fputs(" --out ", out);
-  word(out, r->folder, make);
+  plan_word(out, r->folder, make);
   for (size_t i = 0; i < r->n_set; i++) {
     fputs(" --set ", out);
-    word(out, r->set[i], make);
+    plan_word(out, r->set[i], make);
   }
 }
 
@@ -77,12 +76,12 @@ static void run_command(FILE *out, const struct plan *p, const struct plan_run *
  * be. */
 static void last_command(FILE *out, const struct plan *p, bool make) {
   fputs("cd ", out);
-  word(out, p->folder, make);
+  plan_word(out, p->folder, make);
   fputs(" && ", out);
-  word(out, p->program, make);
+  plan_word(out, p->program, make);
   for (size_t i = 0; i < p->n_words; i++) {
     fputc(' ', out);
-    word(out, p->word[i], make);
+    plan_word(out, p->word[i], make);
   }
 }
 

@@ -41,6 +41,9 @@ struct plan {
   const char *const *word;
 };
 
+/* A word as the shell reads it back; for make, whose own sign is the dollar, with that doubled. */
+void plan_word(FILE *out, const char *text, bool make);
+
 /* ERR_USAGE when a word has a character that no line can hold. */
 enum status plan_check(const struct plan *p);
 void plan_write(const struct plan *p, enum plan_engine engine, FILE *out);

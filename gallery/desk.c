@@ -85,9 +85,10 @@ void gallery_desk_destroy(struct gallery_desk *d) {
 
 enum status gallery_desk_begin(struct gallery_desk *d, const struct gallery_entry *e) {
   clear(d);
-  d->entry = e;
   TRY(array_create(&d->curves, e->n_curves, "curves"));
-  return array_create(&d->numbers, e->n_numbers, "numbers");
+  TRY(array_create(&d->numbers, e->n_numbers, "numbers"));
+  d->entry = e;
+  return OK;
 }
 
 const struct gallery_entry *gallery_desk_entry(const struct gallery_desk *d) {

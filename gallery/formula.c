@@ -8,7 +8,7 @@
 #include "common/base/array.h"
 #include "gallery/reduce.h"
 
-enum { MOST_NAMES = 64, MOST_MESSAGE = 600 };
+enum { MOST_NAMES = 64, MOST_MESSAGE = 600, MOST_SHOWN = 160 };
 
 struct evaluation {
   const struct gallery_scope *scope;
@@ -105,6 +105,28 @@ static double *place_of(const char *name, void *with) {
 
 /* ---- evaluation ---- */
 
+/* muParser would take one = for an assignment to what stands before it. */
+static bool assigns(const char *formula) {
+  bool quoted = false;
+  for (const char *p = formula; *p; p++) {
+    quoted ^= *p == '"';
+    if (quoted || *p != '=') continue;
+    if (p[1] == '=')
+      p++;
+    else if (p == formula || !strchr("<>!", p[-1]))
+      return true;
+  }
+  return false;
+}
+
+/* Enough of a formula for a message, to the end of a character. */
+static int shown(const char *formula) {
+  size_t n = strlen(formula);
+  if (n <= MOST_SHOWN) return (int)n;
+  for (n = MOST_SHOWN; n > 0 && ((unsigned char)formula[n] & 0xc0) == 0x80;) n--;
+  return (int)n;
+}
+
 /* Errors are asked for after each call; without a handler muParser would print them. */
 static void keep_quiet(muParserHandle_t parser) {
   (void)parser;
@@ -134,13 +156,19 @@ enum status gallery_formula_rows(const struct gallery_scope *scope, const char *
   for (size_t k = 0; k < n_names; k++) mupDefineVar(parser, names[k], &row[k]);
   mupSetVarFactory(parser, place_of, &e);
   mupSetExpr(parser, formula);
+  if (assigns(formula)) fail(&e, "found '='; allowed: == where two numbers are compared");
   for (size_t i = 0; i < n && is_well(parser, &e); i++) {
+    int n_values = 1;
     for (size_t k = 0; k < n_names; k++) row[k] = column[k][i];
-    value[i] = mupEval(parser);
+    const double *values = mupEvalMulti(parser, &n_values);
+    const bool one = is_well(parser, &e) && n_values == 1;
+    value[i] = one ? values[0] : NAN;
+    if (!one) fail(&e, "found several values; allowed: one");
   }
   const bool well = is_well(parser, &e);
   mupRelease(parser);
-  CHECK(well, ERR_INPUT, "the formula %s: %s", formula, e.failure);
+  CHECK(well, ERR_INPUT, "%s, in the formula %.*s%s", e.failure, shown(formula), formula,
+        strlen(formula) > MOST_SHOWN ? "..." : "");
   return OK;
 }
 

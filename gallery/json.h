@@ -4,7 +4,7 @@
 
 #include "gallery/verdict.h"
 
-/* id, key, document, title, where, kind, corrected, setup, remarks, verdict, expected, checks with
+/* id, key, document, title, where, kind, corrected, setup, remarks, verdict, as_expected, checks with
  * their answers, runs. What figures add is theirs. ERR_MEMORY. */
 enum status gallery_json_entry(const struct gallery_entry *e, const struct gallery_answer *answer,
                                json_t **out);

@@ -9,9 +9,10 @@
 
 /* ---- which points ---- */
 
-/* The next point from i on with x in [a[0], a[1]]; n at the end. A hair beyond an end is in. */
+/* The next point from i on with x in [a[0], a[1]]; n at the end. A hair of the curve's length beyond
+ * an end is in: times are sums of steps. */
 static size_t next_in(const struct gallery_curve *c, const double *a, size_t i) {
-  const double hair = 1e-9 * (fabs(a[0]) + fabs(a[1]));
+  const double hair = c->n ? 1e-9 * fabs(c->x[c->n - 1] - c->x[0]) : 0;
   for (; i < c->n; i++)
     if (!isnan(c->y[i]) && c->x[i] >= a[0] - hair && c->x[i] <= a[1] + hair) break;
   return i;
@@ -186,10 +187,10 @@ double gallery_reduce_slope(const struct gallery_curve *c, const double *a) {
 double gallery_reduce_growth(const struct gallery_curve *c, const double *a) {
   size_t high = next_number(c, 0);
   while (high < c->n && !(fabs(c->y[high]) > a[1])) high++;
-  if (high == c->n) high = c->n ? c->n - 1 : 0; /* it never gets there */
   size_t low = high;
+  if (high == c->n) return NAN; /* it never gets there */
   while (low > 0 && !isnan(c->y[low - 1]) && fabs(c->y[low - 1]) > a[0]) low--;
-  if (!c->n || low + 2 > high) return NAN;
+  if (low + 2 > high) return NAN;
   return slope_of(c, (double[]){c->x[low], c->x[high - 1]}, log_of_size);
 }
 
@@ -215,6 +216,7 @@ double gallery_reduce_falls(const struct gallery_curve *c, const double *a) {
 double gallery_reduce_signs(const struct gallery_curve *c, const double *a) {
   (void)a;
   double changes = 0, last = 0;
+  if (next_number(c, 0) == c->n) return NAN;
   for (EACH(i, c, everywhere)) {
     if (c->y[i] == 0) continue;
     changes += last * c->y[i] < 0;
@@ -297,19 +299,22 @@ static double cosh_rms(const struct gallery_curve *c, double w, const double *ra
   return n < 3 ? NAN : sqrt(squares / n);
 }
 
-/* The w of the least residual within a quarter of the guess: the best of many, then by thirds. */
+/* The w of the least residual within a quarter of the guess: the best of many, then by thirds. The
+ * best at an end is none: it may be better beyond. */
 static double best_near(const struct gallery_curve *c, const double *a,
                         double (*rms)(const struct gallery_curve *, double, const double *)) {
   enum { TRIES = 200, STEPS = 60 };
-  double best = NAN, least = INFINITY;
+  int best = -1;
+  double least = INFINITY;
   const double step = a[0] / 2 / TRIES;
   for (int k = 0; k <= TRIES; k++) {
-    const double w = a[0] * 0.75 + k * step, r = rms(c, w, a + 1);
+    const double r = rms(c, a[0] * 0.75 + k * step, a + 1);
     if (!(r < least)) continue;
     least = r;
-    best = w;
+    best = k;
   }
-  double low = best - step, high = best + step;
+  if (best <= 0 || best == TRIES) return NAN;
+  double low = a[0] * 0.75 + (best - 1) * step, high = low + 2 * step;
   for (int k = 0; k < STEPS; k++) {
     const double p = low + (high - low) / 3, q = high - (high - low) / 3;
     if (rms(c, p, a + 1) < rms(c, q, a + 1))

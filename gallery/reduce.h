@@ -24,8 +24,8 @@ enum { GALLERY_MOST_ARGUMENTS = 4 };
   X(crosses, 1, "first x where y passes the level, linear; NaN: never")                            \
   X(slope, 2, "slope of the straight line fitted")                                                 \
   X(growth, 2, "slope of ln |y| from where it is above `low` for good to where it is above `high`")\
-  X(frequency, 3, "angular frequency near a guess of the a cos + b sin + c that fits best")        \
-  X(cosh_rate, 3, "w near a guess of the a cosh(w x) that fits best")                              \
+  X(frequency, 3, "angular frequency, within 25 % of a guess, of the a cos + b sin + c that fits") \
+  X(cosh_rate, 3, "w, within 25 % of a guess, of the a cosh(w x) that fits best")                  \
   X(amplitude, 3, "of the a cos(w x) + b sin(w x) + c that fits best: sqrt(a^2 + b^2)")            \
   X(phase, 3, "of the same: of A cos(w x - phase), -pi to pi")                                     \
   X(residual, 3, "of the same: rms of what is left")                                               \

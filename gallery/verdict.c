@@ -14,8 +14,8 @@ static enum status answer_bound(struct gallery_desk *desk, const struct gallery_
                                 struct gallery_answer *a) {
   if (c->above) TRY(gallery_desk_formula(desk, c->above, &a->low));
   if (c->below) TRY(gallery_desk_formula(desk, c->below, &a->high));
-  CHECK(!c->above || !isnan(a->low), ERR_INPUT, "%s: there is no such bound", c->above);
-  CHECK(!c->below || !isnan(a->high), ERR_INPUT, "%s: there is no such bound", c->below);
+  CHECK(!c->above || isfinite(a->low), ERR_INPUT, "there is no such bound: %s", c->above);
+  CHECK(!c->below || isfinite(a->high), ERR_INPUT, "there is no such bound: %s", c->below);
   a->holds = (!c->above || a->value > a->low) && (!c->below || a->value < a->high);
   return OK;
 }
@@ -28,8 +28,9 @@ static enum status answer_equal(struct gallery_desk *desk, const struct gallery_
   a->tolerance = c->within ? tolerance : tolerance / 100 * fabs(a->expected);
   a->low = a->expected - a->tolerance;
   a->high = a->expected + a->tolerance;
-  CHECK(!isnan(a->low), ERR_INPUT, "%s: there is no such number, or none for its tolerance",
-        c->equals);
+  CHECK(isfinite(a->expected), ERR_INPUT, "there is no such number: %s", c->equals);
+  CHECK(isfinite(tolerance) && tolerance >= 0, ERR_INPUT, "there is no such tolerance: %s",
+        c->within ? c->within : c->percent);
   a->holds = fabs(a->value - a->expected) <= a->tolerance;
   return OK;
 }
@@ -38,7 +39,7 @@ static enum status answer(struct gallery_desk *desk, const struct gallery_check 
                           struct gallery_answer *a) {
   TRY(gallery_desk_formula(desk, c->value, &a->value));
   TRY(c->equals ? answer_equal(desk, c, a) : answer_bound(desk, c, a));
-  CHECK(!isnan(a->value), ERR_INPUT, "%s: there is no such number", c->value);
+  CHECK(isfinite(a->value), ERR_INPUT, "there is no such number: %s", c->value);
   return OK;
 }
 
@@ -52,6 +53,7 @@ enum status gallery_answer_all(struct gallery_desk *desk, const struct gallery_e
     if (status == OK) continue;
     if (status != ERR_INPUT) return status;
     a[i].holds = false;
+    if (!isfinite(a[i].value)) a[i].value = NAN;
     snprintf(a[i].failure, sizeof a[i].failure, "%s", status_message());
   }
   return OK;

@@ -201,33 +201,37 @@ static void runs_write(struct markup *m, const struct page_content *c, const jso
   cmp_markup_close(m);
 }
 
-/* The case files of its runs, with what differs from them. */
+/* The case files of its runs. */
 static void cases_write(struct markup *m, const struct page_content *c, const json_t *e) {
-  size_t i, k;
-  json_t *of, *set;
-  json_array_foreach(json_object_get(e, "cases"), i, of) {
-    const char *file = gallery_text(of, "file");
-    cmp_markup_open(m, "p", "soft");
-    cmp_markup_text(m, "Case ");
-    cmp_markup_text(m, gallery_text(of, "name"));
-    cmp_markup_text(m, ": ");
-    reference_write(m, c, file, file, "code");
-    json_array_foreach(json_object_get(of, "set"), k, set) {
-      cmp_markup_text(m, k ? ", " : " with ");
-      cmp_markup_element(m, "code", NULL, "%s", json_string_value(set));
-    }
-    cmp_markup_close(m);
+  size_t i;
+  json_t *of;
+  const json_t *cases = json_object_get(e, "cases");
+  if (!json_array_size(cases)) return;
+  cmp_markup_open(m, "p", "soft");
+  cmp_markup_text(m, json_array_size(cases) > 1 ? "Cases: " : "Case: ");
+  json_array_foreach(cases, i, of) {
+    if (i) cmp_markup_text(m, ", ");
+    reference_write(m, c, gallery_text(of, "file"), gallery_text(of, "file"), "code");
   }
+  cmp_markup_text(m, ".");
+  cmp_markup_close(m);
 }
 
 static void origin_write(struct markup *m, const struct page_content *c, const json_t *e) {
-  const char *command = gallery_text(e, "command");
-  cmp_markup_element(m, "h4", NULL, "Made by");
-  if (*command)
-    cmp_markup_element(m, "pre", NULL, "%s", command);
-  else
-    cmp_markup_element(m, "pre", NULL, "plunge gallery %s%s", gallery_text(e, "key"),
-                       json_is_true(json_object_get(c->gallery, "quick")) ? " --quick" : "");
+  size_t i;
+  json_t *of;
+  const json_t *cases = json_object_get(e, "cases");
+  cmp_markup_element(m, "h4", NULL, "Made by, in the folder of this page");
+  cmp_markup_element(m, "pre", NULL, "%s", gallery_text(e, "command"));
+  if (json_array_size(cases)) {
+    cmp_markup_element(m, "p", "soft", "which makes its runs as these do:");
+    cmp_markup_open(m, "pre", NULL);
+    json_array_foreach(cases, i, of) {
+      if (i) cmp_markup_text(m, "\n");
+      cmp_markup_text(m, gallery_text(of, "command"));
+    }
+    cmp_markup_close(m);
+  }
   runs_write(m, c, e);
   cases_write(m, c, e);
 }

@@ -143,6 +143,19 @@ static void tally_write(struct markup *m, const struct page_content *c) {
   cmp_markup_close(m);
 }
 
+static void missing_write(struct markup *m, const json_t *missing) {
+  size_t i;
+  json_t *id;
+  cmp_markup_open(m, "p", "soft");
+  cmp_markup_text(m, "Not made here: ");
+  json_array_foreach(missing, i, id) {
+    if (i) cmp_markup_text(m, ", ");
+    cmp_markup_text(m, json_string_value(id));
+  }
+  cmp_markup_text(m, ".");
+  cmp_markup_close(m);
+}
+
 static enum status write_lead(struct markup *m, const void *content) {
   const struct page_content *c = content;
   size_t i, checks = 0, hold = 0, changed = 0;
@@ -153,17 +166,24 @@ static enum status write_lead(struct markup *m, const void *content) {
     hold += t.hold;
     changed += t.changed;
   }
+  const json_t *missing = json_object_get(c->gallery, "not_made");
+  const size_t made = json_array_size(c->entries), all = made + json_array_size(missing);
+  char of[64] = "";
+  if (made < all) snprintf(of, sizeof of, " of the %zu", all);
   cmp_markup_element(m, "p", "lead",
-                     "%zu entries of two documents, made anew by plunge: P, Antuono, Colagrossi & "
+                     "%zu%s entries of two documents, made anew by plunge: P, Antuono, Colagrossi & "
                      "Marrone, and T, the thesis of Kiara. %zu of %zu checks hold. Where a document "
                      "is wrong in print, what follows from its equations is drawn and the remarks "
                      "say why.%s",
-                     json_array_size(c->entries), hold, checks,
+                     made, of, hold, checks,
                      changed ? " Something has changed: see the entries marked so." : "");
   tally_write(m, c);
   if (json_is_true(json_object_get(c->gallery, "quick")))
     cmp_markup_element(m, "p", "soft",
                        "Made with --quick: runs are coarser, and some entries and checks are left out.");
+  if (made < all) missing_write(m, missing);
+  cmp_markup_element(m, "p", "soft", "plunge %s, revision %s.", gallery_text(c->gallery, "plunge"),
+                     gallery_text(c->gallery, "revision"));
   return OK;
 }
 

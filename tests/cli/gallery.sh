@@ -55,6 +55,24 @@ if grep -q '"name": ' "g/entries/$key.json"; then
   "$program" gallery "$id" --out g >log 2>err || fail "with gnuplot again: $? $(cat log err)"
 fi
 
+# ---- a picture or the numbers of a table that somebody has taken away ----
+"$program" gallery "$key" --out g --quiet >log 2>err || fail "$id before: $? $(cat log err)"
+for file in $(ls -r g/figures/$key.svg g/figures/$key.csv 2>/dev/null | head -1); do
+  rm $file
+  "$program" gallery "$id" --out g >log 2>err || fail "$id without $file: $? $(cat log err)"
+  grep -q 'are there already' err && fail "$id without $file is finished"
+  [ -s $file ] || fail "$file is gone for good"
+done
+
+# ---- the page says what it lacks, and whose it is ----
+grep -q '1 of the [0-9]* entries' g/gallery.html && grep -q 'Not made here: .*, ' g/gallery.html &&
+  grep -q 'plunge [0-9.]*, revision ' g/gallery.html || fail "the page of one entry looks whole"
+got=0
+"$program" gallery "$id" --quick --out g >log 2>err || got=$?
+[ $got = 2 ] && grep -qx 'plunge: --out: found g, which has a gallery made without --quick; allowed: a folder of its own for each' err ||
+  fail "--quick in the folder of a whole gallery: $got $(cat err)"
+grep -q '"quick": false' g/gallery.json || fail "--quick has replaced it"
+
 # ---- --force, stopped while the first of two is drawn: the other stays as it was ----
 second=$(awk -v id="$id" 'substr($0, 12, 6) == "theory" && substr($0, 1, 10) !~ "^" id " " {print substr($0, 1, 10)}' list |
   sed -n '1s/ *$//p')
@@ -71,8 +89,8 @@ kill -INT $pid
 got=0
 wait $pid || got=$?
 mv "$folder/.bin/gnuplot.kept" "$folder/.bin/gnuplot"
-[ $got = 3 ] && [ "$(find f/entries -name '*.json' | wc -l)" = 1 ] ||
-  fail "--force, stopped: $got, left $(ls f/entries) $(cat err)"
+[ $got = 3 ] && [ "$(find f/entries -type f | wc -l)$(find f/entries -name '*.json' | wc -l)" = 22 ] ||
+  fail "--force, stopped: $got, left $(ls -A f/entries) $(cat err)"
 
 # ---- an entry with runs ----
 run=
@@ -90,6 +108,12 @@ if [ "$run" ]; then
     [ -s r/gallery.html ] || fail "make has left no page"
   fi
   "$program" gallery "$run" --quick --out r --force >log 2>err || fail "$run: $? $(cat log err)"
+  sed -n 's/^ *"command": "plunge \(run .*\)".*/\1/p' "r/entries/${run// /-}.json" >commands
+  [ -s commands ] || fail "$run does not say how its runs are made"
+  while read -r command; do # finds them as the gallery has made them
+    (cd r && eval "'$program' $command") >log 2>err </dev/null && grep -q ' is there already' log err ||
+      fail "by hand: $command: $(cat log err)"
+  done <commands
   rm -r r/runs
   "$program" gallery "$run" --quick --out r >log 2>err || fail "$run without results: $? $(cat log err)"
   [ -e r/runs ] && fail "a finished entry runs again"
@@ -140,7 +164,7 @@ if grep -q '^P 2  ' list; then
   kill -INT $pid
   got=0
   wait $pid || got=$?
-  [ $got = 3 ] && [ "$(tail -2 err)" = "what is finished stays; the same command makes the rest
+  [ $got = 3 ] && [ "$(tail -2 err)" = "what is finished stays; the same command makes the rest and the page
 plunge: stopped" ] || fail "stopped: $got $(cat log err)"
   [ -e s/gallery.json ] && fail "a stopped gallery looks whole"
 fi

@@ -27,7 +27,8 @@ def check_content(b):
             claim(check["says"] in shown and check["source"] in shown, f"{e['id']} shows the check: {check['says']}")
             if check.get("because"):
                 claim(check["because"] in shown, f"{e['id']} says why {check['says']} does not hold")
-        claim(e.get("command", "plunge gallery") in shown, f"{e['id']} says how it is made")
+        for command in [e["command"]] + [c["command"] for c in e["cases"]]:
+            claim(command in shown, f"{e['id']} says how it is made: {command}")
     claim(not b.run("return document.querySelector('main [onerror], main script')"), "no text is a script")
 
 

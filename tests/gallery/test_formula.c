@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/base/text.h"
 #include "gallery/desk.h"
 #include "gallery/formula.h"
 #include "gallery/reduce.h"
@@ -55,6 +56,12 @@ static void test_points_and_means(void) {
   EXPECT_NEAR(REDUCE(falls, c, 0, 2), 0, 0);
   EXPECT_NEAR(REDUCE(signs, c, 0), 1, 0);
   EXPECT(isnan(REDUCE(mean, c, 5, 6)));
+  for (double far = 1; far < 1e12; far *= 10) /* an end is as sharp wherever the other one is */
+    EXPECT_NEAR(REDUCE(least, c, 1, far + 1), 2, 1e-14);
+  EXPECT_NEAR(REDUCE(least, c, 1, INFINITY), 2, 1e-14);
+  EXPECT_NEAR(REDUCE(least, c, 1 + 1e-10, 2), 2, 1e-14); /* the same time, summed otherwise */
+  for (size_t i = 0; i < c.n; i++) c.y[i] = NAN;
+  EXPECT(isnan(REDUCE(signs, c, 0)));
   gallery_curve_free(&c);
 }
 
@@ -80,6 +87,8 @@ static void test_waves(void) {
   EXPECT_NEAR(REDUCE(phase, c, 7, 0, 3), 0.3, 1e-12);
   EXPECT_NEAR(REDUCE(residual, c, 7, 0, 3), 0, 1e-12);
   EXPECT(REDUCE(residual, c, 3, 0, 3) > 0.5);
+  EXPECT(isnan(REDUCE(frequency, c, 5.5, 0, 3))); /* 7 lies beyond 4.1 to 6.9 */
+  EXPECT(isnan(REDUCE(frequency, c, 9.5, 0, 3)));
   gallery_curve_free(&c);
 }
 
@@ -88,6 +97,7 @@ static void test_growth(void) {
   EXPECT_NEAR(REDUCE(growth, c, 1e-5, 1), 4, 1e-10);
   c.y[50] = 1e-3; /* above the lower bound, but not for good: the points after it are below */
   EXPECT_NEAR(REDUCE(growth, c, 1e-4, 1), 4, 1e-10);
+  EXPECT(isnan(REDUCE(growth, c, 1e-4, 10))); /* it ends below */
   gallery_curve_free(&c);
 }
 
@@ -142,7 +152,6 @@ static void test_formulas(void) {
   expect_value("at(\"line\", 0.5) + three", 3.5);
   expect_value("most(\"line\", 0, 1) < 2.5 && first(\"line\") == -1", 1);
   expect_value("count(\"line\")", 21);
-  expect_value("frequency(\"line\", 1, 0, 2) > 0", 1);
   expect_value("abs(-2) > 1 ? 5 : 6", 5);
   gallery_curve_free(&known);
 }
@@ -185,8 +194,9 @@ static void expect_refusal(const char *formula, const char *words) {
 
 static void test_formulas_that_are_wrong(void) {
   known = sampled(line, 0, 2, 21);
-  expect_refusal("", "the formula");
-  expect_refusal("1 +", "the formula 1 +");
+  expect_refusal("", ", in the formula ");
+  expect_refusal("1 +", ", in the formula 1 +");
+  expect_refusal("at(\"line\", 1) +* 2", "in the formula");
   expect_refusal("four", "there is no number 'four'");
   expect_refusal("at(\"circle\", 1)", "there is no curve 'circle'");
   expect_refusal("at(\"line\")", "the formula");
@@ -195,7 +205,23 @@ static void test_formulas_that_are_wrong(void) {
   expect_refusal("nothing(3)", "the formula");
   expect_refusal("(1", "the formula");
   expect_refusal("max()", "the formula");
+  expect_refusal("(a = 5)", "found '='; allowed: ==");
+  expect_refusal("three = 5", "found '='");
+  expect_refusal("1, 2", "found several values");
+  expect_refusal("max(1, 2), 3", "found several values");
+  expect_value("three == 3 && three >= 3 && three <= 3 && three != 4", 1);
   gallery_curve_free(&known);
+}
+
+/* The reason comes first, and the formula is cut between characters. */
+static void test_long_formulas(void) {
+  char formula[1300] = "";
+  double value = 7;
+  for (size_t i = 0; i < 600; i++) memcpy(formula + 2 * i, "\xc3\xa9", 2);
+  EXPECT(gallery_formula(&scope, formula, &value) == ERR_INPUT);
+  const char *at = strstr(status_message(), ", in the formula ");
+  EXPECT(at && at > status_message() && strlen(at) < 200 && !text_bad_utf8(at, strlen(at)));
+  EXPECT(isnan(value));
 }
 
 static void test_rows(void) {
@@ -216,6 +242,7 @@ int main(void) {
   RUN(test_formulas);
   RUN(test_formulas_of_no_number);
   RUN(test_formulas_that_are_wrong);
+  RUN(test_long_formulas);
   RUN(test_rows);
   return TEST_RESULT;
 }

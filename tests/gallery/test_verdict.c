@@ -118,6 +118,12 @@ static void test_bounds_that_do_not_exist(void) {
       {"below: 1, above: 0.99", "below: 'sqrt(-1)'", "no such bound", 2},
       {"equals: 0.9981983771", "equals: 'at(\"a\", 99)'", "no such number", 0},
       {"within: 1e-9", "within: 'at(\"a\", 99)'", "tolerance", 0},
+      {"within: 1e-9", "within: 1/0", "tolerance", 0},
+      {"within: 1e-9", "within: -1", "tolerance", 0},
+      {"within: 1e-9", "percent: -1", "tolerance", 0},
+      {"equals: 0.9981983771", "equals: 1/0", "no such number", 0},
+      {"below: 1, above: 0.99", "above: -1/0", "no such bound", 2},
+      {"value: one, below: 1, above: 0.99", "value: 1/0, above: 0.99", "no such number", 2},
       {"value: one, equals", "value: 'max(one, at(\"a\", 99))', equals", "no such number", 0},
   };
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
