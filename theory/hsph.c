@@ -1,8 +1,9 @@
 /* hSPH (T, section 4.2) on rows of particles at rest, its linear equations (sph/theory/rows.h), a
  * deep Airy wave of length L on rows h = L/`rows` apart in steps of h/c, projected on the wave
  * every so many of them: how far rows are off theory in u, v, dynamic pressure and acceleration, at
- * their worst within so many periods, over the amplitude there; and how fast waves of any whole
- * number to L grow that are not projected. Lengths in L, times in sqrt(L/g). */
+ * their worst within so many periods, over the amplitude there, any particle of the row or the
+ * first; and how fast waves of any whole number to L grow that are not projected. Lengths in L,
+ * times in sqrt(L/g). */
 #include <math.h>
 #include <stdlib.h>
 
@@ -12,15 +13,20 @@
 static const char *const surface_names[] = {"kept", "natural", NULL};
 static const char *const surface_helps[] = {"p = 0 on the first row", "nothing is kept there"};
 
+static const char *const particle_names[] = {"any", "first", NULL};
+static const char *const particle_helps[] = {"the worst of a row at each instant",
+                                             "that at x = h/2"};
+
 struct hsph {
   double radius, beta, periods;
-  int rows, surface, every, waves;
+  int rows, surface, particle, every, waves;
 };
 
 static const struct param params[] = {
     THEORY_INT(hsph, rows, 8, SPH_ROWS_MOST, "16", "L/h"),
     THEORY_REAL(hsph, radius, 1.5, SPH_ROWS_REACH, "1.5, 3", "of the support, h"),
     THEORY_CHOICE(hsph, surface, surface_names, surface_helps, "kept", "what is done there"),
+    THEORY_CHOICE(hsph, particle, particle_names, particle_helps, "any", "whose errors are taken"),
     THEORY_REAL(hsph, beta, 1, 1000, "10", "c^2/(g L)"),
     THEORY_INT(hsph, every, 0, 100000, "15", "steps between two projections; 0: none"),
     THEORY_INT(hsph, waves, 0, SPH_ROWS_MOST / 2, "32",
@@ -38,6 +44,7 @@ static const struct theory_column columns[] = {
     {.key = "p", .unit = "1", .label = "p_d", .help = "the same of the dynamic pressure"},
     {.key = "a_x", .unit = "1", .label = "a_x", .help = "the same of the acceleration along x"},
     {.key = "a_y", .unit = "1", .label = "a_y", .help = "the same along y"},
+    {.key = "rate", .unit = "1", .label = "dp_d/dt", .help = "the same of the rate of p_d"},
 };
 enum { FREQUENCY, FITTED, AMPLITUDE, GROWTH, WAVES };
 static const struct theory_value values[] = {
@@ -54,13 +61,16 @@ static struct sph_rows rows_of(const struct hsph *p, int waves) {
   return sph_rows_create(p->rows, 2 * M_PI * waves, G, p->beta * G, p->radius, !p->surface);
 }
 
-static void note(const struct sph_rows *l, double t, double (*most)[SPH_ROWS_QUANTITIES]) {
+static void note(const struct hsph *p, const struct sph_rows *l, double t,
+                 double (*most)[SPH_ROWS_QUANTITIES]) {
+  const double complex first = cexp(I * l->k * l->h / 2);
   struct sph_rows_state rates;
-  double off[SPH_ROWS_QUANTITIES];
+  double complex off[SPH_ROWS_QUANTITIES];
   sph_rows_rates(l, &l->w, &rates);
   for (int row = 0; row < l->n; row++) {
     sph_rows_off(l, &rates, t, row, off);
-    for (int q = 0; q < SPH_ROWS_QUANTITIES; q++) most[row][q] = fmax(most[row][q], off[q]);
+    for (int q = 0; q < SPH_ROWS_QUANTITIES; q++)
+      most[row][q] = fmax(most[row][q], p->particle ? fabs(creal(off[q] * first)) : cabs(off[q]));
   }
 }
 
@@ -103,7 +113,7 @@ static enum status follow(const struct hsph *p, struct theory_curve *curve) {
   CHECK(u, ERR_MEMORY, "not enough memory for %d steps", steps);
   for (int step = 0; step < steps; step++) {
     if (step > 0 && p->every > 0 && step % p->every == 0) sph_rows_project(&l, true, true);
-    note(&l, step * dt, most);
+    note(p, &l, step * dt, most);
     u[step] = l.w.u[0];
     sph_rows_step(&l, dt);
     const double complex now = sph_rows_wave(&l);
@@ -116,7 +126,8 @@ static enum status follow(const struct hsph *p, struct theory_curve *curve) {
   free(u);
   for (int row = 0; row < l.n; row++)
     TRY(THEORY_ROW(curve, row * l.h, most[row][SPH_ROWS_U], most[row][SPH_ROWS_V],
-                   most[row][SPH_ROWS_P], most[row][SPH_ROWS_AX], most[row][SPH_ROWS_AY]));
+                   most[row][SPH_ROWS_P], most[row][SPH_ROWS_AX], most[row][SPH_ROWS_AY],
+                   most[row][SPH_ROWS_RATE]));
   return OK;
 }
 

@@ -141,14 +141,15 @@ void sph_rows_project(struct sph_rows *l, bool kept, bool first_row) {
 }
 
 void sph_rows_off(const struct sph_rows *l, const struct sph_rows_state *rates, double t, int row,
-                  double off[SPH_ROWS_QUANTITIES]) {
+                  double complex off[SPH_ROWS_QUANTITIES]) {
   const double omega = sqrt(l->k * l->g), E = exp(-l->k * row * l->h);
   const double complex turn = cexp(-I * omega * t); /* of cos theta; -I turn of sin theta */
-  off[SPH_ROWS_U] = cabs(l->w.u[row] / (E * omega) - turn);
-  off[SPH_ROWS_V] = cabs(l->w.v[row] / (E * omega) + I * turn);
-  off[SPH_ROWS_P] = cabs((l->w.p[row] + l->g * l->w.y[row]) / (l->g * E) - turn);
-  off[SPH_ROWS_AX] = cabs(rates->u[row] / (E * omega * omega) + I * turn);
-  off[SPH_ROWS_AY] = cabs(rates->v[row] / (E * omega * omega) + turn);
+  off[SPH_ROWS_U] = l->w.u[row] / (E * omega) - turn;
+  off[SPH_ROWS_V] = l->w.v[row] / (E * omega) + I * turn;
+  off[SPH_ROWS_P] = (l->w.p[row] + l->g * l->w.y[row]) / (l->g * E) - turn;
+  off[SPH_ROWS_AX] = rates->u[row] / (E * omega * omega) + I * turn;
+  off[SPH_ROWS_AY] = rates->v[row] / (E * omega * omega) + turn;
+  off[SPH_ROWS_RATE] = (rates->p[row] + l->g * rates->y[row]) / (l->g * E * omega) + I * turn;
 }
 
 double complex sph_rows_wave(const struct sph_rows *l) {

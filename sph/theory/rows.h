@@ -41,11 +41,20 @@ void sph_rows_step(struct sph_rows *l, double dt);
  * surface, and half of it is water. */
 void sph_rows_project(struct sph_rows *l, bool kept, bool first_row);
 
-/* How far the row is off the Airy wave of amplitude 1 at t, of its amplitude there: the largest of
- * any of its particles in u, v, dynamic pressure and the acceleration's components. */
-enum { SPH_ROWS_U, SPH_ROWS_V, SPH_ROWS_P, SPH_ROWS_AX, SPH_ROWS_AY, SPH_ROWS_QUANTITIES };
+/* How far the row is off the Airy wave of amplitude 1 at t, over its amplitude there, in u, v,
+ * dynamic pressure and the acceleration's components, and the rate of the dynamic pressure: at x by
+ * e^(i k x) times it, so that its magnitude is what the worst particle has. */
+enum {
+  SPH_ROWS_U,
+  SPH_ROWS_V,
+  SPH_ROWS_P,
+  SPH_ROWS_AX,
+  SPH_ROWS_AY,
+  SPH_ROWS_RATE,
+  SPH_ROWS_QUANTITIES
+};
 void sph_rows_off(const struct sph_rows *l, const struct sph_rows_state *rates, double t, int row,
-                  double off[SPH_ROWS_QUANTITIES]);
+                  double complex off[SPH_ROWS_QUANTITIES]);
 /* The wave in the velocities of all rows, weighted by e^(k y); it turns with -omega. */
 double complex sph_rows_wave(const struct sph_rows *l);
 

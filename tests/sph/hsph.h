@@ -13,7 +13,7 @@
 
 static const double k = 2 * M_PI, a = 0.006 / (2 * M_PI);
 
-enum { QUANTITIES = SPH_ROWS_QUANTITIES };
+enum { QUANTITIES = SPH_ROWS_AY + 1 };
 
 /* ---- the solver ---- */
 
@@ -108,11 +108,11 @@ static inline void airy_compare(const struct sph *s, int n, double omega, struct
 /* The same of the lattice. */
 static inline void lattice_compare(const struct sph_rows *l, double t, struct airy_found *e) {
   struct sph_rows_state rates;
-  double off[QUANTITIES];
+  double complex off[SPH_ROWS_QUANTITIES];
   sph_rows_rates(l, &l->w, &rates);
   for (int row = 0; row < 2; row++) {
     sph_rows_off(l, &rates, t, row, off);
-    for (int q = 0; q < QUANTITIES; q++) e->row[row][q] = fmax(e->row[row][q], off[q]);
+    for (int q = 0; q < QUANTITIES; q++) e->row[row][q] = fmax(e->row[row][q], cabs(off[q]));
   }
 }
 
