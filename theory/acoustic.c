@@ -6,10 +6,10 @@
  *                                                                 (2.59, 2.60, corrected)
  *
  * and frequencies c sqrt(kappa^2 + delta^2 + nu^2); or on a square lattice, dx = h, with the tensor
- * product of cubic B-splines and the mean theta = delta H
+ * product of cubic B-splines and the mean theta = delta H, with either the leading or the exact nu,
  *
  *     omega^2 = (c/h)^2 {[sin(nu h) Wx]^2 + [sin(kappa h) Wy]^2 + 8 theta sin^4(nu h/2)}
- *     Wx = 1 - (2/3) sin^2(kappa h/2),  Wy = 1 - (2/3) sin^2(nu h/2),  nu = a_n/H
+ *     Wx = 1 - (2/3) sin^2(kappa h/2),  Wy = 1 - (2/3) sin^2(nu h/2)
  *
  * Units: g = H = 1. */
 #include <math.h>
@@ -58,7 +58,13 @@ static const struct theory_column columns[] = {
      .unit = "sqrt(g/H)",
      .label = "lattice",
      .points = true,
-     .help = "frequency on a lattice; none where it is too coarse for the mode"},
+     .help = "frequency on a lattice, root to leading order; none where it is too coarse for the "
+             "mode"},
+    {.key = "omega_lattice_exact",
+     .unit = "sqrt(g/H)",
+     .label = "lattice, exact root",
+     .help = "the same with the exact root",
+     .undrawn = true},
     {.key = "period",
      .unit = "sqrt(H/g)",
      .label = "continuum",
@@ -95,8 +101,8 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
     double first = a - m.delta / a * (1 - square) / (1 + square);
     double leading = tank.sound * sqrt(p->kappa * p->kappa + m.delta * m.delta + a * a);
     double on_lattice = lattice(p, a);
-    TRY(THEORY_ROW(curve, n, m.root, a, first, m.omega, leading, on_lattice, 2 * M_PI / leading,
-                   2 * M_PI / on_lattice));
+    TRY(THEORY_ROW(curve, n, m.root, a, first, m.omega, leading, on_lattice, lattice(p, m.root),
+                   2 * M_PI / leading, 2 * M_PI / on_lattice));
   }
   return OK;
 }
