@@ -70,37 +70,20 @@ static error_t parse(int key, char *arg, struct argp_state *state) {
   }
 }
 
-#define X(name, help) #name,
-static const char *const kinds[] = {GALLERY_KINDS(X)};
-#undef X
-
 static void list(const struct gallery_book *book, const bool *chosen) {
   for (size_t i = 0; i < book->n_entries; i++) {
     const struct gallery_entry *e = &book->entries[i];
-    if (chosen[i]) printf("%-10s %-10s %s\n", e->id, kinds[e->kind], e->title);
+    if (chosen[i]) printf("%-10s %-10s %s\n", e->id, gallery_kind_names[e->kind], e->title);
   }
 }
 
 /* ---- the summary ---- */
 
-#define X(name, words) +1
-enum { VERDICTS = 0 GALLERY_VERDICTS(X) };
-#undef X
-
 struct totals {
-  size_t entries, verdict[VERDICTS], checks, hold;
+  size_t entries, verdict[GALLERY_N_VERDICTS], checks, hold;
   size_t changed;    /* entries of which a check has */
   size_t incomplete; /* entries that could not be made, or lack a picture */
 };
-
-static const char *text_of(const json_t *object, const char *key) {
-  const char *text = json_string_value(json_object_get(object, key));
-  return text ? text : "";
-}
-
-static bool is_true(const json_t *object, const char *key) {
-  return json_is_true(json_object_get(object, key));
-}
 
 static void print_number(const char *before, const json_t *object, const char *key) {
   const json_t *number = json_object_get(object, key);
@@ -109,9 +92,9 @@ static void print_number(const char *before, const json_t *object, const char *k
 
 /* A check that does not hold and nothing explains it, or that holds in spite of an explanation. */
 static void print_change(const json_t *check) {
-  const bool holds = is_true(check, "holds"), explained = *text_of(check, "because");
-  if (is_true(check, "left_out") || holds != explained) return;
-  printf("           %s:", text_of(check, "says"));
+  const bool holds = gallery_is_true(check, "holds"), explained = *gallery_text(check, "because");
+  if (gallery_is_true(check, "left_out") || holds != explained) return;
+  printf("           %s:", gallery_text(check, "says"));
   print_number("", check, "measured");
   print_number(", allowed from", check, "low");
   print_number(json_is_number(json_object_get(check, "low")) ? " to" : ", allowed up to", check,
@@ -122,29 +105,28 @@ static void print_change(const json_t *check) {
 static void print_entry(const json_t *json, struct totals *t) {
   const json_t *checks = json_object_get(json, "checks"), *check;
   const struct gallery_tally tally = gallery_json_tally(json);
-  size_t i, verdict = 0;
+  const enum gallery_verdict verdict = gallery_json_verdict(json);
+  size_t i;
   char counts[48] = "";
-  while (verdict + 1 < VERDICTS && strcmp(gallery_verdict_names[verdict], text_of(json, "verdict")))
-    verdict++;
   const bool failed = verdict == GALLERY_VERDICT_failed;
   if (tally.checks)
     snprintf(counts, sizeof counts, "%zu of %zu checks hold", tally.hold, tally.checks);
-  printf("%-10s %-33s %-24s %s\n", text_of(json, "id"), gallery_verdict_words[verdict], counts,
-         failed ? text_of(json, "failure") : text_of(json, "title"));
+  printf("%-10s %-33s %-24s %s\n", gallery_text(json, "id"), gallery_verdict_words[verdict], counts,
+         failed ? gallery_text(json, "failure") : gallery_text(json, "title"));
   if (tally.changed) json_array_foreach(checks, i, check) print_change(check);
   t->entries++;
   t->verdict[verdict]++;
   t->checks += tally.checks;
   t->hold += tally.hold;
   t->changed += tally.changed;
-  t->incomplete += !is_true(json, "finished");
+  t->incomplete += !gallery_is_true(json, "finished");
 }
 
 static void print_totals(const struct totals *t, double seconds, const char *page) {
   char time[32];
   progress_format_time(time, sizeof time, seconds);
   printf("%zu %s: ", t->entries, t->entries == 1 ? "entry" : "entries");
-  for (size_t v = 0, said = 0; v < VERDICTS; v++)
+  for (size_t v = 0, said = 0; v < GALLERY_N_VERDICTS; v++)
     if (t->verdict[v])
       printf("%s%s %zu", said++ ? ", " : "", gallery_verdict_words[v], t->verdict[v]);
   printf("; %zu of %zu checks hold; %s\n", t->hold, t->checks, time);

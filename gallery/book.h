@@ -23,6 +23,8 @@ enum gallery_kind {
 #undef X
 };
 
+extern const char *const gallery_kind_names[]; /* NULL at the end */
+
 /* What a check holds its number against. X(name, help) */
 #define GALLERY_ORIGINS(X)                                                                         \
   X(document, "what the document prints or says")                                                  \
@@ -33,6 +35,8 @@ enum gallery_origin {
   GALLERY_ORIGINS(X)
 #undef X
 };
+
+extern const char *const gallery_origin_names[]; /* NULL at the end */
 
 /* A curve of an entry: a source (gallery/source.h) with its parameters. */
 struct gallery_curve_spec {
@@ -56,7 +60,6 @@ struct gallery_check {
   char *source;   /* where the expected value comes from: equation, line, derivation */
   char *because;  /* why it is not met: the best explanation found; NULL: it is expected to hold */
   bool quick;     /* held in --quick, too */
-  int line;
 };
 
 struct gallery_figure {
@@ -83,7 +86,6 @@ struct gallery_entry {
   struct gallery_figure *figures;
   char *text; /* of the entry, as its file has it */
   char *file; /* its name */
-  int line;
 };
 
 /* A case file with overrides, whose runs entries share: a run is "CASE/RUN". */

@@ -9,8 +9,8 @@
 /* ---- tables ---- */
 
 #define X(name, help) #name,
-static const char *const kind_names[] = {GALLERY_KINDS(X) NULL};
-static const char *const origin_names[] = {GALLERY_ORIGINS(X) NULL};
+const char *const gallery_kind_names[] = {GALLERY_KINDS(X) NULL};
+const char *const gallery_origin_names[] = {GALLERY_ORIGINS(X) NULL};
 #undef X
 
 enum { LONG = 4000 };
@@ -22,7 +22,7 @@ static const struct param entry_rows[] = {
     {.key = "kind",
      .type = PARAM_CHOICE,
      .offset = offsetof(struct gallery_entry, kind),
-     .choices = kind_names,
+     .choices = gallery_kind_names,
      .help = "what it is made by"},
     TEXT(struct gallery_entry, setup, LONG, NULL, "what is computed, and the choices made"),
     {.key = "corrected",
@@ -64,7 +64,7 @@ static const struct param check_rows[] = {
     {.key = "of",
      .type = PARAM_CHOICE,
      .offset = offsetof(struct gallery_check, of),
-     .choices = origin_names,
+     .choices = gallery_origin_names,
      .help = "whose the expected value is"},
     TEXT(struct gallery_check, source, 400, NULL, "where the expected value comes from"),
     TEXT(struct gallery_check, because, LONG, "", "why it does not hold"),
@@ -250,7 +250,6 @@ static enum status read_checks(struct gallery_reader *r, int node, const char *p
     char full[CASE_PATH];
     const int item = gallery_list_item(r, &list, i, full);
     const struct case_block block = {check_rows, ROWS(check_rows), c, NULL};
-    c->line = case_doc_line(&r->doc, item);
     if (case_doc_read(&r->doc, item, full, 0, 1, &block)) check_bounds(r, item, full, c);
     check_formulas(r, item, full, c);
   }
@@ -325,7 +324,6 @@ enum status gallery_entry_read(struct gallery_reader *r, int node, const char *p
   const struct case_block blocks[] = {{entry_rows, ROWS(entry_rows), e, NULL},
                                       {list_rows, ROWS(list_rows), &lists, NULL}};
   char full[CASE_PATH + 16];
-  e->line = case_doc_line(&r->doc, node);
   e->text = text_of(r, node);
   e->file = strdup(r->file->name);
   CHECK(e->text && e->file, ERR_MEMORY, "no memory for an entry");

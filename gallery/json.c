@@ -4,11 +4,6 @@
 
 #include "compare/json_maker.h"
 
-#define X(name, help) #name,
-static const char *const kinds[] = {GALLERY_KINDS(X)};
-static const char *const origins[] = {GALLERY_ORIGINS(X)};
-#undef X
-
 static void set_text(struct cmp_json_maker *m, json_t *object, const char *key, const char *text) {
   if (text) cmp_json_set(m, object, key, cmp_json_text(text));
 }
@@ -18,7 +13,7 @@ static json_t *check_json(struct cmp_json_maker *m, const struct gallery_check *
   json_t *o = json_object();
   set_text(m, o, "says", c->says);
   set_text(m, o, "value", c->value);
-  set_text(m, o, "of", origins[c->of]);
+  set_text(m, o, "of", gallery_origin_names[c->of]);
   set_text(m, o, "source", c->source);
   set_text(m, o, "equals", c->equals);
   set_text(m, o, "above", c->above);
@@ -64,7 +59,7 @@ enum status gallery_json_entry(const struct gallery_entry *e, const struct galle
   set_text(&m, o, "document", *e->id == 'P' ? "P" : "T");
   set_text(&m, o, "title", e->title);
   set_text(&m, o, "where", e->where);
-  set_text(&m, o, "kind", kinds[e->kind]);
+  set_text(&m, o, "kind", gallery_kind_names[e->kind]);
   cmp_json_set(&m, o, "corrected", json_boolean(e->corrected));
   set_text(&m, o, "setup", e->setup);
   for (size_t i = 0; i < e->n_remarks; i++)
@@ -86,20 +81,31 @@ enum status gallery_json_entry(const struct gallery_entry *e, const struct galle
   return status_raise(ERR_MEMORY, "no memory for the gallery");
 }
 
-static bool is_true(const json_t *object, const char *key) {
+const char *gallery_text(const json_t *object, const char *key) {
+  const char *text = json_string_value(json_object_get(object, key));
+  return text ? text : "";
+}
+
+bool gallery_is_true(const json_t *object, const char *key) {
   return json_is_true(json_object_get(object, key));
+}
+
+enum gallery_verdict gallery_json_verdict(const json_t *entry) {
+  const char *name = gallery_text(entry, "verdict");
+  int k = 0;
+  while (k + 1 < GALLERY_N_VERDICTS && strcmp(gallery_verdict_names[k], name)) k++;
+  return (enum gallery_verdict)k;
 }
 
 struct gallery_tally gallery_json_tally(const json_t *entry) {
   struct gallery_tally t = {0};
-  const char *verdict = json_string_value(json_object_get(entry, "verdict"));
   size_t i;
   json_t *check;
-  if (!verdict || !strcmp(verdict, gallery_verdict_names[GALLERY_VERDICT_failed])) return t;
+  if (!*gallery_text(entry, "verdict") || gallery_json_verdict(entry) == GALLERY_VERDICT_failed) return t;
   json_array_foreach(json_object_get(entry, "checks"), i, check) {
-    t.checks += !is_true(check, "left_out");
-    t.hold += is_true(check, "holds");
+    t.checks += !gallery_is_true(check, "left_out");
+    t.hold += gallery_is_true(check, "holds");
   }
-  t.changed = t.checks > 0 && !is_true(entry, "as_expected");
+  t.changed = t.checks > 0 && !gallery_is_true(entry, "as_expected");
   return t;
 }

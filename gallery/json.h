@@ -9,6 +9,13 @@
 enum status gallery_json_entry(const struct gallery_entry *e, const struct gallery_answer *answer,
                                json_t **out);
 
+/* A text of an object; "": there is none. */
+const char *gallery_text(const json_t *object, const char *key);
+bool gallery_is_true(const json_t *object, const char *key);
+
+/* Of an entry as it was left. */
+enum gallery_verdict gallery_json_verdict(const json_t *entry);
+
 /* Of an entry as it was left: how many of its checks were made, how many of them hold, and whether
  * one came out otherwise than it is known to. Of one that could not be made nothing counts. */
 struct gallery_tally {

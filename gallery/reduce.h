@@ -2,8 +2,6 @@
 #pragma once
 #include "gallery/source.h"
 
-enum { GALLERY_MOST_ARGUMENTS = 4 };
-
 /* X(name, number of arguments behind the curve, help) */
 #define GALLERY_REDUCTIONS(X)                                                                      \
   X(at, 1, "y at x, linear between points; NaN outside")                                           \

@@ -14,6 +14,7 @@ enum gallery_verdict {
 #define X(name, words) GALLERY_VERDICT_##name,
   GALLERY_VERDICTS(X)
 #undef X
+      GALLERY_N_VERDICTS
 };
 extern const char *const gallery_verdict_names[], *const gallery_verdict_words[];
 

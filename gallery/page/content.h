@@ -3,19 +3,13 @@
 #include <jansson.h>
 
 #include "compare/markup.h"
-#include "gallery/verdict.h"
+#include "gallery/json.h"
 
 struct page_content {
   const char *dir;         /* of the page */
   const json_t *gallery;   /* gallery.json */
   const json_t *entries;   /* its list */
 };
-
-/* A text of an object; "": there is none. */
-static inline const char *gallery_text(const json_t *object, const char *key) {
-  const char *text = json_string_value(json_object_get(object, key));
-  return text ? text : "";
-}
 
 /* The verdict of an entry in a few words. */
 void gallery_verdict_write(struct markup *m, const json_t *e);

@@ -12,32 +12,17 @@
 
 /* ---- verdicts ---- */
 
-#define X(name, words) #name,
-static const char *const verdicts[] = {GALLERY_VERDICTS(X)};
-#undef X
-#define X(name, words) words,
-static const char *const verdict_words[] = {GALLERY_VERDICTS(X)};
-#undef X
-enum { VERDICTS = sizeof verdicts / sizeof *verdicts };
-
-static size_t verdict_of(const json_t *e) {
-  const char *name = gallery_text(e, "verdict");
-  size_t k = 0;
-  while (k + 1 < VERDICTS && strcmp(verdicts[k], name)) k++;
-  return k;
-}
-
 void gallery_verdict_write(struct markup *m, const json_t *e) {
   char class[64];
-  const size_t k = verdict_of(e);
-  snprintf(class, sizeof class, "verdict %s", verdicts[k]);
-  cmp_markup_element(m, "span", class, "%s", verdict_words[k]);
+  const enum gallery_verdict k = gallery_json_verdict(e);
+  snprintf(class, sizeof class, "verdict %s", gallery_verdict_names[k]);
+  cmp_markup_element(m, "span", class, "%s", gallery_verdict_words[k]);
 }
 
-static size_t count(const json_t *entries, size_t verdict) {
+static size_t count(const json_t *entries, enum gallery_verdict verdict) {
   size_t i, n = 0;
   json_t *e;
-  json_array_foreach(entries, i, e) n += verdict_of(e) == verdict;
+  json_array_foreach(entries, i, e) n += gallery_json_verdict(e) == verdict;
   return n;
 }
 
@@ -120,22 +105,22 @@ static enum status write_groups(struct markup *m, const void *content) {
 
 static enum status write_verdicts(struct markup *m, const void *content) {
   const struct page_content *c = content;
-  for (size_t k = 0; k < VERDICTS; k++)
-    if (count(c->entries, k)) option(m, verdicts[k], verdict_words[k]);
+  for (int k = 0; k < GALLERY_N_VERDICTS; k++)
+    if (count(c->entries, (enum gallery_verdict)k)) option(m, gallery_verdict_names[k], gallery_verdict_words[k]);
   return OK;
 }
 
 static void tally_write(struct markup *m, const struct page_content *c) {
   cmp_markup_open(m, "ul", "tally");
-  for (size_t k = 0; k < VERDICTS; k++) {
-    const size_t n = count(c->entries, k);
+  for (int k = 0; k < GALLERY_N_VERDICTS; k++) {
+    const size_t n = count(c->entries, (enum gallery_verdict)k);
     char class[64], text[80];
     if (!n) continue;
-    snprintf(class, sizeof class, "verdict %s", verdicts[k]);
-    snprintf(text, sizeof text, "%zu %s", n, verdict_words[k]);
+    snprintf(class, sizeof class, "verdict %s", gallery_verdict_names[k]);
+    snprintf(text, sizeof text, "%zu %s", n, gallery_verdict_words[k]);
     cmp_markup_open(m, "li", NULL);
     cmp_markup_open(m, "span", class);
-    cmp_markup_attribute(m, "data-of", verdicts[k]);
+    cmp_markup_attribute(m, "data-of", gallery_verdict_names[k]);
     cmp_markup_text(m, text);
     cmp_markup_close(m);
     cmp_markup_close(m);
@@ -191,7 +176,7 @@ static enum status card_write(struct markup *m, const struct page_content *c, co
   char href[80];
   cmp_markup_open(m, "li", NULL);
   cmp_markup_attribute(m, "data-group", groups[group_of(e)].name);
-  cmp_markup_attribute(m, "data-verdict", verdicts[verdict_of(e)]);
+  cmp_markup_attribute(m, "data-verdict", gallery_verdict_names[gallery_json_verdict(e)]);
   cmp_markup_attribute(m, "data-entry", gallery_text(e, "key"));
   snprintf(href, sizeof href, "#%.70s", gallery_text(e, "key"));
   cmp_markup_open(m, "a", NULL);
@@ -227,7 +212,7 @@ static void entry_open(struct markup *m, const json_t *e) {
   cmp_markup_open(m, "article", NULL);
   cmp_markup_attribute(m, "id", gallery_text(e, "key"));
   cmp_markup_attribute(m, "data-group", groups[group_of(e)].name);
-  cmp_markup_attribute(m, "data-verdict", verdicts[verdict_of(e)]);
+  cmp_markup_attribute(m, "data-verdict", gallery_verdict_names[gallery_json_verdict(e)]);
 }
 
 static enum status write_entries(struct markup *m, const void *content) {

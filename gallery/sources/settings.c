@@ -54,6 +54,11 @@ static bool keys_are_there(struct gallery_reader *r, int node, const char *path,
     size_t p = 0;
     char found[80];
     while (p < t->n_params && strcmp(names[p], s->setting[i].key) != 0) p++;
+    for (size_t k = 0; k < i; k++)
+      if (!strcmp(s->setting[k].key, s->setting[i].key)) {
+        snprintf(found, sizeof found, "the parameter '%.40s' a second time", s->setting[i].key);
+        gallery_complain(r, node, path, found, "each parameter once", "remove one");
+      }
     if (p < t->n_params) continue;
     const struct case_offer offer = case_offer("one of ", t->n_params, names, s->setting[i].key);
     snprintf(found, sizeof found, "the parameter '%.40s'", s->setting[i].key);

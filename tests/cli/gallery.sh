@@ -182,6 +182,8 @@ allowed="allowed: an id that \`plunge gallery --list\` shows, as in 'P 1' or 'T 
 wrong "plunge: found 'nothing'; $allowed" gallery nothing
 wrong "plunge: found 'nothing'; $allowed" gallery "$id" nothing --list
 wrong "plunge: found ''; $allowed" gallery ''
+wrong "plunge: found '$id..'; $allowed; did you mean '$id'?" gallery "$id.."
+wrong "plunge: found '..$id'; $allowed; did you mean '$id'?" gallery "..$id"
 wrong "plunge gallery: --out: found ''; allowed: a folder" gallery --out ''
 wrong "plunge gallery: --jobs 0: give a whole number from 1 to 1024" gallery --jobs 0
 wrong "plunge gallery: --threads x: give a whole number from 1 to 1024" gallery --threads x

@@ -51,9 +51,9 @@ static void test_entries_are_read(void) {
   EXPECT_STR(book->entries[1].key, "T-2-10");
   const struct gallery_entry *e = gallery_book_find(book, "t-2-10");
   EXPECT(e == &book->entries[1]);
-  EXPECT(e->kind == GALLERY_KIND_run && !e->corrected && e->quick && e->line == 5);
+  EXPECT(e->kind == GALLERY_KIND_run && !e->corrected && e->quick);
   EXPECT(e->n_curves == 2 && e->n_numbers == 1 && e->n_checks == 2 && e->n_remarks == 1);
-  EXPECT(e->checks[1].of == GALLERY_ORIGIN_corrected && e->checks[1].line == 20);
+  EXPECT(e->checks[1].of == GALLERY_ORIGIN_corrected);
   const struct gallery_case *c = gallery_book_case(book, "wave");
   EXPECT(c && c->n_set == 1 && c->n_quick == 1);
   EXPECT(!gallery_book_find(book, "T 2") && !gallery_book_case(book, "T"));
@@ -177,6 +177,9 @@ static const struct {
      "t.yaml:14: T 2-10.curves.e.topic: found 'dispersoin'; allowed: one of ..."},
     {14, "      - {name: e, from: theory, topic: dispersion, set: dleta=1, y: a}",
      "t.yaml:14: T 2-10.curves.e.set: found the parameter 'dleta'; allowed: one of ..."},
+    {14, "      - {name: e, from: theory, topic: dispersion, set: delta=1 to=2 delta=1, y: a}",
+     "t.yaml:14: T 2-10.curves.e.set: found the parameter 'delta' a second time; allowed: each "
+     "parameter once; remove one"},
     {14, "      - {name: e, from: theory, topic: dispersion, set: delta, y: a}",
      "t.yaml:14: T 2-10.curves.e.set: found 'delta'; allowed: KEY=VALUE"},
     {14, "      - {name: e, from: theory, topic: dispersion, set: points=one, y: a}",
