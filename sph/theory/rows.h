@@ -9,7 +9,7 @@
 
 #include "common/base/status.h"
 
-enum { SPH_ROWS_MOST = 64, SPH_ROWS_REACH = 4 };
+enum { SPH_ROWS_MOST = 128, SPH_ROWS_REACH = 4 };
 
 /* By rows: displacements, velocities, and the pressure that a particle has gained. */
 struct sph_rows_state {
