@@ -19,7 +19,7 @@
 #include "theory/theory.h"
 
 struct spectrum {
-  int kernel, derivative, momentum, continuity, free_surface, diffusion, walls;
+  int kernel, derivative, momentum, continuity, free_surface, diffusion, walls, at;
   int rows, points;
   double beta, ratio, radius, alpha;
 };
@@ -27,6 +27,9 @@ struct spectrum {
 /* Those that move with the water; fixed particles add fields or fits of their own. */
 static const char *const walls[] = {"mirror-exponential", "mirror", "mirror-reference",
                                     "mirror-plain", NULL};
+
+enum { START, SETTLED };
+static const char *const at[] = {[START] = "start", [SETTLED] = "settled", NULL};
 
 static const struct param params[] = {
     THEORY_CHOICE(spectrum, momentum, theory_momentum_names, NULL, "mass",
@@ -43,6 +46,8 @@ static const struct param params[] = {
     THEORY_REAL(spectrum, ratio, 0.8, 3, "1", "h/dx"),
     THEORY_CHOICE(spectrum, diffusion, theory_diffusion_names, NULL, "none", "the diffusive term"),
     THEORY_REAL(spectrum, alpha, 0, 1, "0", "artificial viscosity"),
+    THEORY_CHOICE(spectrum, at, at, NULL, "start",
+                  "start: of the rows as a run starts; settled: when they have come to rest"),
     THEORY_REAL(spectrum, beta, 1, 1e6, "40", "c0^2/(g H)"),
     THEORY_INT(spectrum, rows, 8, 200, "50", "H/dx"),
     THEORY_INT(spectrum, points, 2, 1000, "26", "wavenumbers"),
@@ -63,7 +68,7 @@ static const struct theory_column columns[] = {
 /* Of water that is neutral there, sqrt(g/H): rows that shift are double zeros. */
 static const double rounding = 0.01;
 
-enum { MOST, MOST_AT, UNIFORM, MIDDLE, UNREST };
+enum { MOST, MOST_AT, UNIFORM, MIDDLE, UNREST, SUNK };
 static const struct theory_value values[] = {
     [MOST] = {"growth_most", "sqrt(g/H)", "largest growth"},
     [MOST_AT] = {"k_dx_most", "1", "where"},
@@ -71,7 +76,8 @@ static const struct theory_value values[] = {
                  "of what does not vary along the tank; up to 0.01: none, but for rounding"},
     [MIDDLE] = {"middle", "1",
                 "of that, vertical velocity at half the depth over that of the first row"},
-    [UNREST] = {"unrest", "g", "largest acceleration at rest; coefficients are frozen"},
+    [UNREST] = {"unrest", "g", "largest acceleration where rates are taken"},
+    [SUNK] = {"sunk", "H", "how far the first row has sunk since the start"},
 };
 
 /* As wide as its rates reach, twice and more. */
@@ -158,6 +164,12 @@ done:
   return status;
 }
 
+static double surface_of(const struct sph *s) {
+  double most = 0;
+  for (size_t i = 0; i < s->f.n; i++) most = fmax(most, s->f.w.y[i]);
+  return most;
+}
+
 static enum status evaluate(const void *with, struct theory_curve *curve) {
   const struct spectrum *p = with;
   struct case_file *c = NULL;
@@ -165,7 +177,10 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   struct sph_column *column = NULL;
   enum status status = OK;
   ATTEMPT(start(p, &c, &s));
+  const double before = surface_of(s);
+  if (p->at == SETTLED) ATTEMPT(sph_column_settle(s, 1e-6));
   ATTEMPT(sph_column_create(s, &column));
+  curve->value[SUNK] = before - surface_of(s);
   status = fill(p, column, curve);
 done:
   sph_column_destroy(column);

@@ -9,6 +9,8 @@
 #include "sph/pair/continuity.h"
 #include "sph/pair/diffusion.h"
 #include "sph/pair/rates.h"
+#include "sph/time/integrator.h"
+#include "sph/time/timestep.h"
 
 #define COUNT(...) +1
 enum { FIELDS = 0 SPH_EVOLVING(COUNT) };
@@ -51,8 +53,9 @@ static int by_column_and_height(const void *a, const void *b) {
   return (p->y > q->y) - (p->y < q->y);
 }
 
-/* Columns are those of the start: particles whose places along x lie in the same spacing. */
-static enum status find_places(const struct sph *s, struct sph_column *c) {
+/* Columns are particles whose places along x lie in the same spacing; their rows are alike, to
+ * `near` of one. */
+static enum status find_places(const struct sph *s, struct sph_column *c, double near) {
   const double left = s->tank.box.min[0], width = tank_size(&s->tank, 0);
   struct place *place = NULL;
   c->columns = geo_intervals(width, s->dx);
@@ -67,13 +70,64 @@ static enum status find_places(const struct sph *s, struct sph_column *c) {
   bool alike = c->rows * c->columns == s->f.n;
   for (size_t k = 0; alike && k < s->f.n; k++)
     alike =
-        place[k].column == k / c->rows && fabs(place[k].y - place[k % c->rows].y) < 1e-9 * s->dx;
+        place[k].column == k / c->rows && fabs(place[k].y - place[k % c->rows].y) < near * s->dx;
   if (alike) status = array_create(&c->at, s->f.n, "particles of columns");
   for (size_t k = 0; alike && status == OK && k < s->f.n; k++) c->at[k] = place[k].particle;
   free(place);
   CHECK(alike, ERR_INPUT, "the columns of particles are not alike");
   return status;
 }
+
+/* ---- rest ---- */
+
+static double largest_acceleration(const struct sph *s) {
+  double most = 0;
+  for (size_t i = 0; i < s->f.n; i++) most = fmax(most, hypot(s->f.k[0].u[i], s->f.k[0].v[i]));
+  return most;
+}
+
+/* Each row at the mean height, velocity and density of all columns: what varies along the tank
+ * would grow. Rows do not move along it. */
+static void make_alike(struct sph *s, const struct sph_column *c, double slower) {
+  double *const field[] = {s->f.w.y, s->f.w.v, s->f.w.rho};
+  for (int q = 0; q < 3; q++)
+    for (size_t row = 0; row < c->rows; row++) {
+      double sum = 0;
+      for (size_t k = 0; k < c->columns; k++) sum += field[q][c->at[k * c->rows + row]];
+      for (size_t k = 0; k < c->columns; k++)
+        field[q][c->at[k * c->rows + row]] =
+            (field[q] == s->f.w.v ? slower : 1) * sum / (double)c->columns;
+    }
+  memset(s->f.w.u, 0, s->f.n * sizeof *s->f.w.u);
+  sph_particles_pad(&s->f);
+}
+
+static enum status step_to_rest(struct sph *s, double dt, double slower) {
+  struct sph_column c = {0};
+  TRY(sph_step(s, dt));
+  TRY(find_places(s, &c, 1e-3));
+  make_alike(s, &c, slower);
+  free(c.at);
+  return OK;
+}
+
+enum status sph_column_settle(struct sph *s, double least) {
+  const size_t columns = geo_intervals(tank_size(&s->tank, 0), s->dx);
+  const double height = (double)s->f.n / (double)columns * s->dx, start = s->t;
+  const double end = start + 30 * height / s->c0;
+  const double rate = 3 * s->c0 / height; /* all but critical damping */
+  for (;;) {
+    TRY(sph_rates(s, 0, true, true));
+    const double most = largest_acceleration(s), dt = sph_timestep(s, end) / 2;
+    if (most <= least) return OK;
+    CHECK(s->t < end * (1 - 1e-6), ERR_SOLVER,
+          "the rows do not come to rest: accelerations of %.2g m/s^2 after %.3g s", most,
+          s->t - start);
+    TRY(step_to_rest(s, dt, exp(-rate * dt)));
+  }
+}
+
+/* ---- the blocks ---- */
 
 /* Gradients that diffusion takes, and densities that are sums, bring what lies a support farther.
  */
@@ -82,8 +136,6 @@ static size_t reach_of(const struct sph *s) {
                        continuity_sums((enum sph_continuity)s->scheme.continuity);
   return (size_t)supports * (size_t)ceil(s->support / s->dx * (1 - 1e-9));
 }
-
-/* ---- the blocks ---- */
 
 struct differences {
   struct sph *s;
@@ -156,8 +208,7 @@ static enum status linearise(struct sph *s, struct sph_column *c) {
     ATTEMPT(array_create(&d.rest[q], s->f.n, "fields of a column"));
     memcpy(d.rest[q], field_of(&s->f.w, q), s->f.n * sizeof(double));
   }
-  for (size_t i = 0; i < s->f.n; i++)
-    c->unrest = fmax(c->unrest, hypot(s->f.k[0].u[i], s->f.k[0].v[i]));
+  c->unrest = largest_acceleration(s);
   status = find_blocks(&d);
   bring_back(&d);
 done:
@@ -172,7 +223,7 @@ enum status sph_column_create(struct sph *s, struct sph_column **out) {
   *out = NULL;
   TRY(sph_allocate(1, sizeof *c, &c));
   ATTEMPT(sph_rates(s, 0, true, false)); /* sorts, which what follows must not */
-  ATTEMPT(find_places(s, c));
+  ATTEMPT(find_places(s, c, 1e-9));
   c->reach = reach_of(s);
   if (c->columns < 2 * c->reach + 2)
     ATTEMPT(status_raise(ERR_INPUT,

@@ -4,14 +4,20 @@
  * such waves grow and oscillate.
  *
  * The blocks are differences of the solver's own rates (sph_rates), so of any forms, derivative,
- * walls and free surface. Where the columns do not rest by themselves the coefficients are those of
- * t = 0, frozen: what grows in the water while it moves is something else. */
+ * walls and free surface. Where the columns do not start at rest, their rates at the start, with
+ * coefficients frozen, are not those of the water, which moves; those of rows that have settled
+ * are. */
 #pragma once
 #include "sph/sph.h"
 
 struct sph_column;
 
-/* Of the state at t = 0, which is left as it was. ERR_INPUT: the columns are not alike, or fewer
+/* Lets rows that do not start at rest settle: steps of the run, after each of which columns are
+ * made alike and the water is slowed, until no acceleration is above `least` (m s^-2). ERR_SOLVER:
+ * they do not settle in 30 times that sound takes from bed to surface. */
+enum status sph_column_settle(struct sph *s, double least);
+
+/* Of the state now, which is left as it was. ERR_INPUT: the columns are not alike, or fewer
  * than see each other and one more. */
 enum status sph_column_create(struct sph *s, struct sph_column **out);
 void sph_column_destroy(struct sph_column *c); /* NULL is fine */

@@ -54,9 +54,10 @@ static double largest_growth(const struct sph_column *c, double turn) {
   return most;
 }
 
-/* Adjoint sums keep the energy of disturbances, so that squares of eigenvalues are real and
- * negative. Those of rows that shift along themselves are double zeros; moving particles by 1e-5 dx
- * across the jumps of the spline's slopes makes errors of 1e-5 p/(rho dx^2) in the squares. */
+/* Adjoint sums keep the energy of disturbances about rest, so that squares of eigenvalues are real;
+ * in these columns none is positive. Those of rows that shift along themselves are double zeros;
+ * moving particles by 1e-5 dx across the jumps of the spline's slopes makes errors of 1e-5 p/(rho
+ * dx^2) in the squares. */
 static void test_adjoint_forms_are_neutral(void) {
   static const struct {
     const char *forms;
@@ -108,9 +109,40 @@ static void test_sound_has_the_frequencies_of_the_lattice(void) {
   sph_column_destroy(c);
 }
 
+/* A first row on the surface starts with g/2, since the sums feel p = 0 half a spacing above it;
+ * settled, adjoint sums are neutral there, too, and the others grow faster than at the start. Fits,
+ * which let water stretch, do not come to rest. */
+static void test_rows_settle(void) {
+  static const char *const forms[] = {"momentum: mass, continuity: mass",
+                                      "momentum: mass, continuity: absolute",
+                                      "derivative: mls, momentum: minus"};
+  const int rows = 20;
+  for (int f = 0; f < 3; f++) {
+    struct case_file *c = column_case(rows, 9, 40, forms[f], "level");
+    struct sph *s = pool_create(c);
+    struct sph_column *start = NULL, *settled = NULL;
+    EXPECT_OK(sph_column_create(s, &start));
+    EXPECT((sph_column_settle(s, 1e-6) == OK) == (f < 2));
+    EXPECT_OK(sph_column_create(s, &settled));
+    if (!start || !settled) exit(1);
+    const double before = largest_growth(start, M_PI), after = largest_growth(settled, M_PI);
+    printf("     %s: growth at k dx = pi %.3f, settled %.3f sqrt(g/H)\n", forms[f], before, after);
+    if (f < 2) {
+      EXPECT_NEAR(sph_column_unrest(start), 0.5, 0.01);
+      EXPECT(sph_column_unrest(settled) <= 1e-6);
+    }
+    if (f == 0) EXPECT(before > 1 && after < sqrt(1e-5) * rows);
+    if (f == 1) EXPECT(after > 2 * before);
+    sph_column_destroy(start);
+    sph_column_destroy(settled);
+    sph_destroy(s);
+    case_destroy(c);
+  }
+}
+
 /* ---- a line of particles ---- */
 
-enum { ROWS = 20, MOVING = 3 * ROWS };
+enum { ROWS = 50, MOVING = 3 * ROWS };
 static const double beta = 40, spacing = 1. / ROWS;
 
 /* Rates of heights, velocities and densities of rows that do not vary along the tank, by the slopes
@@ -124,6 +156,7 @@ static void line_rates(const double *s, double *rate) {
       const int k = j < 0 ? -j - 1 : j;
       const double below = j < 0 ? -1 : 1;
       const double away = below * y[k] - y[i];
+      if (fabs(away) >= radius) continue;
       const double density = rho[k] * (j < 0 ? exp(2 * y[k] / beta) : 1);
       double count = 0;
       for (int column = -1; column <= 1; column++) count += hypot(away, column * spacing) < radius;
@@ -135,7 +168,7 @@ static void line_rates(const double *s, double *rate) {
       w += count * below * v[k];
       tw += count * away * below * v[k];
     }
-    const double spread = n * tt - t * t;
+    const double spread = fmax(n * tt - t * t, 1e-9 * radius * radius); /* alone, it falls */
     rate[i] = v[i];
     rate[ROWS + i] = -(n * tp - t * p) / spread / rho[i] - 1;
     rate[2 * ROWS + i] = -rho[i] * (n * tw - t * w) / spread;
@@ -183,37 +216,59 @@ static double line_growth(void) {
   return most;
 }
 
+static struct sph *open_fitted_column(struct case_file **c) {
+  *c = column_case(ROWS, 9, beta, "derivative: mls, momentum: minus", "level");
+  return pool_create(*c);
+}
+
 /* No condition holds the surface of water whose slopes are fitted: it stretches. While nothing
  * varies along the tank its rows are such a line, whose growth is that of the columns and whose
- * heights, at t = 2, are theirs. */
+ * heights, at t = 1, are theirs. */
 static void test_fitted_slopes_let_the_column_stretch(void) {
-  struct case_file *c = column_case(ROWS, 9, beta, "derivative: mls, momentum: minus", "level");
-  struct sph *s = pool_create(c);
+  struct case_file *c;
+  struct sph *s = open_fitted_column(&c);
   struct sph_column *column = NULL;
-  double line[MOVING];
+  double line[MOVING], off = 0;
+  const int steps = 600;
   EXPECT_OK(sph_column_create(s, &column));
   if (!column) exit(1);
-  EXPECT_NEAR(largest_growth(column, 0), line_growth(), 1e-4);
+  const double growth = largest_growth(column, 0), of_line = line_growth();
+  EXPECT_NEAR(growth, of_line, 1e-4);
   sph_column_destroy(column);
-  const int steps = 500;
   line_start(line);
   for (int k = 0; k < steps; k++) {
     EXPECT_OK(sph_rates(s, 0, true, true));
-    EXPECT_OK(sph_step(s, 2. / steps));
-    line_step(line, 2. / steps);
+    EXPECT_OK(sph_step(s, 1. / steps));
+    line_step(line, 1. / steps);
   }
-  const double rise = line[ROWS - 1] - (1 - spacing / 2);
-  printf("     the first row has risen by %.4f H\n", rise);
-  EXPECT(rise > spacing / 2);
-  double off = 0;
+  EXPECT(line[ROWS - 1] - (1 - spacing / 2) > spacing / 2);
   for (size_t i = 0; i < s->f.n; i++) {
     double near = INFINITY;
     for (int j = 0; j < ROWS; j++) near = fmin(near, fabs(s->f.w.y[i] - line[j]));
     off = fmax(off, near);
   }
-  EXPECT(off < 1e-9 * spacing);
+  printf("     growth %.5f, of the line %.5f sqrt(g/H); rows are %.1e dx off it\n", growth, of_line,
+         off / spacing);
+  EXPECT(off < 1e-8 * spacing); /* rounding of pressures, 1e-16 (c0/dx)^2 g H, for a while */
   sph_destroy(s);
   case_destroy(c);
+}
+
+/* What the line does later, as the gallery's T 2-31 has it: how far the first row has risen at t =
+ * 5.25, and when it has lost the others and falls. */
+static void test_the_first_row_loses_the_others(void) {
+  const double dt = 0.5 * spacing / sqrt(beta);
+  double line[MOVING], rate[MOVING], t = 0, risen = 0;
+  line_start(line);
+  do {
+    line_step(line, dt);
+    t += dt;
+    if (t < 5.25 + dt / 2) risen = line[ROWS - 1] - (1 - spacing / 2);
+    line_rates(line, rate);
+  } while (t < 10 && rate[2 * ROWS - 1] > -0.5);
+  printf("     risen by %.4f H at t = 5.25; falls from t = %.3f\n", risen, t);
+  EXPECT_NEAR(risen, 0.3612, 5e-4);
+  EXPECT_NEAR(t, 6.035, 5e-3);
 }
 
 /* ---- what is refused ---- */
@@ -237,7 +292,9 @@ static void test_columns_that_are_not_alike_are_refused(void) {
 int main(void) {
   RUN(test_adjoint_forms_are_neutral);
   RUN(test_sound_has_the_frequencies_of_the_lattice);
+  RUN(test_rows_settle);
   RUN(test_fitted_slopes_let_the_column_stretch);
+  RUN(test_the_first_row_loses_the_others);
   RUN(test_columns_that_are_not_alike_are_refused);
   return TEST_RESULT;
 }
