@@ -46,8 +46,8 @@ static struct growth march(const char *momentum, const char *continuity, double 
   return g;
 }
 
-/* 7.796 sqrt(g/H) is the largest growth of the linearised lattice at the wavenumbers of this tank
- * that are seen in du/dt; 4 % for the fit. */
+/* 7.796 sqrt(g/H) is the largest growth of linearised columns (theory/spectrum.c) at the
+ * wavenumbers of this tank that are seen in du/dt, at k dx = 0.96 pi; 4 % for the fit. */
 static void test_mismatched_forms_grow(void) {
   const struct growth g = march("mass", "absolute", 4);
   printf("     growth %.3f sqrt(g/H)\n", g.slope);
