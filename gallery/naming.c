@@ -148,6 +148,14 @@ static bool check_quoted(struct gallery_reader *r, int node, const char *path,
   return r->doc.faults == faults;
 }
 
+/* Most formulas of tolerances are numbers, which need no parser. */
+static bool is_number(const char *formula) {
+  char *end;
+  if (strspn(formula, "-.0123456789e") != strlen(formula) || *formula == 'e') return false;
+  (void)strtod(formula, &end);
+  return end != formula && !*end;
+}
+
 void gallery_check_formula(struct gallery_reader *r, int node, const char *path,
                            const char *formula, bool along) {
   struct dry dry = {.entry = r->entry, .along = along};
@@ -155,7 +163,7 @@ void gallery_check_formula(struct gallery_reader *r, int node, const char *path,
   const char *names[MOST_NAMES];
   char found[400], what[320];
   double value;
-  if (!formula || !check_quoted(r, node, path, formula)) return;
+  if (!formula || is_number(formula) || !check_quoted(r, node, path, formula)) return;
   if (gallery_formula(&scope, formula, &value) == OK) return;
   if (*dry.missing) {
     size_t n = list_numbers(r->entry, names);
