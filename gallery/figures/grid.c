@@ -135,6 +135,8 @@ static void heads_write(const struct gallery_grid *g, const struct layout *l,
     label_write(s, g->row[k / g->columns],
                 "graph 0, graph 1 left offset 0, character 0.7 font small");
   label_write(s, g->pane[k].note, "graph 1, graph 1 right offset 0, character 0.7 font small");
+  fputs("unset arrow\n", s);
+  gallery_marks_write(g->marks, &g->view, s);
 }
 
 static void axes_write(const struct gallery_grid *g, const struct cmp_figure *fig, size_t k) {

@@ -2,11 +2,12 @@
 #pragma once
 #include "common/base/geometry.h"
 #include "compare/figure.h"
+#include "gallery/figures/marks.h"
 
 enum { GALLERY_NOTE = 64 };
 
 struct gallery_pane {
-  double side; /* of the squares that its points are drawn as, H; 0: there are none */
+  double side;             /* of the squares that its points are drawn as, H; 0: there are none */
   char note[GALLERY_NOTE]; /* above it, at its right end */
   size_t walls, surface;   /* series of the table of lines; SIZE_MAX: none */
 };
@@ -19,6 +20,7 @@ struct gallery_grid {
   struct geo_box room;                    /* H: there is water nowhere else */
   double low, high;                       /* of the colours */
   const char *label;                      /* of these, enhanced text */
+  const struct gallery_marks *marks;      /* in every pane */
 };
 
 /* Points of pane k are rows "x,y,value" of NAME-points-K.csv, K from 1; walls and surfaces those of

@@ -24,12 +24,13 @@ struct snapshots_spec {
   double level;
   bool wide;
   char *surface;
-  int runs, names, times, range, window; /* nodes */
+  int runs, names, times, range, window, marks_node; /* nodes */
   size_t n_runs, n_names, n_times;
   char **run, **name;
   double *time;       /* sqrt(H/g) */
   double limits[2];   /* of the colours; NaN: by the values */
   struct geo_box box; /* H; NaN: by the walls */
+  struct gallery_marks marks;
 };
 
 static const struct param rows[] = {
@@ -52,6 +53,11 @@ static const struct param rows[] = {
     NODE(struct snapshots_spec, range, "", "a list of 2 numbers: the ends of the colours"),
     TEXT(struct snapshots_spec, surface, 160, "", "a run whose surface is drawn over"),
     NODE(struct snapshots_spec, window, "", "a list of 2 points [x, y], H: what is seen"),
+    {.key = "marks",
+     .type = PARAM_NODE,
+     .offset = offsetof(struct snapshots_spec, marks_node),
+     .value = "",
+     .help = "a list of places and lengths that are written into it"},
     {.key = "wide",
      .type = PARAM_BOOL,
      .offset = offsetof(struct snapshots_spec, wide),
@@ -101,13 +107,12 @@ static enum status lists_read(struct gallery_reader *r, int node, const char *pa
     gallery_complain(r, s->names, full, "another number of names than of runs", "a name a run", "");
   TRY(times_read(r, path, s));
   snprintf(full, sizeof full, "%s.range", path);
-  if (s->range &&
-      case_read_pair(&r->doc, s->range, full, &number, "numbers", s->limits) &&
+  if (s->range && case_read_pair(&r->doc, s->range, full, &number, "numbers", s->limits) &&
       !(s->limits[0] < s->limits[1]))
     gallery_complain(r, s->range, full, "a range that ends where it begins, or before",
                      "[low, high]", "");
   window_read(r, path, s);
-  return OK;
+  return gallery_marks_read(r, s->marks_node, path, &s->marks);
 }
 
 static void destroy(void *spec) {
@@ -117,6 +122,7 @@ static void destroy(void *spec) {
   gallery_texts_free(s->n_runs, s->run);
   gallery_texts_free(s->n_names, s->name);
   free(s->time);
+  gallery_marks_free(&s->marks);
   free(s);
 }
 
@@ -172,8 +178,7 @@ struct drawing {
 };
 
 static size_t pane_of(const struct drawing *d, size_t r, size_t time) {
-  return d->spec->across == ACROSS_RUNS ? time * d->spec->n_runs + r
-                                        : r * d->spec->n_times + time;
+  return d->spec->across == ACROSS_RUNS ? time * d->spec->n_runs + r : r * d->spec->n_times + time;
 }
 
 /* The nearest of n times (s) to t (sqrt(H/g)); SIZE_MAX: there is none then. */
@@ -418,6 +423,7 @@ static enum status draw(struct gallery_desk *desk, const struct gallery_entry *e
   colours_choose(&d);
   d.grid.view = view_of(&d);
   d.grid.label = gallery_water_fields[d.field].label;
+  d.grid.marks = &s->marks;
   d.grid.columns = across ? s->n_runs : s->n_times;
   d.grid.rows = across ? s->n_times : s->n_runs;
   d.grid.column = across ? heads.run : heads.time;

@@ -22,6 +22,7 @@
   X(statistic)                                                                                     \
   X(experiment)                                                                                    \
   X(spectrum)                                                                                      \
+  X(without)                                                                                       \
   X(lowpass)                                                                                       \
   X(average)                                                                                       \
   X(highpass)                                                                                      \

@@ -1,4 +1,4 @@
-/* Curves made of another curve: its spectrum, filters, derivative and integral. */
+/* Curves made of another curve: its spectrum, some of its points, filters, derivative, integral. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -49,6 +49,29 @@ static enum status spectrum(struct gallery_desk *desk, const void *with,
     status = gallery_curve_add(curve, 2 * M_PI * (double)k * found.step, found.amplitude[k]);
   cmp_spectrum_destroy(&found);
   return status;
+}
+
+/* ---- fewer points ---- */
+
+static const struct param without_params[] = {
+    SIGNAL_CURVE,
+    SOURCE_REAL(signal_source, period, PARAM_ABOVE_0, 1e9, NULL,
+                "points at its multiples go, but for the one at 0"),
+};
+
+#define HAIR 1e-3 /* of the period */
+
+static enum status without(struct gallery_desk *desk, const void *with,
+                           struct gallery_curve *curve) {
+  const struct signal_source *s = with;
+  struct cmp_signal signal = {0};
+  TRY(signal_of(desk, s->curve, &signal));
+  for (size_t i = 0; i < signal.n; i++) {
+    const double multiple = rint(signal.t[i] / s->period);
+    if (multiple != 0 && fabs(signal.t[i] / s->period - multiple) < HAIR) continue;
+    TRY(gallery_curve_add(curve, signal.t[i], signal.value[i]));
+  }
+  return OK;
 }
 
 /* ---- with the same abscissas ---- */
@@ -168,6 +191,7 @@ static enum status integral(struct gallery_desk *desk, const void *with,
       .evaluate = what,                                                                            \
   };
 SIGNAL(spectrum, "amplitudes of the sines of a curve, by a Hann window, over angular frequency")
+SIGNAL(without, "a curve without its points at multiples of a period, over its x")
 SIGNAL(lowpass, "a curve without its cosines that are much shorter than a period, over its x")
 SIGNAL(average, "the running mean of a curve, over its x")
 SIGNAL(highpass, "a curve less its running mean, over its x")

@@ -86,6 +86,13 @@ static void test_wrong_figures(void) {
       {"{kind: snapshots, field: u, runs: [dam/none], times: [1], range: [1]}", "range"},
       {"{kind: snapshots, field: u, runs: [dam/none], times: [1], window: [[0, 0], [0, 1]]}",
        "a window of no size"},
+      {"{kind: snapshots, field: u, runs: [dam/none], times: [1], marks: [{at: [0, 1]}]}",
+       "name: found nothing"},
+      {"{kind: snapshots, field: u, runs: [dam/none], times: [1], marks: [{name: P, at: [0]}]}",
+       "marks.P.at: found a list of 1 item"},
+      {"{kind: snapshots, field: u, runs: [dam/none], times: [1],\n"
+       "         marks: [{name: H, at: [0, 1], to: [0, 1]}]}",
+       "a length of zero"},
       {"{kind: snapshots, field: u, runs: [lake/none], times: [1]}", "found run 'lake/none'"},
       {"{kind: snapshots, field: u, runs: [dam/none], surface: bem, times: [1]}",
        "found run 'bem'"},
@@ -235,12 +242,11 @@ static void test_theory(void) {
 
 static void test_table(void) {
   static const char *const cells[] = {"a \"b\"", "1.00", "+2.500e-01 H", "–", "1e+20", ""};
-  json_t *made =
-      make("      - kind: table\n"
-           "        head: [one, two, three]\n"
-           "        rows:\n"
-           "          - ['a \"b\"', '=at(\"a\", 0) | %.2f', '=1/4 | %+.3e H']\n"
-           "          - ['=at(\"a\", 99)', '=1e20 || 0 ? 1e20 : 0 | %.3f', '']\n");
+  json_t *made = make("      - kind: table\n"
+                      "        head: [one, two, three]\n"
+                      "        rows:\n"
+                      "          - ['a \"b\"', '=at(\"a\", 0) | %.2f', '=1/4 | %+.3e H']\n"
+                      "          - ['=at(\"a\", 99)', '=1e20 || 0 ? 1e20 : 0 | %.3f', '']\n");
   const json_t *table = json_object_get(json_array_get(made, 0), "table");
   EXPECT(json_array_size(json_object_get(table, "head")) == 3);
   for (size_t k = 0; k < 6; k++)
@@ -308,7 +314,8 @@ static void test_snapshots(void) {
       make("      - {kind: snapshots, field: u, runs: [dam/none, dam/more], names: [N, M],\n"
            "         times: [0, 1.3, 9], surface: dam/none}\n"
            "      - {kind: snapshots, field: pressure, runs: [dam/none], times: [0, 2],\n"
-           "         across: times, range: [0, 2], window: [[0, 0], [2, 1.5]]}\n"
+           "         across: times, range: [0, 2], window: [[0, 0], [2, 1.5]],\n"
+           "         marks: [{name: P1, at: [1.5, 0.3]}, {name: 2 H, at: [0, 1.2], to: [2, 1.2]}]}\n"
            "      - {kind: snapshots, field: a_x, runs: [dam/none], times: [0]}\n"
            "      - {kind: snapshots, field: u, runs: [dam/lost], times: [0]}\n"
            "      - {kind: snapshots, field: excess, runs: [dam/none], times: [2], level: 2}\n");
@@ -324,6 +331,9 @@ static void test_snapshots(void) {
   EXPECT(says("P-1b-points-2.csv", "x [H],y [H],pressure [rho g H]\n0.125,0.125,0.875\n"));
   EXPECT(says("P-1b.gp", "set xrange [0:2]\nset yrange [0:1.5]"));
   EXPECT(says("P-1b.gp", "#440154"));
+  EXPECT(says("P-1b.gp", "set label 'P1' at 1.5,0.3 right")); /* more room on that side */
+  EXPECT(says("P-1b.gp", "set arrow from 0,1.2 to 2,1.2 heads"));
+  EXPECT(says("P-1b.gp", "set label '2 H' at 1,1.2 center"));
   EXPECT(says("P-1.gp", "pngcairo size 2160,")); /* 180 mm by 300 an inch are 2126 */
   EXPECT(says("P-1e-points-1.csv", "x [H],y [H],excess [rho g H]\n0.125,0.125,-1\n"));
   EXPECT(strstr(text_in(made, 2, "failure"), "no points with acceleration"));

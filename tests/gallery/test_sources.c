@@ -447,6 +447,7 @@ static void test_signals(void) {
                                        "name: area, from: integral, curve: rise",
                                        "name: smooth, from: average, curve: rise, over: 0.55",
                                        "name: rest, from: highpass, curve: square, over: 0.6",
+                                       "name: between, from: without, curve: square, period: 0.35",
                                        "name: back, from: formula, y: x, at: 0-x, points: 31",
                                        "name: wrong, from: derivative, curve: back",
                                        "name: few, from: spectrum, curve: square, to: 1",
@@ -466,6 +467,9 @@ static void test_signals(void) {
   EXPECT_NEAR(value("at(\"smooth\", 1.5)"), 3, 1e-11);
   /* the mean of x^2 over 0.6 is 0.03 above it, of its chords 0.1 wide 1/600 more */
   EXPECT_NEAR(value("at(\"rest\", 1.5)"), -0.03 - 1. / 600, 1e-11);
+  EXPECT(value("count(\"between\")") == 31 - 4); /* without 0.7, 1.4, 2.1 and 2.8 */
+  EXPECT_NEAR(value("at(\"between\", 0.7)"), (0.36 + 0.64) / 2, 1e-11);
+  EXPECT_NEAR(value("first(\"between\")"), 0, 1e-11);
   /* 90 is beyond 1.5 times 2 pi/0.2: nothing is left but for the ends, where the even continuation
    * has kinks */
   EXPECT_NEAR(value("amplitude(\"wave\", 90, 1, 5)"), 0.3, 0.03);
