@@ -1,7 +1,5 @@
 #include "gallery/figures/keys.h"
 
-#include <stdlib.h>
-
 struct head {
   char *kind;
   int caption;
