@@ -63,9 +63,11 @@ static enum status find_places(const struct sph *s, struct sph_column *c, double
   c->size = FIELDS * c->rows;
   enum status status = array_create(&place, s->f.n, "particles of columns");
   TRY(status);
-  for (size_t i = 0; i < s->f.n; i++)
-    place[i] =
-        (struct place){(size_t)((s->f.w.x[i] - left) / width * (double)c->columns), i, s->f.w.y[i]};
+  for (size_t i = 0; i < s->f.n; i++) {
+    const double along = (s->f.w.x[i] - left) / width * (double)c->columns;
+    const bool inside = along >= 0 && along < (double)c->columns; /* false of NaN */
+    place[i] = (struct place){inside ? (size_t)along : SIZE_MAX, i, s->f.w.y[i]};
+  }
   qsort(place, s->f.n, sizeof *place, by_column_and_height);
   bool alike = c->rows * c->columns == s->f.n;
   for (size_t k = 0; alike && k < s->f.n; k++)
