@@ -68,6 +68,7 @@ static const struct param check_rows[] = {
      .help = "whose the expected value is"},
     TEXT(struct gallery_check, source, 400, NULL, "where the expected value comes from"),
     TEXT(struct gallery_check, because, LONG, "", "why it does not hold"),
+    TEXT(struct gallery_check, scatter, LONG, "", "a formula: percent of the value, of a run of chaos"),
     {.key = "quick",
      .type = PARAM_BOOL,
      .offset = offsetof(struct gallery_check, quick),

@@ -30,7 +30,9 @@ static json_t *check_json(struct cmp_json_maker *m, const struct gallery_check *
   }
   cmp_json_set(m, o, "low", cmp_json_number(a->low));
   cmp_json_set(m, o, "high", cmp_json_number(a->high));
+  if (c->scatter) cmp_json_set(m, o, "scatter", cmp_json_number(a->scatter));
   cmp_json_set(m, o, "holds", json_boolean(a->holds));
+  cmp_json_set(m, o, "as_expected", json_boolean(gallery_answer_is_expected(c, a)));
   if (*a->failure) set_text(m, o, "failure", a->failure);
   return o;
 }

@@ -37,9 +37,13 @@ static enum status answer_equal(struct gallery_desk *desk, const struct gallery_
 
 static enum status answer(struct gallery_desk *desk, const struct gallery_check *c,
                           struct gallery_answer *a) {
+  double percent = 0;
   TRY(gallery_desk_formula(desk, c->value, &a->value));
   TRY(c->equals ? answer_equal(desk, c, a) : answer_bound(desk, c, a));
   CHECK(isfinite(a->value), ERR_INPUT, "there is no such number: %s", c->value);
+  if (c->scatter) TRY(gallery_desk_formula(desk, c->scatter, &percent));
+  CHECK(isfinite(percent) && percent >= 0, ERR_INPUT, "there is no such scatter: %s", c->scatter);
+  a->scatter = percent / 100 * fabs(a->value);
   return OK;
 }
 
@@ -75,8 +79,14 @@ enum gallery_verdict gallery_verdict_of(const struct gallery_entry *e,
   return e->corrected ? GALLERY_VERDICT_corrected : GALLERY_VERDICT_agrees;
 }
 
+bool gallery_answer_is_expected(const struct gallery_check *c, const struct gallery_answer *a) {
+  if (*a->failure) return false;
+  if (a->holds != (c->because != NULL)) return true;
+  return fabs(a->value - a->low) < a->scatter || fabs(a->value - a->high) < a->scatter;
+}
+
 bool gallery_is_expected(const struct gallery_entry *e, const struct gallery_answer *a) {
   for (size_t i = 0; i < e->n_checks; i++)
-    if (!a[i].left && (*a[i].failure || a[i].holds == (e->checks[i].because != NULL))) return false;
+    if (!a[i].left && !gallery_answer_is_expected(&e->checks[i], &a[i])) return false;
   return true;
 }

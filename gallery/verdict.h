@@ -21,6 +21,7 @@ extern const char *const gallery_verdict_names[], *const gallery_verdict_words[]
 struct gallery_answer { /* to one check */
   double value, expected, tolerance; /* tolerance NaN: a bound */
   double low, high;                  /* what is allowed */
+  double scatter;                    /* of the value, between runs that differ by rounding alone */
   bool holds, left;                  /* left: not held in --quick */
   char failure[400];                 /* why there is no value; "" */
 };
@@ -35,6 +36,8 @@ enum status gallery_answer_all(struct gallery_desk *desk, const struct gallery_e
 enum gallery_verdict gallery_verdict_of(const struct gallery_entry *e,
                                         const struct gallery_answer *answer);
 
-/* Whether each check that does not hold says why, and each that says why does not hold: else
- * something has changed. */
+/* Whether a check that does not hold says why, and one that says why does not hold; or either, when
+ * the value is nearer to a limit than it scatters: else something has changed. */
+bool gallery_answer_is_expected(const struct gallery_check *c, const struct gallery_answer *a);
+/* Whether all are, of those that were not left out. */
 bool gallery_is_expected(const struct gallery_entry *e, const struct gallery_answer *answer);

@@ -22,6 +22,14 @@ static void number_cell(struct markup *m, double value, int digits) {
     cmp_markup_element(m, "td", "n", "–");
 }
 
+/* A number; of a run of chaos, with how far others lie that differ by rounding alone. */
+static void measured_cell(struct markup *m, double value, double scatter, int digits) {
+  if (isfinite(scatter) && isfinite(value))
+    cmp_markup_element(m, "td", "n", "%.4g (scatter %.2g)", value, scatter);
+  else
+    number_cell(m, value, digits);
+}
+
 static void allowed_cell(struct markup *m, const json_t *check, double tolerance) {
   const double low = number_of(check, "low"), high = number_of(check, "high");
   if (isfinite(tolerance))
@@ -38,16 +46,18 @@ static void allowed_cell(struct markup *m, const json_t *check, double tolerance
 
 static void outcome_cell(struct markup *m, const json_t *check) {
   const bool holds = json_is_true(json_object_get(check, "holds"));
-  const bool explained = *gallery_text(check, "because");
+  const bool expected = json_is_true(json_object_get(check, "as_expected"));
+  const bool open = expected && holds == (*gallery_text(check, "because") != 0);
   cmp_markup_open(m, "td", "n");
   if (json_is_true(json_object_get(check, "left_out")))
     cmp_markup_element(m, "span", "na", "left out");
   else if (*gallery_text(check, "failure"))
     cmp_markup_element(m, "span", "na", "no value");
   else if (holds)
-    cmp_markup_element(m, "span", "holds", explained ? "holds, unlike before" : "holds");
+    cmp_markup_element(m, "span", "holds", expected ? "holds" : "holds, unlike before");
   else
-    cmp_markup_element(m, "span", "not", explained ? "does not hold" : "does not hold: changed");
+    cmp_markup_element(m, "span", "not", expected ? "does not hold" : "does not hold: changed");
+  if (open) cmp_markup_element(m, "span", "na", ", within its scatter");
   cmp_markup_close(m);
 }
 
@@ -71,7 +81,7 @@ static void check_row(struct markup *m, const json_t *check) {
   says_cell(m, check);
   number_cell(m, expected, digits);
   allowed_cell(m, check, tolerance);
-  number_cell(m, measured, digits);
+  measured_cell(m, measured, number_of(check, "scatter"), digits);
   outcome_cell(m, check);
   cmp_markup_element(m, "td", "t", "%s%s%s", of, *of ? ": " : "", gallery_text(check, "source"));
   cmp_markup_close(m);

@@ -107,6 +107,30 @@ static void test_what_cannot_be_computed(void) {
   EXPECT(strstr(a[0].failure, "needs itself") != NULL);
 }
 
+/* What scatters across a limit is no change, whichever side it is on; what lies beyond it is. */
+static void test_scatter(void) {
+  static const struct {
+    const char *part, *other;
+    bool holds, expected;
+  } cases[] = {
+      {"below: 1, above: 0.99", "below: 0.99", false, false},
+      {"below: 1, above: 0.99", "below: 0.99, scatter: 1", false, true},
+      {"below: 1, above: 0.99", "below: 0.98, scatter: 1", false, false},
+      {"below: 1, above: 0.99", "below: 1.005, because: chaos, scatter: 1", true, true},
+      {"below: 1, above: 0.99", "below: 1.02, because: chaos, scatter: 1", true, false},
+      {"below: 1, above: 0.99", "above: 1.001, scatter: 1", false, true},
+      {"below: 1, above: 0.99", "equals: 1, percent: 0.1, scatter: 0.2", false, true},
+      {"below: 1, above: 0.99", "equals: 1, percent: 0.1, scatter: 0.05", false, false},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct gallery_answer a[MOST];
+    bool expected;
+    (void)verdict(with(cases[i].part, cases[i].other), false, a, &expected);
+    if (a[2].holds != cases[i].holds || expected != cases[i].expected)
+      TEST_FAIL("%s: holds %d, expected %d", cases[i].other, a[2].holds, expected);
+  }
+}
+
 /* A bound that does not exist holds nothing, though another one does. */
 static void test_bounds_that_do_not_exist(void) {
   static const struct {
@@ -124,6 +148,8 @@ static void test_bounds_that_do_not_exist(void) {
       {"equals: 0.9981983771", "equals: 1/0", "no such number", 0},
       {"below: 1, above: 0.99", "above: -1/0", "no such bound", 2},
       {"value: one, below: 1, above: 0.99", "value: 1/0, above: 0.99", "no such number", 2},
+      {"quick: false", "scatter: 1/0", "no such scatter", 2},
+      {"quick: false", "scatter: -1", "no such scatter", 2},
       {"value: one, equals", "value: 'max(one, at(\"a\", 99))', equals", "no such number", 0},
   };
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
@@ -142,6 +168,7 @@ int main(void) {
   RUN(test_what_fails);
   RUN(test_corrected);
   RUN(test_what_cannot_be_computed);
+  RUN(test_scatter);
   RUN(test_bounds_that_do_not_exist);
   return TEST_RESULT;
 }
