@@ -1,11 +1,10 @@
 /* A noisy profile, what a modal filter leaves of it, and what it leaves after the mean over x was
  * taken off (T, figures 2-22 and 2-23, bottom): velocities u = i kappa (psi_-1 + psi_n) e^(i kappa
- * x) and v = (psi_-1' + psi_n') e^(i kappa x) + f_u' on columns of one wavelength, with f_u = e^(2
- * kappa y), uniform in x, of the vertical velocity alone (T says only that its wavenumber is above
- * kappa). The filter takes the column x = 0. The plain one finds 1 + F0 + leak, or 1 + F0: leak =
- * mu/(kappa + mu) (1 - e^(-(kappa + mu) H))/(1 - e^(-2 kappa H)), mu = 2 kappa. Units: g = H = 1.
- */
-#include <complex.h>
+ * x) and v = (psi_-1' + psi_n') e^(i kappa x) + f_u', with f_u = e^(2 kappa y), uniform in x, of
+ * the vertical velocity alone (T says only that its wavenumber is above kappa). The mean over a
+ * wavelength, or over two or more columns evenly spaced in it, is f_u' itself: waves have none. The
+ * filter takes the column x = 0. The plain one finds 1 + F0 + leak, or 1 + F0: leak = mu/(kappa +
+ * mu) (1 - e^(-(kappa + mu) H))/(1 - e^(-2 kappa H)), mu = 2 kappa. Units: g = H = 1. */
 #include <math.h>
 
 #include "theory/projection.h"
@@ -13,7 +12,7 @@
 
 struct filter {
   double beta, kappa;
-  int filter, mode, columns, points;
+  int filter, mode, points;
 };
 
 static const struct param params[] = {
@@ -22,7 +21,6 @@ static const struct param params[] = {
                 "horizontal wavenumber times H"),
     THEORY_REAL(filter, beta, PARAM_ABOVE_0, 1e6, "10", "c^2/(g H)"),
     THEORY_INT(filter, mode, 0, 200, "20", "n of the acoustic mode"),
-    THEORY_INT(filter, columns, 2, 10000, "16", "columns of a wavelength, whose mean is taken off"),
     THEORY_POINTS(filter),
 };
 static const struct theory_column columns[] = {
@@ -49,33 +47,20 @@ static const struct theory_value values[] = {
 struct field {
   const struct filter *p;
   const struct theory_mode *wave, *sound;
-  bool reduced;
+  bool reduced; /* by the mean over x */
 };
 
-/* v, or the potential of u, u/(i kappa). */
-static double complex velocity(const struct field *f, bool upwards, double x, double y) {
-  double kappa = f->p->kappa;
-  double complex along = cexp(I * kappa * x);
-  if (upwards)
-    return (theory_mode_slope(f->wave, y) + theory_mode_slope(f->sound, y)) * along +
-           2 * kappa * exp(2 * kappa * y);
-  return (theory_mode_psi(f->wave, y) + theory_mode_psi(f->sound, y)) * along;
-}
-
-/* The same of the column x = 0, less the mean of all columns at this depth if it is taken off. */
-static double of_column(const struct field *f, bool upwards, double y) {
-  double complex mean = 0;
-  for (int j = 0; f->reduced && j < f->p->columns; j++)
-    mean += velocity(f, upwards, 2 * M_PI / f->p->kappa * j / f->p->columns, y) / f->p->columns;
-  return creal(velocity(f, upwards, 0, y) - mean);
-}
-
+/* Of u, over i kappa. */
 static double psi(double y, const void *with) {
-  return of_column(with, false, y);
+  const struct field *f = with;
+  return theory_mode_psi(f->wave, y) + theory_mode_psi(f->sound, y);
 }
 
+/* v. */
 static double slope(double y, const void *with) {
-  return of_column(with, true, y);
+  const struct field *f = with;
+  const double kappa = f->p->kappa, mean = 2 * kappa * exp(2 * kappa * y);
+  return theory_mode_slope(f->wave, y) + theory_mode_slope(f->sound, y) + (f->reduced ? 0 : mean);
 }
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {

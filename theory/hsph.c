@@ -64,7 +64,8 @@ static const struct theory_column columns[] = {
 enum { FREQUENCY, FITTED, AMPLITUDE, GROWTH, WAVES };
 static const struct theory_value values[] = {
     [FREQUENCY] = {"frequency", "sqrt(g k)", "of the wave in all rows: its mean"},
-    [FITTED] = {"fitted", "sqrt(g k)", "of the sine nearest to u of the first row"},
+    [FITTED] = {"fitted", "sqrt(g k)",
+                "of the sine nearest to u of the first row; none unless it is between 0.5 and 1.5"},
     [AMPLITUDE] = {"amplitude", "1", "of the wave at the end over that of the start"},
     [GROWTH] = {"growth", "sqrt(g/L)", "the fastest of any wave, without projection"},
     [WAVES] = {"waves", "1", "how many to L these are"},
@@ -96,14 +97,15 @@ static double nearness(const double complex *u, int n, double w_dt) {
   return cabs(sum);
 }
 
-/* Of samples w0_dt apart, over w0: from 0.5 to 1.5, to 1e-6. */
+/* Of samples w0_dt apart, over w0, looked for from 0 to 2, to 1e-6. NaN unless it is between 0.5
+ * and 1.5, the wave's: what is nearest there otherwise is a side lobe of something else. */
 static double fitted(const double complex *u, int n, double w0_dt) {
-  double at = 0.5, step = 0.02, most = 0;
-  for (int k = 0; k <= 50; k++) {
-    const double near = nearness(u, n, w0_dt * (0.5 + 0.02 * k));
+  double at = 0, step = 0.02, most = 0;
+  for (int k = 0; k <= 100; k++) {
+    const double near = nearness(u, n, w0_dt * 0.02 * k);
     if (near <= most) continue;
     most = near;
-    at = 0.5 + 0.02 * k;
+    at = 0.02 * k;
   }
   for (; step > 5e-7; step /= 2)
     for (int side = -1; side <= 1; side += 2) {
@@ -112,7 +114,7 @@ static double fitted(const double complex *u, int n, double w0_dt) {
       most = near;
       at += side * step;
     }
-  return at;
+  return at > 0.5 && at < 1.5 ? at : NAN;
 }
 
 static enum status follow(const struct hsph *p, struct theory_curve *curve) {

@@ -8,7 +8,6 @@
  * 1/(c^2 nu). Units: g = H = 1. */
 #include <math.h>
 
-#include "common/base/root.h"
 #include "theory/modes.h"
 #include "theory/theory.h"
 
@@ -116,18 +115,19 @@ static double scale_of(const struct shape *s) {
   }
 }
 
-/* The derivative of psi as it is drawn: that of the table has no e^(delta y). */
-static double steepness(double y, const void *with) {
-  const struct shape *s = with;
-  if (!s->table) return slope(y, s);
-  return s->nu * (cos(s->nu * y) - s->share * sin(s->nu * y));
+/* The first antinode of an acoustic mode below the surface, within half a wavelength: psi' is
+ * (nu + d s) cos nu y - (nu s - d) sin nu y times e^(d y), in the table with d = 0. */
+static double antinode(const struct shape *s) {
+  const double d = s->table ? 0 : s->mode.exact.delta, part = s->table ? s->share : s->mode.exact.s;
+  return atan2(-(s->nu + d * part), d - s->nu * part) / s->nu;
 }
 
-/* The largest |psi|: at the surface, or at the first antinode below it. */
+/* The largest |psi|: at the surface, at the bed, or at the first antinode, unless that lies below
+ * the bed; deeper ones are no larger. */
 static double largest(const struct shape *s) {
-  if (s->p->mode < 0) return fabs(psi(s, 0));
-  double antinode = root_between(steepness, s, -fmin(0.75 * 2 * M_PI / s->nu, 1), -1e-9 / s->nu);
-  return fmax(fabs(psi(s, 0)), isnan(antinode) ? 0 : fabs(psi(s, antinode)));
+  double most = fmax(fabs(psi(s, 0)), fabs(psi(s, -1)));
+  if (s->p->mode < 0 || antinode(s) < -1) return most;
+  return fmax(most, fabs(psi(s, antinode(s))));
 }
 
 /* Table 2.2 leaves delta s nu out of v beside nu: (delta sin - nu cos). */

@@ -106,6 +106,30 @@ static void test_profiles_of_exact_modes(void) {
   theory_result_destroy(&r);
 }
 
+/* The largest amplitudes are those of the columns, but for what lies between two points, (nu h)^2/8
+ * of the largest: also where the first antinode lies below the bed (mode 0), and of sound so slow
+ * or waves so short that psi(0) is no longer small. */
+static void test_largest_amplitudes_are_those_of_the_columns(void) {
+  static const char *const sound[] = {"5", "100", "0.72", "0.75", "5"};
+  static const char *const kappa[] = {"6.283185307179586", "0.5", "30", "2", "1000"};
+  static const char *const key[][2] = {{"u", "u_most"}, {"pressure", "pressure_most"}};
+  for (size_t k = 0; k < 5; k++) {
+    struct theory_result r =
+        THEORY("profiles", "mode", "-1, 0, 1, 2, 3, 10", "layer", "table, exact", "unit",
+               "potential, elevation", "sound", sound[k], "kappa", kappa[k], "points", "4001");
+    EXPECT(r.n == 24);
+    for (size_t c = 0; c < r.n; c++)
+      for (size_t q = 0; q < 2; q++) {
+        const double most = value_of(&r, c, key[q][1]);
+        double column = 0;
+        for (size_t i = 0; i < 4001; i++) column = fmax(column, fabs(cell_of(&r, c, i, key[q][0])));
+        EXPECT(column > 0 && column <= most * (1 + 1e-12));
+        EXPECT_NEAR(column / most, 1, pow(11 * M_PI / 4000, 2) / 8);
+      }
+    theory_result_destroy(&r);
+  }
+}
+
 /* Table 2.1: u and v are the gradient of the potential; tables 2.2 and 2.3 are its limit, the error
  * below kappa^2/nu^2 + 2 delta H. */
 static void test_table_2_1_and_its_limits(void) {
@@ -307,6 +331,11 @@ static void test_hsph(void) {
   EXPECT(r.n == 4);
   for (size_t c = 0; c < r.n; c++) EXPECT(cell_of(&r, c, 0, "u") > 1);
   theory_result_destroy(&r);
+  r = THEORY("hsph", "rows", "8", "surface", "kept, natural", "every", "0", "periods", "20",
+             "waves", "0");
+  EXPECT_NEAR(value_of(&r, 0, "fitted"), value_of(&r, 0, "frequency"), 0.05);
+  EXPECT(fabs(value_of(&r, 1, "frequency")) < 0.01 && isnan(value_of(&r, 1, "fitted")));
+  theory_result_destroy(&r);
 }
 
 int main(void) {
@@ -315,6 +344,7 @@ int main(void) {
   RUN(test_roots_are_those_of_modes);
   RUN(test_profiles_of_the_tables);
   RUN(test_profiles_of_exact_modes);
+  RUN(test_largest_amplitudes_are_those_of_the_columns);
   RUN(test_table_2_1_and_its_limits);
   RUN(test_acoustic_modes_follow_the_lattice);
   RUN(test_waves);
