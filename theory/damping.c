@@ -98,20 +98,12 @@ static double carried_out(const struct damping *p, double x) {
   return x == 0 ? w.y : hypot(w.y, w.v / sqrt(fabs(x)));
 }
 
-static bool grows(const struct damping *p, double s) {
+static bool grows(double s, const void *with) {
+  const struct damping *p = with;
   const double x = p->mode ? s * s : -s * s;
   const struct state a = change(p, x, (struct state){1, 0}), b = change(p, x, (struct state){0, 1});
   const struct theory_matrix d = {2, {{a.y, b.y}, {a.v, b.v}}};
   return theory_excess(&d) > 0;
-}
-
-static double limit(const struct damping *p) {
-  double low = 0, high = 100;
-  while (high - low > 1e-10) {
-    const double middle = (low + high) / 2;
-    *(grows(p, middle) ? &high : &low) = middle;
-  }
-  return low;
 }
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {
@@ -123,7 +115,7 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
     TRY(theory_radius(&m, &radius));
     TRY(THEORY_ROW(curve, s, radius, closed(p, x), p->steps ? carried_out(p, x) : NAN));
   }
-  curve->value[LIMIT] = limit(p);
+  curve->value[LIMIT] = theory_limit(grows, p, 100);
   return OK;
 }
 

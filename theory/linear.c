@@ -44,6 +44,16 @@ double theory_excess(const struct theory_matrix *d) {
   return most;
 }
 
+double theory_limit(bool (*grows)(double courant, const void *with), const void *with,
+                    double high) {
+  double low = 0;
+  while (high - low > 1e-10) {
+    const double middle = (low + high) / 2;
+    *(grows(middle, with) ? &high : &low) = middle;
+  }
+  return low < 1e-7 ? 0 : low;
+}
+
 struct theory_matrix theory_step(const struct sph_integrator *method, const struct theory_matrix *z,
                                  double damping) {
   static const int at[] = {SPH_LINEAR_X, SPH_LINEAR_U, SPH_LINEAR_RHO};

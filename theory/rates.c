@@ -17,9 +17,10 @@
  *
  *     e^(mu y)     c mu, c mu sqrt(1 + 2 delta/mu);  c F, sqrt(c^2 F^2 + g F);  ln R(z)/dt
  *     e^(i nu y)   0, sqrt{[-a + sqrt(a^2 + g^2 nu^2)]/2} with a = c^2 nu^2, which is c delta up to
- *                  (delta/nu)^2; of the lattice the real part of the root of (c/h)^2 {-s1^2 - 8
- * theta s2^2 - 2 i delta h s1 (2 - cos nu h)}, s1 = sin(nu h), s2 = sin^2(nu h/2), theta = 2 delta
- * |y|, up to theta^2 and (delta h)^2; ln |R(z)|/dt
+ *                  (delta/nu)^2; of the lattice Re sqrt(q); ln |R(z)|/dt
+ *
+ *     q = (c/h)^2 {-s1^2 - 8 theta s2^2 - 2 i delta h s1 (2 - cos nu h)}, s1 = sin(nu h),
+ *     s2 = sin^2(nu h/2), theta = 2 delta |y|, up to theta^2 and (delta h)^2
  *
  * R = 1 + z + z^2/2 + z^3/6 + z^4/24 and z = dt times the lattice's rate. `printed` is the table's
  * entry, where it has a number: c mu sqrt(1 - 2 delta/mu) for uniform density holds gravity, of

@@ -2,15 +2,15 @@
  * surface (T, section 2.5.6, figure 2-24, eqs 2.157-2.170, 3.17; P, eqs 3, 4, 8-10). Row j lies
  * `offset` + j spacings deep. What the sums over its incomplete supports give:
  *
- *     fill, slope                sum V W; -dx sum V dW/dy
+ *     fill, slope, slope_x       sum V W; -sum V dW/dy, -sum V dW/dx, in 1/dx
  *     variable, plus, minus      dv/dt over g by (2.12), by the sum P_b + P_a (4.40, 3.16) and by
  *                                the difference (3.16); 0 is rest
  *     molteni, ferrari, antuono  the diffusive term on the hydrostatic density, rho0 g/(c^2 dx)
  *     gradient_x, gradient_y     sum V x dW/dx and sum V y dW/dy: of u_x and v_y in drho/dt
  *                                (2.163), and of P_x and P_y (2.159, 2.160)
  *     gradient_cross             the larger of sum V x dW/dy and sum V y dW/dx: of v_x and u_y
- *     slope_integral             -dx int dW/dy over the half-plane below a point of the surface,
- *                                dx int W(x, 0) dx, which takes the place of slope in (2.165)
+ *     slope_integral             -int dW/dy over the half-plane below a point of the surface, int
+ *                                W(x, 0) dx, in 1/dx, which takes the place of slope in (2.165)
  *
  * Accelerations take the water's own density with depth, e^(-2 delta y), where `stratification`
  * says how much it changes, and masses rho dx^2; without it, P = -rho0 g y and one density.
@@ -100,8 +100,8 @@ static const struct theory_column columns[] = {
      .undrawn = true},
     {.key = "slope_x",
      .unit = "1/dx",
-     .label = "-dx Σ V ∂W/∂x",
-     .help = "-dx sum V dW/dx: 0 by symmetry",
+     .label = "−Δx Σ V ∂W/∂x",
+     .help = "-sum V dW/dx: 0 by symmetry",
      .undrawn = true},
     {.key = "symmetric",
      .unit = "g",

@@ -36,8 +36,9 @@ static const struct param params[] = {
                   "xsph, tensile, shepard, mls", "what is applied"),
     THEORY_REAL(treatments, strength, 0, 3, "0.1",
                 "of xsph, neutral up to 3/2; and of the tensile correction, below 1"),
-    THEORY_CHOICE(treatments, density, density_names, density_helps, "direct",
-                  "how the density is found, with xsph and tensile"),
+    THEORY_CHOICE(
+        treatments, density, density_names, density_helps, "direct",
+        "how the density is found, with xsph and tensile; shepard and mls do not depend on it"),
     THEORY_REAL(treatments, to, PARAM_ABOVE_0, 20, "3.141592653589793", "largest kh and mu h"),
     THEORY_POINTS(treatments),
 };
@@ -57,7 +58,10 @@ static const struct theory_column columns[] = {
 };
 enum { SECOND, GROWTH };
 static const struct theory_value values[] = {
-    [GROWTH] = {"growth_most", "c/h", "fastest growth of any wave with xsph or tensile"},
+    [GROWTH] =
+        {"growth_most", "c/h",
+         "fastest growth of any wave with xsph or tensile; up to 2.83e-6 of tensile is that of its "
+         "tension, sqrt(8e-12)"},
     [SECOND] = {"second", "h^2", "factor = 1 + this times f''/f for long waves"},
 };
 
@@ -98,16 +102,27 @@ static double quotient(double with, double without) {
 }
 
 static enum status factors_of_rates(const struct treatments *p, double k, double *waves,
-                                    double *decaying, double *growth) {
+                                    double *decaying) {
   const struct theory_chain with = chain_of(p, true), without = chain_of(p, false);
   struct rates a, b;
   TRY(rates_of(&with, I * k, &a));
   TRY(rates_of(&without, I * k, &b));
   *waves = quotient(a.frequency, b.frequency);
-  *growth = a.growth;
   TRY(rates_of(&with, k, &a));
   TRY(rates_of(&without, k, &b));
   *decaying = quotient(a.growth, b.growth);
+  return OK;
+}
+
+/* Of waves up to k h = pi, whatever is drawn. */
+static enum status fastest(const struct treatments *p, double *most) {
+  const struct theory_chain with = chain_of(p, true);
+  struct rates r;
+  *most = 0;
+  for (int i = 1; i <= THEORY_WAVES; i++) {
+    TRY(rates_of(&with, I * M_PI * i / THEORY_WAVES, &r));
+    *most = fmax(*most, r.growth);
+  }
   return OK;
 }
 
@@ -120,15 +135,14 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   const struct treatments *p = with;
   static const double second[] = {
       [XSPH] = 1. / 12, [TENSILE] = 0, [SHEPARD] = 1. / 6, [MLS] = 1. / 3};
-  double waves, decaying, growth;
+  double waves, decaying;
   CHECK(p->treatment != TENSILE || p->strength < 1, ERR_USAGE,
         "strength: found %g; allowed: less than 1 with tensile", p->strength);
-  if (is_of_rates(p)) curve->value[GROWTH] = 0;
+  if (is_of_rates(p)) TRY(fastest(p, &curve->value[GROWTH]));
   for (int i = 0; i < p->points; i++) {
     double k = theory_between(0, p->to, i, p->points);
     if (is_of_rates(p)) {
-      TRY(factors_of_rates(p, k, &waves, &decaying, &growth));
-      curve->value[GROWTH] = fmax(curve->value[GROWTH], growth);
+      TRY(factors_of_rates(p, k, &waves, &decaying));
     } else {
       waves = factor_of_values(p, creal(theory_spline_symbol(I * k, 1)) - 1);
       decaying = factor_of_values(p, creal(theory_spline_symbol(k, 1)) - 1);

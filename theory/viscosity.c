@@ -39,7 +39,7 @@ enum { WORST, WORST_AT, LIMIT };
 static const struct theory_value values[] = {
     [WORST] = {"growth_most", "1", "largest growth in a step"},
     [WORST_AT] = {"kh_most", "1", "k h of that"},
-    [LIMIT] = {"courant_most", "1", "Courant number up to which no wave grows"},
+    [LIMIT] = {"courant_most", "1", "Courant number up to which no wave grows; 0: there is none"},
 };
 
 /* Of y and dt v. */
@@ -58,14 +58,10 @@ static enum status growth(const struct viscosity *p, double courant, double kh, 
   return OK;
 }
 
-/* The waves that are looked at; those of k h = 0 neither move nor grow, those of pi move by
- * viscosity only. */
-enum { WAVES = 720 };
-
 static enum status worst(const struct viscosity *p, double courant, double *most, double *at) {
   *most = -INFINITY;
-  for (int i = 1; i <= WAVES; i++) {
-    double kh = M_PI * i / WAVES, excess;
+  for (int i = 1; i <= THEORY_WAVES; i++) {
+    double kh = M_PI * i / THEORY_WAVES, excess;
     TRY(growth(p, courant, kh, &excess));
     if (excess <= *most) continue;
     *most = excess;
@@ -76,9 +72,10 @@ static enum status worst(const struct viscosity *p, double courant, double *most
 
 /* From what a midpoint step changes, Z + Z^2/2: without viscosity growth is mu_c^4/8, which is not
  * seen beside 1. */
-static bool any_grows(const struct viscosity *p, double courant) {
-  for (int i = 1; i <= WAVES; i++) {
-    const struct theory_matrix z = rates_of(p, courant, M_PI * i / WAVES);
+static bool any_grows(double courant, const void *with) {
+  const struct viscosity *p = with;
+  for (int i = 1; i <= THEORY_WAVES; i++) {
+    const struct theory_matrix z = rates_of(p, courant, M_PI * i / THEORY_WAVES);
     struct theory_matrix d = z;
     for (int row = 0; row < 2; row++)
       for (int column = 0; column < 2; column++)
@@ -86,15 +83,6 @@ static bool any_grows(const struct viscosity *p, double courant) {
     if (theory_excess(&d) > 0) return true;
   }
   return false;
-}
-
-static double limit(const struct viscosity *p) {
-  double low = 0, high = 4;
-  while (high - low > 1e-10) {
-    const double middle = (low + high) / 2;
-    *(any_grows(p, middle) ? &high : &low) = middle;
-  }
-  return low;
 }
 
 static enum status evaluate(const void *with, struct theory_curve *curve) {
@@ -105,7 +93,7 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
     TRY(THEORY_ROW(curve, kh, excess));
   }
   TRY(worst(p, p->courant, &curve->value[WORST], &curve->value[WORST_AT]));
-  curve->value[LIMIT] = limit(p);
+  curve->value[LIMIT] = theory_limit(any_grows, p, 4);
   return OK;
 }
 

@@ -22,7 +22,7 @@
  * makes them grow: with particles 1/16 and 1/32 of the wave apart and c0^2 = 10 g L, seven and
  * thirteen to its length, with 2.1 and 3.1 sqrt(g/L) as long as velocities and pressures are left
  * alone, still with 0.63 and 0.69 sqrt(g/L) where these are projected every 15 steps, since
- * corrugated particles set them off anew (theory/rows.h), so that after 20 periods there is
+ * corrugated particles set them off anew (sph/theory/rows.h), so that after 20 periods there is
  * nothing else. */
 #include <lapack.h>
 #include <math.h>

@@ -62,6 +62,42 @@ static void test_table_2_4(void) {
   theory_result_destroy(&r);
 }
 
+/* The rate of the particle at the surface among its two neighbours at rest that grows, h = 0.02,
+ * c^2 = 20, W of h = 1/2 and W'' of 1: from y' = v, v' = Y y + R r, r' = V v, of which one rate is
+ * zero and the others are +-sqrt(Y + R V). */
+static double complex rate_at_rest(double kh) {
+  const double c2 = 20, h = 0.02;
+  double complex Y = 0, R = 0, V = 0;
+  for (int j = -1; j <= 1; j += 2) { /* j rows above: y_b - y_a = j h, W' of y_a - y_b is j/2 */
+    const double rho = exp(-j * h / c2), P = c2 * (rho - 1), mass = rho * h;
+    const double complex there = cexp(I * j * kh);
+    Y -= mass * P / (rho * rho) * (1 - there) / pow(h, 3);
+    R -= mass * c2 * (1 + (2 / (rho * rho) - 1 / rho) * there) * j / (2 * h * h);
+    V += mass * (1 - there) * j / (2 * h * h);
+  }
+  const double complex rate = csqrt(Y + R * V);
+  return creal(rate) < 0 ? -rate : rate;
+}
+
+/* Discrete waves at rest, which have no closed form to rounding: ln |R(rate dt)|/dt. */
+static void test_steps_at_rest(void) {
+  struct theory_result r = THEORY("rates", "mode", "oscillating", "base", "rest", "system",
+                                  "lattice, discrete", "points", "40");
+  const double dt = 0.5 * 0.02 / sqrt(20);
+  for (size_t i = 0; i < 40; i++) {
+    const double complex rate = rate_at_rest(cell_of(&r, 0, i, "kh"));
+    double growth = -INFINITY;
+    for (int side = -1; side <= 1; side += 2) {
+      const double complex z = side * rate * dt;
+      const double complex step = 1 + z + z * z / 2 + z * z * z / 6 + z * z * z * z / 24;
+      growth = fmax(growth, log(cabs(step)) / dt);
+    }
+    EXPECT_NEAR((cell_of(&r, 0, i, "eigenvalue") - creal(rate)) / cabs(rate), 0, 1e-11);
+    EXPECT_NEAR((cell_of(&r, 1, i, "eigenvalue") - growth) / cabs(rate), 0, 1e-11);
+  }
+  theory_result_destroy(&r);
+}
+
 /* Waves on a lattice at rest: the system of the sums has the growth of the closed form up to the
  * square of theta = 2 delta |y|; of longer waves than these delta h counts, too. */
 static void test_sums_at_rest(void) {
@@ -127,6 +163,7 @@ int main(void) {
   RUN(test_table_2_1);
   RUN(test_laplacian_of_table_2_1);
   RUN(test_table_2_4);
+  RUN(test_steps_at_rest);
   RUN(test_sums_at_rest);
   RUN(test_rates_are_those_of_other_topics);
   RUN(test_orders_of_fits);
