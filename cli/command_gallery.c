@@ -223,21 +223,6 @@ done:
   return status;
 }
 
-/* What took an hour must not go for want of an option. */
-static enum status check_folder(const struct gallery_arguments *a) {
-  char path[PATH_MAX];
-  json_error_t error;
-  TRY(cmp_path_join(a->out, "gallery.json", path));
-  json_t *json = json_load_file(path, 0, &error);
-  const json_t *quick = json_object_get(json, "quick");
-  const bool other = json_is_boolean(quick) && json_is_true(quick) != a->quick;
-  json_decref(json);
-  CHECK(!other, ERR_USAGE,
-        "--out: found %s, which has a gallery made %s --quick; allowed: a folder of its own for each",
-        a->out, a->quick ? "without" : "with");
-  return OK;
-}
-
 static enum status open_gallery(const struct gallery_arguments *a, const struct gallery_book *book,
                                 int *exit_code) {
   struct progress *progress = NULL;
@@ -253,7 +238,7 @@ static enum status open_gallery(const struct gallery_arguments *a, const struct 
   progress = progress_create(a->quiet ? PROGRESS_QUIET : PROGRESS_AUTO);
   ATTEMPT(progress ? OK : status_raise(ERR_MEMORY, "no memory"));
   ATTEMPT(command_lock_folder(a->out, COMMAND_ALONE, a->wait, progress, &lock));
-  ATTEMPT(check_folder(a));
+  ATTEMPT(gallery_entries_check_folder(a->out, book, a->quick));
   status = make_chosen(a, book, chosen, progress, exit_code);
 done:
   if (lock >= 0) close(lock);

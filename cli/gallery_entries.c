@@ -88,7 +88,7 @@ static bool has_text(const json_t *object, const char *key, const char *text) {
 
 static bool stands(const char *folder, const json_t *of, const char *suffix) {
   char name[160], path[PATH_MAX];
-  snprintf(name, sizeof name, "%.96s%.16s", json_string_value(json_object_get(of, "name")), suffix);
+  snprintf(name, sizeof name, "%.96s%.16s", gallery_text(of, "name"), suffix);
   return cmp_path_join(folder, name, path) == OK && access(path, R_OK) == 0;
 }
 
@@ -109,12 +109,33 @@ static bool figures_stand(const char *out, const json_t *json) {
   return true;
 }
 
-json_t *gallery_entries_read(const char *out, const struct gallery_entry *e, bool quick,
-                             const struct gallery_runs *runs) {
-  char folder[PATH_MAX], path[PATH_MAX], name[96], own[33], of_runs[33];
+/* What is there, whoever has made it; NULL: nothing that can be read. */
+static json_t *load(const char *out, const struct gallery_entry *e) {
+  char folder[PATH_MAX], path[PATH_MAX], name[96];
   json_error_t error;
   if (path_of(out, e, folder, name) != OK || cmp_path_join(folder, name, path) != OK) return NULL;
-  json_t *json = json_load_file(path, 0, &error);
+  return json_load_file(path, 0, &error);
+}
+
+enum status gallery_entries_check_folder(const char *out, const struct gallery_book *book,
+                                         bool quick) {
+  bool other = false;
+  for (size_t i = 0; i < book->n_entries && !other; i++) {
+    json_t *json = load(out, &book->entries[i]);
+    const char *command = gallery_text(json, "command");
+    other = *command && (strstr(command, " --quick") != NULL) != quick;
+    json_decref(json);
+  }
+  CHECK(!other, ERR_USAGE,
+        "--out: found %s, which has entries made %s --quick; allowed: a folder of its own for each",
+        out, quick ? "without" : "with");
+  return OK;
+}
+
+json_t *gallery_entries_read(const char *out, const struct gallery_entry *e, bool quick,
+                             const struct gallery_runs *runs) {
+  char own[33], of_runs[33];
+  json_t *json = load(out, e);
   fingerprint_of(e, quick, own);
   bool same = has_text(json, "fingerprint", own);
   if (same && runs) {

@@ -11,6 +11,11 @@
 json_t *gallery_entries_read(const char *out, const struct gallery_entry *e, bool quick,
                              const struct gallery_runs *runs);
 
+/* ERR_USAGE when the folder has entries made with --quick and these are to be without, or the other
+ * way round: what took an hour must not go for want of an option. */
+enum status gallery_entries_check_folder(const char *out, const struct gallery_book *book,
+                                         bool quick);
+
 /* Makes the entries marked in `chosen`, several at a time, of runs that have been made, as far as
  * they could. One that cannot be made says why in what it leaves. INTERRUPTED. */
 enum status gallery_entries_make(const struct gallery_runs *runs, const bool *chosen, int jobs,

@@ -149,7 +149,8 @@ static enum status check_run(void *data, const struct gallery_need *need) {
   char name[CASE_LONGEST_NAME + 1];
   snprintf(name, sizeof name, "%.*s", slash ? (int)(slash - need->run) : 0, need->run);
   if (slash && slash[1] && !strchr(slash + 1, '/') && gallery_book_case(n->book, name)) return OK;
-  problems_add(n->problems, 0, "%s:%d: %s: found run '%.900s'; allowed: CASE/RUN with a case of `cases`",
+  problems_add(n->problems, 0,
+               "%s:%d: %s: found run '%.900s'; allowed: CASE/RUN with a case of `cases`",
                n->entry->file, need->line, need->path, need->run);
   return OK;
 }

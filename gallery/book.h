@@ -59,8 +59,8 @@ struct gallery_check {
   int of; /* enum gallery_origin */
   char *source;   /* where the expected value comes from: equation, line, derivation */
   char *because;  /* why it is not met: the best explanation found; NULL: it is expected to hold */
-  char *scatter;  /* formula: by how much, in percent, the value differs between runs that differ by
-                     rounding alone; NULL: it does not */
+  char *scatter;  /* formula: by how much the value differs between runs that differ by rounding
+                     alone; NULL: it does not */
   bool quick;     /* held in --quick, too */
 };
 

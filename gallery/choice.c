@@ -151,7 +151,8 @@ static size_t parts(const struct gallery_book *book, size_t n, const char *const
 
 /* What to blame for word i, which means nothing: with a "T" before it when that is but a part. */
 static void blame(size_t i, const char *const *word, char out[LONGEST]) {
-  if (i && strspn(word[i - 1], LETTERS) == strlen(word[i - 1]) && join(2, word + i - 1, out)) return;
+  if (i && strspn(word[i - 1], LETTERS) == strlen(word[i - 1]) && join(2, word + i - 1, out))
+    return;
   join(1, word + i, out);
 }
 

@@ -68,7 +68,7 @@ static const struct param check_rows[] = {
      .help = "whose the expected value is"},
     TEXT(struct gallery_check, source, 400, NULL, "where the expected value comes from"),
     TEXT(struct gallery_check, because, LONG, "", "why it does not hold"),
-    TEXT(struct gallery_check, scatter, LONG, "", "a formula: percent of the value, of a run of chaos"),
+    TEXT(struct gallery_check, scatter, LONG, "", "a formula: how far values of chaos lie apart"),
     {.key = "quick",
      .type = PARAM_BOOL,
      .offset = offsetof(struct gallery_check, quick),
@@ -224,6 +224,7 @@ static void check_formulas(struct gallery_reader *r, int node, const char *path,
   check_formula_of(r, node, path, "percent", c->percent);
   check_formula_of(r, node, path, "below", c->below);
   check_formula_of(r, node, path, "above", c->above);
+  check_formula_of(r, node, path, "scatter", c->scatter);
 }
 
 static void check_bounds(struct gallery_reader *r, int node, const char *path,
@@ -282,7 +283,8 @@ static enum status read_figures(struct gallery_reader *r, int node, const char *
     const int item = gallery_list_item(r, &list, i, full);
     const int text = case_doc_member(&r->doc, item, "caption");
     f->line = case_doc_line(&r->doc, item);
-    if (!is_mapping(r, item, full, "a mapping with kind, caption and the keys of its kind")) continue;
+    if (!is_mapping(r, item, full, "a mapping with kind, caption and the keys of its kind"))
+      continue;
     f->drawer = drawer_of(r, item, full);
     if (!f->drawer) continue;
     snprintf(key, sizeof key, "%s.caption", full);
@@ -361,7 +363,8 @@ void gallery_entry_free(struct gallery_entry *e) {
   }
   for (size_t i = 0; i < e->n_numbers; i++)
     params_release(number_rows, ROWS(number_rows), &e->numbers[i]);
-  for (size_t i = 0; i < e->n_checks; i++) params_release(check_rows, ROWS(check_rows), &e->checks[i]);
+  for (size_t i = 0; i < e->n_checks; i++)
+    params_release(check_rows, ROWS(check_rows), &e->checks[i]);
   for (size_t i = 0; i < e->n_figures; i++) {
     free(e->figures[i].caption);
     if (e->figures[i].drawer) e->figures[i].drawer->destroy(e->figures[i].spec);

@@ -103,7 +103,8 @@ struct gallery_tally gallery_json_tally(const json_t *entry) {
   struct gallery_tally t = {0};
   size_t i;
   json_t *check;
-  if (!*gallery_text(entry, "verdict") || gallery_json_verdict(entry) == GALLERY_VERDICT_failed) return t;
+  if (!*gallery_text(entry, "verdict") || gallery_json_verdict(entry) == GALLERY_VERDICT_failed)
+    return t;
   json_array_foreach(json_object_get(entry, "checks"), i, check) {
     t.checks += !gallery_is_true(check, "left_out");
     t.hold += gallery_is_true(check, "holds");

@@ -134,8 +134,8 @@ static bool give_curve(void *with, const char *name, const struct gallery_curve 
   return true;
 }
 
-/* Every name in quotes: a formula asks for the curves of the branches alone that it takes. True when
- * all are there. */
+/* Every name in quotes: a formula asks for the curves of the branches alone that it takes. True
+ * when all are there. */
 static bool check_quoted(struct gallery_reader *r, int node, const char *path,
                          const char *formula) {
   const size_t faults = r->doc.faults;

@@ -9,8 +9,8 @@
 
 /* ---- which points ---- */
 
-/* The next point from i on with x in [a[0], a[1]]; n at the end. A hair of the curve's length beyond
- * an end is in: times are sums of steps. */
+/* The next point from i on with x in [a[0], a[1]]; n at the end. A hair of the curve's length
+ * beyond an end is in: times are sums of steps. */
 static size_t next_in(const struct gallery_curve *c, const double *a, size_t i) {
   const double hair = c->n ? 1e-9 * fabs(c->x[c->n - 1] - c->x[0]) : 0;
   for (; i < c->n; i++)

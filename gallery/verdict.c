@@ -37,20 +37,20 @@ static enum status answer_equal(struct gallery_desk *desk, const struct gallery_
 
 static enum status answer(struct gallery_desk *desk, const struct gallery_check *c,
                           struct gallery_answer *a) {
-  double percent = 0;
   TRY(gallery_desk_formula(desk, c->value, &a->value));
   TRY(c->equals ? answer_equal(desk, c, a) : answer_bound(desk, c, a));
   CHECK(isfinite(a->value), ERR_INPUT, "there is no such number: %s", c->value);
-  if (c->scatter) TRY(gallery_desk_formula(desk, c->scatter, &percent));
-  CHECK(isfinite(percent) && percent >= 0, ERR_INPUT, "there is no such scatter: %s", c->scatter);
-  a->scatter = percent / 100 * fabs(a->value);
+  if (c->scatter) TRY(gallery_desk_formula(desk, c->scatter, &a->scatter));
+  CHECK(isfinite(a->scatter) && a->scatter >= 0, ERR_INPUT, "there is no such scatter: %s",
+        c->scatter);
   return OK;
 }
 
 enum status gallery_answer_all(struct gallery_desk *desk, const struct gallery_entry *e,
                                struct gallery_answer *a) {
   for (size_t i = 0; i < e->n_checks; i++) {
-    a[i] = (struct gallery_answer){.value = NAN, .expected = NAN, .tolerance = NAN, .low = NAN, .high = NAN};
+    a[i] = (struct gallery_answer){
+        .value = NAN, .expected = NAN, .tolerance = NAN, .low = NAN, .high = NAN};
     a[i].left = gallery_desk_is_quick(desk) && !e->checks[i].quick;
     if (a[i].left) continue;
     const enum status status = answer(desk, &e->checks[i], &a[i]);

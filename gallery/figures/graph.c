@@ -166,7 +166,8 @@ static size_t curve_of(struct graph_curves *c, const struct graph_line *line) {
   while (k < c->n &&
          (strcmp(c->curve[k].name, line->name) || c->curve[k].points != line->points))
     k++;
-  if (k == c->n) c->curve[c->n++] = (struct cmp_graph_curve){.name = line->name, .points = line->points};
+  if (k == c->n)
+    c->curve[c->n++] = (struct cmp_graph_curve){.name = line->name, .points = line->points};
   return k;
 }
 

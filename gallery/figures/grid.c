@@ -39,7 +39,8 @@ static struct layout layout_of(const struct gallery_grid *g, struct cmp_figure *
   struct layout l = {.top = TOP + COLUMN_HEAD};
   l.width = (fig->width - LEFT - RIGHT - gaps) / (double)g->columns;
   l.height = l.width / aspect;
-  l.bar = l.top + (double)g->rows * (ROW_HEAD + l.height) + ROW_GAP * (double)(g->rows - 1) + BOTTOM;
+  l.bar =
+      l.top + (double)g->rows * (ROW_HEAD + l.height) + ROW_GAP * (double)(g->rows - 1) + BOTTOM;
   fig->height = (int)ceil(l.bar + BAR_ROOM);
   for (int k = 0; k < 2; k++) {
     l.water.min[k] = fmax(g->view.min[k], g->room.min[k]);

@@ -55,7 +55,8 @@ enum status gallery_thumb_write(struct markup *m, const struct page_content *c, 
       TRY(cmp_path_join(c->dir, name, path));
       TRY(cmp_file_read(path, &bytes, &n));
       if (n > 24)
-        cmp_markup_image(m, "image/png", bytes, n, "", png_number(bytes, 16), png_number(bytes, 20));
+        cmp_markup_image(m, "image/png", bytes, n, "", png_number(bytes, 16),
+                         png_number(bytes, 20));
       free(bytes);
       return OK;
     }
@@ -255,7 +256,8 @@ enum status gallery_entry_write(struct markup *m, const struct page_content *c, 
   cmp_markup_close(m);
   if (*failure) cmp_markup_element(m, "p", NULL, "It could not be made: %s.", failure);
   if (*broke_off) cmp_markup_element(m, "p", NULL, "A run ended early: %s.", broke_off);
-  if (*unsound) cmp_markup_element(m, "p", NULL, "A run has failed by its own measures: %s.", unsound);
+  if (*unsound)
+    cmp_markup_element(m, "p", NULL, "A run has failed by its own measures: %s.", unsound);
   json_array_foreach(json_object_get(e, "figures"), i, figure) figure_write(m, c, e, figure);
   cmp_markup_element(m, "p", NULL, "%s", gallery_text(e, "setup"));
   gallery_checks_write(m, e);

@@ -106,7 +106,8 @@ static enum status write_groups(struct markup *m, const void *content) {
 static enum status write_verdicts(struct markup *m, const void *content) {
   const struct page_content *c = content;
   for (int k = 0; k < GALLERY_N_VERDICTS; k++)
-    if (count(c->entries, (enum gallery_verdict)k)) option(m, gallery_verdict_names[k], gallery_verdict_words[k]);
+    if (count(c->entries, (enum gallery_verdict)k))
+      option(m, gallery_verdict_names[k], gallery_verdict_words[k]);
   return OK;
 }
 
@@ -155,17 +156,18 @@ static enum status write_lead(struct markup *m, const void *content) {
   const size_t made = json_array_size(c->entries), all = made + json_array_size(missing);
   char of[64] = "";
   if (made < all) snprintf(of, sizeof of, " of the %zu", all);
-  cmp_markup_element(m, "p", "lead",
-                     "%zu%s entries of two documents, made anew by plunge: P, Antuono, Colagrossi & "
-                     "Marrone, and T, the thesis of Kiara. %zu of %zu checks hold. Where a document "
-                     "is wrong in print, what follows from its equations is drawn and the remarks "
-                     "say why.%s",
-                     made, of, hold, checks,
-                     changed ? " Something has changed: see the entries marked so." : "");
+  cmp_markup_element(
+      m, "p", "lead",
+      "%zu%s entries of two documents, made anew by plunge: P, Antuono, Colagrossi & "
+      "Marrone, and T, the thesis of Kiara. %zu of %zu checks hold. Where a document "
+      "is wrong in print, what follows from its equations is drawn and the remarks "
+      "say why.%s",
+      made, of, hold, checks, changed ? " Something has changed: see the entries marked so." : "");
   tally_write(m, c);
   if (json_is_true(json_object_get(c->gallery, "quick")))
-    cmp_markup_element(m, "p", "soft",
-                       "Made with --quick: runs are coarser, and some entries and checks are left out.");
+    cmp_markup_element(
+        m, "p", "soft",
+        "Made with --quick: runs are coarser, and some entries and checks are left out.");
   if (made < all) missing_write(m, missing);
   cmp_markup_element(m, "p", "soft", "plunge %s, revision %s.", gallery_text(c->gallery, "plunge"),
                      gallery_text(c->gallery, "revision"));

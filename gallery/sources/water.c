@@ -168,7 +168,8 @@ static enum status hand_over(void *data, size_t k, struct result_water *r) {
   struct walk *walk = data;
   const struct gallery_water *w = walk->w;
   TRY(array_grow(&walk->value, &walk->room, r->n, "particles"));
-  for (size_t i = 0; i < r->n; i++) walk->value[i] = gallery_water_value(w->field, w->file, w->level, r, i);
+  for (size_t i = 0; i < r->n; i++)
+    walk->value[i] = gallery_water_value(w->field, w->file, w->level, r, i);
   for (size_t i = 0; r->p && i < r->n; i++)
     for (int axis = 0; axis < 2; axis++) r->p[i][axis] /= w->file->H;
   const struct water_state state = {w->file->output_time[w->output[k]] / w->T, r->n,

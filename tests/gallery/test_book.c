@@ -219,6 +219,8 @@ static const struct {
      "a function of a curve; did you mean 'one'?"},
     {19, "      - {says: it is one, value: one, equals: 1, within: last(), of: document, source: eq 1}",
      "t.yaml:19: T 2-10.checks[0].within: found a formula that cannot be read: ..."},
+    {20, "      - {says: it, value: one, below: 2, scatter: 1 +, of: corrected, source: eq 2}",
+     "t.yaml:20: T 2-10.checks[1].scatter: found a formula that cannot be read: ..."},
     {19, "      - {says: it is one, value: one, below: 1 2, of: document, source: eq 1}",
      "t.yaml:19: T 2-10.checks[0].below: found a formula that cannot be read: ..."},
     {15, "      - {name: a, from: formula, y: x^2, to: two}",

@@ -114,13 +114,13 @@ static void test_scatter(void) {
     bool holds, expected;
   } cases[] = {
       {"below: 1, above: 0.99", "below: 0.99", false, false},
-      {"below: 1, above: 0.99", "below: 0.99, scatter: 1", false, true},
-      {"below: 1, above: 0.99", "below: 0.98, scatter: 1", false, false},
-      {"below: 1, above: 0.99", "below: 1.005, because: chaos, scatter: 1", true, true},
-      {"below: 1, above: 0.99", "below: 1.02, because: chaos, scatter: 1", true, false},
-      {"below: 1, above: 0.99", "above: 1.001, scatter: 1", false, true},
-      {"below: 1, above: 0.99", "equals: 1, percent: 0.1, scatter: 0.2", false, true},
-      {"below: 1, above: 0.99", "equals: 1, percent: 0.1, scatter: 0.05", false, false},
+      {"below: 1, above: 0.99", "below: 0.99, scatter: 0.01", false, true},
+      {"below: 1, above: 0.99", "below: 0.98, scatter: 0.01", false, false},
+      {"below: 1, above: 0.99", "below: 1.005, because: chaos, scatter: 0.01", true, true},
+      {"below: 1, above: 0.99", "below: 1.02, because: chaos, scatter: 0.01", true, false},
+      {"below: 1, above: 0.99", "above: 1.001, scatter: 0.01", false, true},
+      {"below: 1, above: 0.99", "equals: 1, percent: 0.1, scatter: 0.002", false, true},
+      {"below: 1, above: 0.99", "equals: 1, percent: 0.1, scatter: 0.0005", false, false},
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct gallery_answer a[MOST];
