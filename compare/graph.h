@@ -36,7 +36,8 @@ struct cmp_graph {
   enum cmp_section section; /* of a report */
   bool raster;              /* heavy: see cmp_figure_begin */
   bool narrow;              /* in one column of a journal, not in two as well */
-  bool equal;               /* one panel, of which x and y have one scale, in one width alone */
+  bool equal;               /* one panel, of which x and y have one scale as long as that makes it
+                               60 to 1200 px high, in one width alone */
   size_t n_columns, n_curves;
   const struct cmp_graph_column *column; /* [n_columns] */
   const struct cmp_graph_curve *curve;   /* [n_curves] */

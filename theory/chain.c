@@ -31,7 +31,7 @@ static void rates(const struct theory_chain *c, const struct particles *p,
     const double complex away = p->w[X][a] - p->w[X][b], W = theory_spline_at(away);
     const double complex slope = theory_spline_slope_at(away), f = W / theory_spline(1);
     const bool tense = creal(P_a) < 0 && creal(P_b) < 0;
-    const double complex left = tense ? 1 - c->tensile * cpow(f, c->power) : 1;
+    const double complex left = tense ? 1 - c->tensile * f * f * f * f : 1;
     rate[X] += c->xsph * (p->w[U][b] - p->w[U][a]) * 2 * m / (rho_a + rho_b) * W;
     rate[U] -= m * (P_a / (rho_a * rho_a) + P_b / (rho_b * rho_b)) * left * slope;
     rate[RHO] += m * (p->w[U][a] - p->w[U][b]) * slope;

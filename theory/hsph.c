@@ -74,7 +74,7 @@ static const struct theory_value values[] = {
 enum { G = 1 };
 
 static struct sph_rows rows_of(const struct hsph *p, int waves) {
-  return sph_rows_create(p->rows, 2 * M_PI * waves, G, p->beta * G, p->radius, !p->surface);
+  return sph_rows_at_rest(p->rows, 2 * M_PI * waves, G, p->beta * G, p->radius, !p->surface);
 }
 
 static void note(const struct hsph *p, const struct sph_rows *l, double t,

@@ -1,6 +1,7 @@
 /* Growth of disturbances in water at rest between a bed and a free surface, by the particle
- * solver's own rates, linearised about its own start (sph/theory/column.h): T, section 2.6.2.2 and
- * figures 2-25 to 2-32, which blame disturbances that decay with the depth, e^(mu y).
+ * solver's own rates, linearised about the start of a run, or about rows that have settled
+ * (sph/theory/column.h): T, section 2.6.2.2 and figures 2-25 to 2-32, which blame disturbances that
+ * decay with the depth, e^(mu y).
  *
  * Wavenumbers are the m-th of a tank of 2 (points - 1) columns, from 0, where nothing varies along
  * it, to pi/dx, where every other column moves the other way. Units: g = H = 1. */
@@ -14,6 +15,7 @@
 #include "common/case/case.h"
 #include "sph/domain/fitted.h"
 #include "sph/pair/derivative.h"
+#include "sph/pair/diffusion.h"
 #include "sph/solver.h"
 #include "theory/kernels.h"
 #include "theory/theory.h"
@@ -44,7 +46,8 @@ static const struct param params[] = {
     THEORY_CHOICE(spectrum, walls, walls, NULL, "mirror-exponential", "images below the bed"),
     THEORY_CHOICE(spectrum, kernel, theory_kernel_names, NULL, "tensor", "the kernel"),
     THEORY_REAL(spectrum, ratio, 0.8, 3, "1", "h/dx"),
-    THEORY_CHOICE(spectrum, diffusion, theory_diffusion_names, NULL, "none", "the diffusive term"),
+    THEORY_CHOICE(spectrum, diffusion, theory_diffusion_names, NULL, "none",
+                  "the diffusive term, of the strength that runs have by default"),
     THEORY_REAL(spectrum, alpha, 0, 1, "0", "artificial viscosity"),
     THEORY_CHOICE(spectrum, at, at, NULL, "start",
                   "start: of the rows as a run starts; settled: when they have come to rest"),
@@ -68,7 +71,7 @@ static const struct theory_column columns[] = {
 /* Of water that is neutral there, sqrt(g/H): rows that shift are double zeros. */
 static const double rounding = 0.01;
 
-enum { MOST, MOST_AT, UNIFORM, MIDDLE, UNREST, SUNK };
+enum { MOST, MOST_AT, UNIFORM, MIDDLE, UNREST, SUNK, DELTA };
 static const struct theory_value values[] = {
     [MOST] = {"growth_most", "sqrt(g/H)", "largest growth"},
     [MOST_AT] = {"k_dx_most", "1", "where"},
@@ -78,9 +81,10 @@ static const struct theory_value values[] = {
                 "of that, vertical velocity at half the depth over that of the first row"},
     [UNREST] = {"unrest", "g", "largest acceleration where rates are taken"},
     [SUNK] = {"sunk", "H", "how far the first row has sunk since the start"},
+    [DELTA] = {"delta", "1", "strength of the diffusive term, which runs have by default"},
 };
 
-/* As wide as its rates reach, twice and more. */
+/* As wide as its rates reach, twice and more; higher than two supports. */
 static enum status write_case(const struct spectrum *p, size_t room, char *text) {
   const double reach = ceil(3 * fmax(3, 4 * p->ratio)), dx = 1. / p->rows;
   const double width = (2 * reach + 3) * dx;
@@ -92,7 +96,7 @@ static enum status write_case(const struct spectrum *p, size_t room, char *text)
   const int n = snprintf(
       text, room,
       "title: column\nfluid: {density: 1, gravity: 1}\nscales: {H: 1}\n"
-      "tank: {walls: [[[0, 2], [0, 0], [%.17g, 0], [%.17g, 2]]], sides: periodic}\n"
+      "tank: {walls: [[[0, 3], [0, 0], [%.17g, 0], [%.17g, 3]]], sides: periodic}\n"
       "water: {wave: {kind: pressed, strength: 1e-30, wavelength: %.17g, decay: 0.25, depth: "
       "%.17g}}\n"
       "time: {end: 1, every: 1}\nruns:\n"
@@ -108,11 +112,32 @@ static enum status write_case(const struct spectrum *p, size_t room, char *text)
   return OK;
 }
 
+/* What runs call otherwise. */
+static const struct name {
+  const char *key, *param;
+} names[] = {{"derivative_radius", "radius"}, {"h_over_dx", "ratio"}};
+
+static const struct name *name_at(const char *text) {
+  for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+    if (!strncmp(text, names[k].key, strlen(names[k].key))) return &names[k];
+  return NULL;
+}
+
 /* What a case file is refused for, said of the parameter. */
 static enum status refuse(const struct problems *problems) {
   if (!problems->n) return status_raise(ERR_USAGE, "%s", status_message());
   const char *found = strstr(problems->text[0], "runs.r.");
-  return status_raise(ERR_USAGE, "%s", found ? found + strlen("runs.r.") : problems->text[0]);
+  const char *from = found ? found + strlen("runs.r.") : problems->text[0];
+  char text[1000] = "";
+  for (size_t n = 0; *from && n + 40 < sizeof text;) {
+    const struct name *name = name_at(from);
+    if (name)
+      n += (size_t)snprintf(text + n, sizeof text - n, "%s", name->param);
+    else
+      text[n++] = *from;
+    from += name ? strlen(name->key) : 1;
+  }
+  return status_raise(ERR_USAGE, "%s", text);
 }
 
 static enum status start(const struct spectrum *p, struct case_file **c, struct sph **s) {
@@ -181,6 +206,7 @@ static enum status evaluate(const void *with, struct theory_curve *curve) {
   if (p->at == SETTLED) ATTEMPT(sph_column_settle(s, 1e-6));
   ATTEMPT(sph_column_create(s, &column));
   curve->value[SUNK] = before - surface_of(s);
+  if (p->diffusion != SPH_DIFFUSION_none) curve->value[DELTA] = s->scheme.delta;
   status = fill(p, column, curve);
 done:
   sph_column_destroy(column);

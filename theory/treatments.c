@@ -92,7 +92,6 @@ static struct theory_chain chain_of(const struct treatments *p, bool treated) {
   return (struct theory_chain){.advanced = p->density,
                                .xsph = p->treatment == XSPH ? strength : 0,
                                .tensile = p->treatment == TENSILE ? strength : 0,
-                               .power = 4,
                                .tension = p->treatment == TENSILE ? 1e-12 : 0};
 }
 

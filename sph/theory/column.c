@@ -26,7 +26,7 @@ static const double moved[FIELDS] = {1e-5, 1e-5, 1e-3, 1e-3, 1e-5};
 struct sph_column {
   size_t rows, size; /* size: FIELDS rows */
   size_t columns;
-  size_t reach; /* columns to either side, and rows, that a particle's rates depend on */
+  size_t reach; /* sph_column_reach */
   double unrest;
   size_t *at;     /* [columns][rows], particles; owned */
   double *block;  /* [2 reach + 1][size][size], of rates m - reach columns to the right of the field
@@ -82,9 +82,13 @@ static enum status find_places(const struct sph *s, struct sph_column *c, double
 
 /* ---- rest ---- */
 
+/* NaN if any is, which is no rest. */
 static double largest_acceleration(const struct sph *s) {
   double most = 0;
-  for (size_t i = 0; i < s->f.n; i++) most = fmax(most, hypot(s->f.k[0].u[i], s->f.k[0].v[i]));
+  for (size_t i = 0; i < s->f.n; i++) {
+    const double a = hypot(s->f.k[0].u[i], s->f.k[0].v[i]);
+    if (isnan(a) || a > most) most = a;
+  }
   return most;
 }
 
@@ -116,26 +120,28 @@ static enum status step_to_rest(struct sph *s, double dt, double slower) {
 enum status sph_column_settle(struct sph *s, double least) {
   const size_t columns = geo_intervals(tank_size(&s->tank, 0), s->dx);
   const double height = (double)s->f.n / (double)columns * s->dx, start = s->t;
-  const double end = start + 30 * height / s->c0;
-  const double rate = 3 * s->c0 / height; /* all but critical damping */
+  const double sound = height / s->c0, end = start + 30 * sound;
+  const double rate = 3 / sound; /* all but critical damping */
   for (;;) {
     TRY(sph_rates(s, 0, true, true));
     const double most = largest_acceleration(s), dt = sph_timestep(s, end) / 2;
     if (most <= least) return OK;
-    CHECK(s->t < end * (1 - 1e-6), ERR_SOLVER,
-          "the rows do not come to rest: accelerations of %.2g m/s^2 after %.3g s", most,
-          s->t - start);
+    CHECK(isfinite(most) && s->t < end * (1 - 1e-6) && !sph_timestep_is_cut(s), ERR_SOLVER,
+          "the rows do not come to rest: accelerations of %.2g g after %.3g times that sound takes "
+          "from bed to surface",
+          most / s->g, (s->t - start) / sound);
     TRY(step_to_rest(s, dt, exp(-rate * dt)));
   }
 }
 
 /* ---- the blocks ---- */
 
-/* Gradients that diffusion takes, and densities that are sums, bring what lies a support farther.
- */
+/* Gradients that diffusion takes, densities that are sums, and quotients of such sums bring what
+ * lies a support farther each. */
 static size_t reach_of(const struct sph *s) {
-  const int supports = 1 + diffusion_needs_gradient(s->scheme.diffusion) +
-                       continuity_sums((enum sph_continuity)s->scheme.continuity);
+  const enum sph_continuity c = (enum sph_continuity)s->scheme.continuity;
+  const int supports = 1 + diffusion_needs_gradient(s->scheme.diffusion) + continuity_sums(c) +
+                       continuity_divides(c);
   return (size_t)supports * (size_t)ceil(s->support / s->dx * (1 - 1e-9));
 }
 
@@ -202,6 +208,13 @@ static enum status find_blocks(const struct differences *d) {
   return OK;
 }
 
+/* LAPACK may not return from what is not. */
+static enum status expect_finite(const struct sph_column *c) {
+  for (size_t k = 0; k < (2 * c->reach + 1) * c->size * c->size; k++)
+    CHECK(isfinite(c->block[k]), ERR_SOLVER, "the rates of the columns are not finite");
+  return OK;
+}
+
 static enum status linearise(struct sph *s, struct sph_column *c) {
   struct differences d = {s, c, {s->dx, s->dx, s->c0, s->c0, s->rho0}, {0}, NULL};
   enum status status = OK;
@@ -213,6 +226,7 @@ static enum status linearise(struct sph *s, struct sph_column *c) {
   c->unrest = largest_acceleration(s);
   status = find_blocks(&d);
   bring_back(&d);
+  if (status == OK) status = expect_finite(c);
 done:
   for (int q = 0; q < FIELDS; q++) free(d.rest[q]);
   free(d.high);
@@ -253,6 +267,10 @@ void sph_column_destroy(struct sph_column *c) {
 
 size_t sph_column_rows(const struct sph_column *c) {
   return c->rows;
+}
+
+size_t sph_column_reach(const struct sph_column *c) {
+  return c->reach;
 }
 
 double sph_column_unrest(const struct sph_column *c) {

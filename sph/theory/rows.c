@@ -1,8 +1,11 @@
 #include "sph/theory/rows.h"
 
+#include <assert.h>
 #include <lapack.h>
 #include <math.h>
 #include <stdlib.h>
+
+#include "sph/time/rk.h"
 
 enum { R = SPH_ROWS_REACH };
 
@@ -43,7 +46,8 @@ static void fit(struct sph_rows *l, double radius, int j) {
   }
 }
 
-struct sph_rows sph_rows_create(int n, double k, double g, double c2, double radius, bool keep) {
+struct sph_rows sph_rows_at_rest(int n, double k, double g, double c2, double radius, bool keep) {
+  assert(R <= n && n <= SPH_ROWS_MOST && radius <= R);
   struct sph_rows l = {.n = n, .keep = keep, .h = 1. / n, .k = k, .g = g, .c2 = c2};
   for (int j = 0; j < n; j++) fit(&l, radius + 1e-9, j);
   return l;
@@ -110,16 +114,17 @@ static void add(const struct sph_rows *l, struct sph_rows_state *w, double dt,
 }
 
 void sph_rows_step(struct sph_rows *l, double dt) {
-  static const double to[] = {0.5, 0.5, 1}, weight[] = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
+  const struct rk_table *table = &sph_rk_classic;
   const struct sph_rows_state start = l->w;
-  struct sph_rows_state at = start, r;
-  for (int stage = 0; stage < 4; stage++) {
-    sph_rows_rates(l, &at, &r);
-    add(l, &l->w, weight[stage] * dt, &r);
-    if (stage == 3) break;
+  struct sph_rows_state at, r[SPH_MAX_STAGES];
+  for (int stage = 0; stage < table->stages; stage++) {
     at = start;
-    add(l, &at, to[stage] * dt, &r);
+    for (int k = 0; k < stage; k++)
+      if (table->a[stage][k] != 0) add(l, &at, table->a[stage][k] * dt, &r[k]);
+    sph_rows_rates(l, &at, &r[stage]);
   }
+  for (int stage = 0; stage < table->stages; stage++)
+    add(l, &l->w, table->b[stage] * dt, &r[stage]);
 }
 
 void sph_rows_project(struct sph_rows *l, bool kept, bool first_row) {

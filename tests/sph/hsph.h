@@ -46,7 +46,7 @@ static inline struct label label_of(const struct sph *s, size_t i, int n) {
 
 /* The lattice of the same wave, its amplitude 1. */
 static inline struct sph_rows lattice_airy(int n, double g) {
-  struct sph_rows l = sph_rows_create(n, k, g, 10 * g, 1.5, true);
+  struct sph_rows l = sph_rows_at_rest(n, k, g, 10 * g, 1.5, true);
   sph_rows_airy(&l);
   return l;
 }

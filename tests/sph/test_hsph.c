@@ -59,7 +59,7 @@ static void test_the_budget_closes(void) {
 
 /* The rate at which a corrugation of the first row grows over so many projections. */
 static double corrugation_grows(int n, int waves, bool first_row) {
-  struct sph_rows l = sph_rows_create(n, 2 * M_PI * waves, 1, 10, 1.5, true);
+  struct sph_rows l = sph_rows_at_rest(n, 2 * M_PI * waves, 1, 10, 1.5, true);
   const double dt = l.h / sqrt(l.c2);
   const int cycles = 40;
   double before = 0;
@@ -77,7 +77,7 @@ static double corrugation_grows(int n, int waves, bool first_row) {
 static double fastest(int n, double radius, bool keep, int *waves) {
   double most = -INFINITY, growth;
   for (int j = 1; j <= n / 2; j++) {
-    const struct sph_rows l = sph_rows_create(n, 2 * M_PI * j, 1, 10, radius, keep);
+    const struct sph_rows l = sph_rows_at_rest(n, 2 * M_PI * j, 1, 10, radius, keep);
     EXPECT_OK(sph_rows_growth(&l, &growth));
     if (growth > most) *waves = j;
     most = fmax(most, growth);
@@ -86,7 +86,7 @@ static double fastest(int n, double radius, bool keep, int *waves) {
 }
 
 static double marched(int n, int waves) {
-  struct sph_rows l = sph_rows_create(n, 2 * M_PI * waves, 1, 10, 1.5, true);
+  struct sph_rows l = sph_rows_at_rest(n, 2 * M_PI * waves, 1, 10, 1.5, true);
   const double dt = l.h / sqrt(l.c2);
   const int steps = (int)(20 / dt);
   double before = 0;

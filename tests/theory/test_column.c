@@ -171,6 +171,45 @@ static void test_spectra_of_columns_at_rest(void) {
   theory_result_destroy(&r);
 }
 
+static enum status spectrum_of(size_t n, const struct theory_setting *setting) {
+  struct theory_result r = {0};
+  const enum status status = theory_evaluate(theory_topic_find("spectrum"), n, setting, &r);
+  theory_result_destroy(&r);
+  return status;
+}
+
+/* Rows that fall apart, whose steps would shrink without end; and what a run is refused for, by the
+ * names that parameters have here. */
+static void test_what_spectrum_refuses(void) {
+  static const struct theory_setting apart[] = {
+      {"points", "2"},       {"rows", "16"},
+      {"beta", "1"},         {"at", "settled"},
+      {"momentum", "minus"}, {"continuity", "reference"},
+      {"kernel", "cubic"},   {"derivative", "renormalised"},
+      {"ratio", "1.5"},      {"alpha", "0.1"},
+  };
+  EXPECT(spectrum_of(THEORY_COUNT(apart), apart) == ERR_SOLVER);
+  EXPECT(strstr(status_message(), "do not come to rest"));
+  static const struct theory_setting narrow[] = {{"points", "2"},       {"rows", "8"},
+                                                 {"momentum", "minus"}, {"continuity", "reference"},
+                                                 {"derivative", "mls"}, {"radius", "1"}};
+  EXPECT(spectrum_of(THEORY_COUNT(narrow), narrow) == ERR_USAGE);
+  EXPECT(!strncmp(status_message(), "radius: found", 13));
+  EXPECT(strstr(status_message(), "over ratio;"));
+  static const struct theory_setting wide[] = {{"points", "2"}, {"rows", "8"}, {"ratio", "3"}};
+  EXPECT_OK(spectrum_of(THEORY_COUNT(wide), wide)); /* in a tank that is high enough */
+}
+
+/* The strength that a run takes by itself; there is none without diffusion. */
+static void test_spectrum_tells_its_diffusion(void) {
+  struct theory_result r =
+      THEORY("spectrum", "points", "2", "rows", "8", "continuity", "mass", "kernel", "gaussian",
+             "ratio", "1.3333333333333333", "diffusion", "none, antuono");
+  EXPECT(isnan(value_of(&r, 0, "delta")));
+  EXPECT_NEAR(value_of(&r, 1, "delta"), 0.2, 1e-12); /* P's, with its kernel */
+  theory_result_destroy(&r);
+}
+
 static void test_smoothing_corrected(void) {
   struct theory_result r = THEORY("smoothing", "layer", "equations", "courant", "1, 0.8, 0.5, 0.1");
   static const double courant[] = {1, 0.8, 0.5, 0.1};
@@ -215,6 +254,8 @@ int main(void) {
   RUN(test_slips_of_the_printed_matrix);
   RUN(test_smoothing_as_printed);
   RUN(test_spectra_of_columns_at_rest);
+  RUN(test_what_spectrum_refuses);
+  RUN(test_spectrum_tells_its_diffusion);
   RUN(test_smoothing_corrected);
   return TEST_RESULT;
 }

@@ -327,6 +327,11 @@ static void test_hsph(void) {
     EXPECT(value_of(&r, c, "waves") == waves[c]);
   }
   theory_result_destroy(&r);
+  /* a support of 3 h on a surface that is kept: of u on the first row, as docs/theory.md has it */
+  r = THEORY("hsph", "rows", "16, 32", "radius", "3");
+  EXPECT_NEAR(cell_of(&r, 0, 0, "u"), 0.860, 1e-3);
+  EXPECT_NEAR(cell_of(&r, 1, 0, "u"), 0.390, 1e-3);
+  theory_result_destroy(&r);
   r = THEORY("hsph", "surface", "natural", "every", "0, 15"); /* neither support carries a wave */
   EXPECT(r.n == 4);
   for (size_t c = 0; c < r.n; c++) EXPECT(cell_of(&r, c, 0, "u") > 1);
