@@ -341,6 +341,19 @@ static void test_columns_that_are_not_alike_are_refused(void) {
   case_destroy(c);
 }
 
+static void test_rates_that_are_not_finite_are_refused(void) {
+  struct case_file *c = column_case(8, 9, 40, "momentum: mass, continuity: mass", "natural");
+  struct sph *s = pool_create(c);
+  struct sph_column *column;
+  s->f.w.rho[11] = NAN;
+  sph_particles_pad(&s->f);
+  EXPECT(sph_column_create(s, &column) == ERR_SOLVER);
+  EXPECT(strstr(status_message(), "not finite"));
+  EXPECT(sph_column_settle(s, 1e-6) == ERR_SOLVER); /* NaN is no rest */
+  sph_destroy(s);
+  case_destroy(c);
+}
+
 int main(void) {
   RUN(test_adjoint_forms_are_neutral);
   RUN(test_sound_has_the_frequencies_of_the_lattice);
@@ -349,5 +362,6 @@ int main(void) {
   RUN(test_fitted_slopes_let_the_column_stretch);
   RUN(test_the_first_row_loses_the_others);
   RUN(test_columns_that_are_not_alike_are_refused);
+  RUN(test_rates_that_are_not_finite_are_refused);
   return TEST_RESULT;
 }
