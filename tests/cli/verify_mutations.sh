@@ -13,7 +13,7 @@ mutations() {
 P 1|theory/dispersion.c|theory/dispersion.c|-(w.viscosity + w.diffusion) / 2|-(w.viscosity - w.diffusion) / 2
 T 2-4|theory/roots.c|theory/roots.c|: s / tanh(x);|: 1.01 * s / tanh(x);
 T 2-20|theory/orthogonality.c|theory/orthogonality.c|return exp(-2 * m->exact.delta * z)|return exp(2 * m->exact.delta * z)
-T 2-24|theory/surface.c|theory/surface.c|v.plus -= (P_b + P)|v.plus -= (P_b - P)
+T 2-24|theory/surface.c|theory/surface.c|v.plus -= (P_b + P)|v.plus -= 1.01 * (P_b + P)
 T Tab 2.1|theory/potentials.c|theory/potentials.c|((e->delta - e->nu * e->s)|((e->delta + e->nu * e->s)
 T 3-1|theory/damping.c|theory/damping.c|csqrt(1 + x - 2 * p->zeta|csqrt(1 + x + 2 * p->zeta
 P 4|common/flow/release_field.c|common/flow/release_field.c|(k == 2 ? 4 : 1) / 6;|(k == 2 ? 4 : 1) / 5;
